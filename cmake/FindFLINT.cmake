@@ -1,0 +1,26 @@
+# Finds FLINT; defines the target FLINT::flint. Arb is part of FLINT from version 3 on; with FLINT 2 the
+# library flint-arb (Debian) or arb is found beside it and the target FLINT::arb links both.
+find_path(FLINT_INCLUDE_DIR flint/flint.h)
+find_library(FLINT_LIBRARY flint)
+include(FindPackageHandleStandardArgs)
+if(FLINT_INCLUDE_DIR)
+  file(STRINGS ${FLINT_INCLUDE_DIR}/flint/flint.h _flint_version REGEX "#define[ \t]+__?FLINT_VERSION[ \t]")
+  string(REGEX MATCH "[0-9]+" FLINT_VERSION_MAJOR "${_flint_version}")
+endif()
+find_package_handle_standard_args(FLINT
+  REQUIRED_VARS FLINT_LIBRARY FLINT_INCLUDE_DIR
+  REASON_FAILURE_MESSAGE "install it with: apt-get install libflint-dev")
+if(FLINT_FOUND AND NOT TARGET FLINT::flint)
+  find_library(FLINT_GMP_LIBRARY gmp REQUIRED)
+  add_library(FLINT::flint INTERFACE IMPORTED)
+  target_include_directories(FLINT::flint SYSTEM INTERFACE ${FLINT_INCLUDE_DIR})
+  target_link_libraries(FLINT::flint INTERFACE ${FLINT_LIBRARY} ${FLINT_GMP_LIBRARY})
+  find_library(ARB_LIBRARY NAMES flint-arb arb)
+  if(FLINT_VERSION_MAJOR GREATER_EQUAL 3)
+    add_library(FLINT::arb ALIAS FLINT::flint)
+  elseif(ARB_LIBRARY)
+    add_library(FLINT::arb INTERFACE IMPORTED)
+    target_link_libraries(FLINT::arb INTERFACE ${ARB_LIBRARY} FLINT::flint)
+  endif()
+endif()
+mark_as_advanced(FLINT_INCLUDE_DIR FLINT_LIBRARY FLINT_GMP_LIBRARY ARB_LIBRARY)

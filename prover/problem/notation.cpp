@@ -1,0 +1,139 @@
+#include "prover/problem/notation.h"
+
+#include <bit>
+#include <optional>
+
+namespace plprove {
+
+namespace {
+
+constexpr int max_views = 3;
+constexpr std::size_t max_features = 1000;
+
+/// A reader of `text` that knows its column, for errors that point at what is wrong.
+class Cursor {
+  public:
+    explicit Cursor(std::string_view text) : text_(text) {}
+
+    bool at_end() const { return position_ == text_.size(); }
+    char peek() const { return at_end() ? '\0' : text_[position_]; }
+    bool take(char c) {
+        if (peek() != c || at_end()) return false;
+        ++position_;
+        return true;
+    }
+    void skip_blanks() {
+        while (take(' ')) {
+        }
+    }
+    [[noreturn]] void fail(const std::string& expected) const {
+        const std::string found = at_end() ? "the end" : describe(text_[position_]);
+        throw NotationError("column " + std::to_string(position_ + 1) + ": found " + found +
+                            ", expected " + expected);
+    }
+
+  private:
+    static std::string describe(char c) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code > 0x20 && code < 0x7f) return std::string("'") + c + "'";
+        return code == 0x20 ? "a blank" : "the byte " + std::to_string(code);
+    }
+
+    std::string_view text_;
+    std::size_t position_ = 0;
+};
+
+Sight read_sight(Cursor& cursor) {
+    Sight sight;
+    if (cursor.take('-')) return sight;
+    sight.point = cursor.take('P');
+    while (cursor.peek() >= 'a' && cursor.peek() <= 'z') {
+        const std::uint32_t pin = 1U << (cursor.peek() - 'a');
+        if (sight.pins >= pin) cursor.fail("the pins of a view in alphabetical order, each once");
+        if (!sight.point && sight.pins != 0)
+            cursor.fail("'P' before two pins: a view that sees two lines of a point sees the point "
+                        "(Definition 1 of the paper)");
+        sight.pins |= pin;
+        cursor.take(cursor.peek());
+    }
+    if (!sight.point && sight.pins == 0)
+        cursor.fail("what a view sees: 'P', the letters of pins, or '-'");
+    return sight;
+}
+
+Feature read_feature(Cursor& cursor) {
+    Feature feature;
+    do
+        feature.sights.push_back(read_sight(cursor));
+    while (feature.views() < max_views && cursor.take('/'));
+    if (feature.views() < 2) cursor.fail("'/' and what the next view sees");
+    std::uint32_t seen = 0;
+    bool point_seen = false;
+    for (const Sight& sight : feature.sights) {
+        seen |= sight.pins;
+        point_seen = point_seen || sight.point;
+    }
+    if (!std::has_single_bit(seen + 1))
+        cursor.fail("pins named a, b, ... without gaps in the feature that ends here");
+    feature.lines = std::popcount(seen);
+    feature.has_point = point_seen || feature.lines != 1;
+    return feature;
+}
+
+std::optional<std::size_t> read_multiplicity(Cursor& cursor) {
+    if (cursor.peek() < '0' || cursor.peek() > '9') return std::nullopt;
+    std::size_t count = 0;
+    while (cursor.peek() >= '0' && cursor.peek() <= '9') {
+        count = 10 * count + static_cast<std::size_t>(cursor.peek() - '0');
+        if (count > max_features)
+            cursor.fail("a multiplicity of at most " + std::to_string(max_features));
+        cursor.take(cursor.peek());
+    }
+    cursor.skip_blanks();
+    if (!cursor.take('*')) cursor.fail("'*' after a multiplicity");
+    cursor.skip_blanks();
+    return count;
+}
+
+} // namespace
+
+Feature parse_feature(std::string_view text) {
+    Cursor cursor(text);
+    Feature feature = read_feature(cursor);
+    if (!cursor.at_end()) cursor.fail("the end of the feature");
+    return feature;
+}
+
+Problem parse_problem(std::string_view text) {
+    Cursor cursor(text);
+    Problem problem;
+    do {
+        cursor.skip_blanks();
+        const std::size_t count = read_multiplicity(cursor).value_or(1);
+        const Feature feature = read_feature(cursor);
+        if (!problem.empty() && feature.views() != problem.front().views())
+            cursor.fail("as many views in every feature");
+        if (problem.size() + count > max_features)
+            cursor.fail("at most " + std::to_string(max_features) + " features");
+        problem.insert(problem.end(), count, feature);
+        cursor.skip_blanks();
+    } while (cursor.take('+'));
+    if (!cursor.at_end()) cursor.fail("'+' and another feature, or the end");
+    return problem;
+}
+
+std::string notation(const Problem& problem) {
+    std::string text;
+    for (std::size_t i = 0; i < problem.size();) {
+        std::size_t same = i + 1;
+        while (same < problem.size() && problem[same] == problem[i])
+            ++same;
+        if (i > 0) text += " + ";
+        if (same - i > 1) text += std::to_string(same - i) + "*";
+        text += notation(problem[i]);
+        i = same;
+    }
+    return text;
+}
+
+} // namespace plprove

@@ -1,0 +1,107 @@
+#include "prover/problem/signature.h"
+
+#include <algorithm>
+
+namespace plprove {
+
+namespace {
+
+using FeaturePermutation = std::array<std::size_t, feature_count>;
+
+std::size_t index_of(const Feature& feature) {
+    static const std::vector<Feature> canonical_features = [] {
+        std::vector<Feature> list;
+        for (const Feature& standard : standard_features())
+            list.push_back(canonical(standard));
+        return list;
+    }();
+    const auto found = std::ranges::find(canonical_features, canonical(feature));
+    return static_cast<std::size_t>(found - canonical_features.begin());
+}
+
+/// For each permutation of the views, where it takes each of the 27 features.
+const std::array<FeaturePermutation, 6>& view_permutations() {
+    static const std::array<FeaturePermutation, 6> permutations = [] {
+        std::array<FeaturePermutation, 6> result{};
+        std::array<int, 3> views{0, 1, 2};
+        for (FeaturePermutation& permutation : result) {
+            for (std::size_t i = 0; i < feature_count; ++i)
+                permutation[i] = index_of(relabel_views(standard_features()[i], views));
+            std::ranges::next_permutation(views);
+        }
+        return result;
+    }();
+    return permutations;
+}
+
+Signature permuted(const Signature& signature, const FeaturePermutation& permutation) {
+    Signature result{};
+    for (std::size_t i = 0; i < feature_count; ++i)
+        result[permutation[i]] = signature[i];
+    return result;
+}
+
+bool represents_its_class(const Signature& signature) {
+    return std::ranges::all_of(view_permutations(), [&](const FeaturePermutation& permutation) {
+        return permuted(signature, permutation) <= signature;
+    });
+}
+
+/// Appends the representatives among the solutions that begin with the given first `index` entries and whose
+/// remaining weights add up to `rest`, in decreasing lexicographic order.
+void append_classes(Signature& signature, std::size_t index, int rest,
+                    const std::array<int, feature_count>& weights,
+                    std::vector<Signature>& classes) {
+    if (index + 1 == feature_count) {
+        if (rest % weights[index] != 0) return;
+        signature[index] = static_cast<std::uint8_t>(rest / weights[index]);
+        if (represents_its_class(signature)) classes.push_back(signature);
+        return;
+    }
+    for (int count = rest / weights[index]; count >= 0; --count) {
+        signature[index] = static_cast<std::uint8_t>(count);
+        append_classes(signature, index + 1, rest - count * weights[index], weights, classes);
+    }
+}
+
+} // namespace
+
+Problem problem_of(const Signature& signature) {
+    Problem problem;
+    for (std::size_t i = 0; i < feature_count; ++i)
+        problem.insert(problem.end(), signature[i], standard_features()[i]);
+    return problem;
+}
+
+std::optional<Signature> signature_of(const Problem& problem) {
+    Signature signature{};
+    for (const Feature& feature : problem) {
+        const std::size_t index = index_of(feature);
+        if (index == feature_count || signature[index] == UINT8_MAX) return std::nullopt;
+        ++signature[index];
+    }
+    return signature;
+}
+
+std::array<Signature, 6> relabelings(const Signature& signature) {
+    std::array<Signature, 6> result{};
+    std::ranges::transform(view_permutations(), result.begin(), [&](const auto& permutation) {
+        return permuted(signature, permutation);
+    });
+    return result;
+}
+
+Signature representative(const Signature& signature) {
+    return std::ranges::max(relabelings(signature));
+}
+
+std::vector<Signature> label_classes() {
+    std::array<int, feature_count> weights{};
+    std::ranges::transform(standard_features(), weights.begin(), weight);
+    std::vector<Signature> classes;
+    Signature signature{};
+    append_classes(signature, 0, camera_dimension, weights, classes);
+    return classes;
+}
+
+} // namespace plprove

@@ -1,0 +1,41 @@
+// Signatures: how often each of the 27 features occurs in a reduced problem in three views, with the
+// relabeling of views and the swap of Corollary 2 acting on them.
+#pragma once
+
+#include "prover/problem/notation.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace plprove {
+
+inline constexpr std::size_t feature_count = 27;
+
+/// The multiplicities of the 27 features, in the authors' order.
+using Signature = std::array<std::uint8_t, feature_count>;
+
+/// The dimension of the space of three calibrated cameras modulo similarity.
+inline constexpr int camera_dimension = 11;
+
+/// The problem with the features of `signature` in the authors' order.
+Problem problem_of(const Signature& signature);
+
+/// The signature of a problem that consists of standard features (pins named in any way), else nothing.
+std::optional<Signature> signature_of(const Problem& problem);
+
+/// The images of `signature` under the six permutations of the views, the signature itself first.
+std::array<Signature, 6> relabelings(const Signature& signature);
+
+/// The lexicographically largest relabeling: the signature that represents the label class.
+Signature representative(const Signature& signature);
+
+/// The pairs of features that a swap exchanges (Corollary 2 of the paper): (12,13), (14,15), (16,17).
+inline constexpr std::array<std::array<std::size_t, 2>, 3> swap_pairs{{{12, 13}, {14, 15}, {16, 17}}};
+
+/// All representatives of label classes of balanced signatures in decreasing lexicographic order: the index
+/// in this list is the authors' number of the class.
+std::vector<Signature> label_classes();
+
+} // namespace plprove
