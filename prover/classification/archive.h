@@ -1,0 +1,50 @@
+// Archives: the certificates of all label classes, with the pools of coordinates they use; and the
+// self-contained certificate of one problem. Values here, text by write().
+#pragma once
+
+#include "prover/classification/certificate.h"
+#include "prover/classification/pool.h"
+
+#include <functional>
+
+namespace plprove {
+
+/// One certificate of an archive: the class with this number is posed in the pool with this index.
+struct Record {
+    std::size_t number = 0;
+    std::size_t pool = 0;
+    Certificate certificate;
+};
+
+/// A certificate for each label class, ascending.
+struct Archive {
+    std::vector<Pool> pools;
+    std::vector<Record> records;
+};
+
+/// Called with the number of classes done, now and then.
+using Progress = std::function<void(std::size_t done)>;
+
+/// Certifies the given label classes (all of them: label_classes()), numbered in order. A class whose minor
+/// vanishes in one pool is tried in the next. Throws std::runtime_error where the pools are used up, which
+/// would refute NOTES section 4.
+Archive certify_classification(const std::vector<Signature>& classes, const Progress& progress);
+
+/// The text of the archive (certs/FORMAT.md, section 5, "classification").
+std::string write(const Archive& archive);
+
+/// A problem with coordinates of its own and its certificate.
+struct ProblemCertificate {
+    std::size_t number = 0; ///< of its label class
+    Cameras cameras;
+    std::vector<PlacedFeature> features;
+    Certificate certificate;
+};
+
+/// Certifies one balanced problem, at coordinates as small as a short search finds.
+ProblemCertificate certify_problem(const Problem& problem, std::size_t number);
+
+/// The text of the certificate (certs/FORMAT.md, section 5, "problem").
+std::string write(const ProblemCertificate& certificate);
+
+} // namespace plprove

@@ -1,0 +1,142 @@
+#include "prover/classification/certificate.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace plprove {
+
+namespace {
+
+std::string decimal(const fmpz* value) {
+    std::string text(fmpz_sizeinbase(value, 10) + 2, '\0');
+    fmpz_get_str(text.data(), 10, value);
+    text.resize(text.find('\0'));
+    return text;
+}
+
+/// The exact camera rows of the features, one below the other.
+IntegerMatrix stack(std::span<const CameraPart* const> parts) {
+    int rows = 0;
+    for (const CameraPart* part : parts)
+        rows += part->exact.rows();
+    IntegerMatrix result(rows, parts.front()->exact.columns());
+    int row = 0;
+    for (const CameraPart* part : parts)
+        for (int i = 0; i < part->exact.rows(); ++i, ++row)
+            for (int j = 0; j < result.columns(); ++j)
+                fmpz_set(result.at(row, j), part->exact.at(i, j));
+    return result;
+}
+
+/// A reduced row echelon form with a common denominator: the matrix itself over the rationals, `rank` rows.
+struct EchelonForm {
+    IntegerMatrix matrix;
+    Integer denominator;
+    std::vector<int> pivots;
+    std::vector<int> free_columns;
+};
+
+EchelonForm echelon_form(const IntegerMatrix& matrix) {
+    EchelonForm form{IntegerMatrix(matrix.rows(), matrix.columns()), {}, {}, {}};
+    const auto rank =
+        fmpz_mat_rref(form.matrix.get(), form.denominator.get(), matrix.get());
+    for (int column = 0; column < matrix.columns(); ++column) {
+        const auto row = static_cast<int>(form.pivots.size());
+        const bool pivot = row < rank && !fmpz_is_zero(form.matrix.at(row, column));
+        (pivot ? form.pivots : form.free_columns).push_back(column);
+    }
+    return form;
+}
+
+/// The kernel vector that is nonzero at free column `column` only among the free ones: primitive, positive
+/// there.
+std::vector<std::string> kernel_vector(const EchelonForm& form, int column) {
+    IntegerMatrix vector(1, form.matrix.columns());
+    fmpz_set(vector.at(0, column), form.denominator.get());
+    for (std::size_t row = 0; row < form.pivots.size(); ++row)
+        fmpz_neg(vector.at(0, form.pivots[row]), form.matrix.at(static_cast<int>(row), column));
+    Integer content;
+    fmpz_mat_content(content.get(), vector.get());
+    if (fmpz_sgn(form.denominator.get()) < 0) fmpz_neg(content.get(), content.get());
+    fmpz_mat_scalar_divexact_fmpz(vector.get(), vector.get(), content.get());
+    std::vector<std::string> entries;
+    for (int j = 0; j < vector.columns(); ++j)
+        entries.push_back(decimal(vector.at(0, j)));
+    return entries;
+}
+
+/// The rows of a matrix of full column rank that are not needed for it; `kept` receives the others. Both
+/// ascend.
+std::vector<int> superfluous_rows(const ResidueMatrix& matrix, std::vector<int>& kept) {
+    ResidueMatrix transposed(matrix.columns(), matrix.rows());
+    nmod_mat_transpose(transposed.get(), matrix.get());
+    const auto rank = nmod_mat_rref(transposed.get());
+    std::vector<int> superfluous;
+    for (int row = 0; row < matrix.rows(); ++row) {
+        const auto next = static_cast<int>(kept.size());
+        const bool pivot = next < rank && transposed.at(next, row) != 0;
+        (pivot ? kept : superfluous).push_back(row);
+    }
+    return superfluous;
+}
+
+ResidueMatrix without_camera_columns(const ResidueMatrix& matrix, std::span<const int> deleted) {
+    const int first_camera_column = matrix.columns() - camera_dimension;
+    ResidueMatrix result(matrix.rows(), matrix.columns() - static_cast<int>(deleted.size()));
+    for (int j = 0, target = 0; j < matrix.columns(); ++j) {
+        if (std::ranges::find(deleted, j - first_camera_column) != deleted.end()) continue;
+        for (int i = 0; i < matrix.rows(); ++i)
+            result.at(i, target) = matrix.at(i, j);
+        ++target;
+    }
+    return result;
+}
+
+Residue minor_of_rows(const ResidueMatrix& matrix, std::span<const int> rows) {
+    ResidueMatrix square(static_cast<int>(rows.size()), matrix.columns());
+    for (int i = 0; i < square.rows(); ++i)
+        std::copy_n(matrix.get()->rows[rows[static_cast<std::size_t>(i)]], square.columns(),
+                    square.get()->rows[i]);
+    return nmod_mat_det(square.get());
+}
+
+std::vector<int> counted_from_one(std::vector<int> indices) {
+    for (int& index : indices)
+        ++index;
+    return indices;
+}
+
+std::optional<Certificate> certify_deficient(const PosedProblem& posed,
+                                             const Obstruction& obstruction) {
+    const EchelonForm form = echelon_form(stack(posed.parts));
+    const auto deficiency = static_cast<std::size_t>(obstruction.deficiency());
+    if (form.free_columns.size() < deficiency)
+        throw std::logic_error("an obstructed problem has too large a rank");
+    if (form.free_columns.size() > deficiency) return std::nullopt;
+
+    DeficientCertificate certificate;
+    certificate.obstruction = obstruction;
+    for (const int column : form.free_columns)
+        certificate.kernel.push_back(kernel_vector(form, column));
+    const ResidueMatrix remaining =
+        without_camera_columns(jacobian(posed.blocks), form.free_columns);
+    std::vector<int> kept;
+    certificate.deleted_rows = counted_from_one(superfluous_rows(remaining, kept));
+    certificate.deleted_columns = counted_from_one(form.free_columns);
+    if (certificate.deleted_rows.size() != deficiency) return std::nullopt;
+    certificate.minor = minor_of_rows(remaining, kept);
+    return certificate;
+}
+
+} // namespace
+
+std::optional<Certificate> certify(const PosedProblem& posed) {
+    const Obstruction why = obstruction(posed.problem);
+    if (why.deficiency() > 0) return certify_deficient(posed, why);
+    const Residue minor = determinant(posed.parts);
+    if (minor == 0) return std::nullopt;
+    return MinimalCertificate{minor};
+}
+
+} // namespace plprove

@@ -1,0 +1,41 @@
+// Certificates of single problems as values: a nonzero minor where the problem is minimal; a kernel basis, a
+// nonzero minor of the exact rank and the obstruction where it is not (certs/FORMAT.md, sections 3 to 5).
+#pragma once
+
+#include "prover/classification/obstruction.h"
+#include "prover/geometry/jacobian.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace plprove {
+
+struct MinimalCertificate {
+    Residue minor = 0; ///< det J modulo q
+};
+
+struct DeficientCertificate {
+    Obstruction obstruction;
+    std::vector<int> deleted_rows;    ///< of J, from 1
+    std::vector<int> deleted_columns; ///< of the 11 camera columns, from 1
+    Residue minor = 0;                ///< of J without these, modulo q
+    std::vector<std::vector<std::string>> kernel; ///< decimal; camera parts of the motions, a basis
+};
+
+using Certificate = std::variant<MinimalCertificate, DeficientCertificate>;
+
+/// A problem posed at a point: its features in order, with blocks and camera parts.
+struct PosedProblem {
+    Problem problem;
+    std::vector<const FeatureBlock*> blocks;
+    std::vector<const CameraPart*> parts;
+};
+
+/// The certificate of a balanced problem at this point, or nothing where the point is special: the rank
+/// there is less than at a generic one.
+std::optional<Certificate> certify(const PosedProblem& posed);
+
+} // namespace plprove

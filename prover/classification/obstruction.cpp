@@ -1,0 +1,46 @@
+#include "prover/classification/obstruction.h"
+
+#include <algorithm>
+
+namespace plprove {
+
+namespace {
+
+bool has_star_obstruction(const Problem& problem) {
+    const auto star = std::ranges::max_element(
+        problem, {}, [](const Feature& feature) { return feature.has_point ? feature.lines : 0; });
+    if (star == problem.end() || !star->has_point || star->lines < 3) return false;
+    const bool free_line =
+        std::ranges::any_of(problem, [](const Feature& feature) { return !feature.has_point; });
+    if (star->lines == 7 || (star->lines == 6 && free_line)) return true;
+    for (std::size_t view = 0; view < star->sights.size(); ++view) {
+        // Only the star itself is seen: camera `view` can slide along its ray to the star.
+        const auto seen = std::ranges::count_if(
+            problem, [&](const Feature& feature) { return feature.sights[view] != Sight{}; });
+        if (seen == 1) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+int Obstruction::deficiency() const { return std::max(excess[0] + excess[1] + excess[2], star); }
+
+std::array<int, 3> shared_points(const Problem& problem) {
+    std::array<int, 3> shared{};
+    for (const Feature& feature : problem)
+        for (std::size_t pair = 0; pair < view_pairs.size(); ++pair)
+            shared[pair] += feature.sees_point(view_pairs[pair][0]) &&
+                            feature.sees_point(view_pairs[pair][1]);
+    return shared;
+}
+
+Obstruction obstruction(const Problem& problem) {
+    Obstruction result;
+    const std::array<int, 3> shared = shared_points(problem);
+    std::ranges::transform(shared, result.excess.begin(), [](int m) { return std::max(0, m - 5); });
+    result.star = has_star_obstruction(problem) ? 1 : 0;
+    return result;
+}
+
+} // namespace plprove

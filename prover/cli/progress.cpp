@@ -1,0 +1,19 @@
+#include "prover/cli/progress.h"
+
+#include <cstdio>
+#include <unistd.h>
+
+namespace plprove {
+
+ProgressLine::ProgressLine(std::string label, std::size_t total)
+    : label_(std::move(label)), total_(total), terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+    if (terminal_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::show(std::size_t done) {
+    if (terminal_) std::fprintf(stderr, "\r%s: %zu of %zu", label_.c_str(), done, total_);
+}
+
+} // namespace plprove

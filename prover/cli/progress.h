@@ -1,0 +1,26 @@
+// A progress line on a terminal; nothing in a pipe.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace plprove {
+
+/// Shows "label: done of total" on standard error, rewriting its line; the line is wiped at the end. Silent
+/// where standard error is no terminal.
+class ProgressLine {
+  public:
+    ProgressLine(std::string label, std::size_t total);
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+    ~ProgressLine();
+
+    void show(std::size_t done);
+
+  private:
+    std::string label_;
+    std::size_t total_;
+    bool terminal_;
+};
+
+} // namespace plprove
