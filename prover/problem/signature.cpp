@@ -41,6 +41,26 @@ Signature permuted(const Signature& signature, const FeaturePermutation& permuta
     return result;
 }
 
+/// Moves all features of the second kind of each pair to the first: among the signatures that differ by the
+/// pairs, this is the largest.
+template <std::size_t N>
+Signature merged(Signature signature, const std::array<std::array<std::size_t, 2>, N>& pairs) {
+    for (const auto& [first, second] : pairs) {
+        signature[first] = static_cast<std::uint8_t>(signature[first] + signature[second]);
+        signature[second] = 0;
+    }
+    return signature;
+}
+
+/// The largest signature that `merge` makes of the members of an orbit.
+template <class Merge>
+Signature representative_of(const std::array<Signature, 6>& orbit, Merge merge) {
+    Signature largest{};
+    for (const Signature& signature : orbit)
+        largest = std::max(largest, merge(signature));
+    return largest;
+}
+
 bool represents_its_class(const Signature& signature) {
     return std::ranges::all_of(view_permutations(), [&](const FeaturePermutation& permutation) {
         return permuted(signature, permutation) <= signature;
@@ -93,6 +113,24 @@ std::array<Signature, 6> relabelings(const Signature& signature) {
 
 Signature representative(const Signature& signature) {
     return std::ranges::max(relabelings(signature));
+}
+
+Signature swap_representative(const Signature& signature) {
+    // Relabeling permutes the pairs, so that merging commutes with it up to the choice of a largest member.
+    return representative_of(relabelings(signature), [](const Signature& relabeled) {
+        return merged(relabeled, swap_pairs);
+    });
+}
+
+Signature constraint_representative(const Signature& signature) {
+    return representative_of(relabelings(signature), [](const Signature& relabeled) {
+        return merged(merged(relabeled, swap_pairs), exchange_pairs);
+    });
+}
+
+std::size_t class_number(const std::vector<Signature>& classes, const Signature& representative) {
+    const auto found = std::ranges::lower_bound(classes, representative, std::greater{});
+    return static_cast<std::size_t>(found - classes.begin());
 }
 
 std::vector<Signature> label_classes() {

@@ -34,8 +34,24 @@ Signature representative(const Signature& signature);
 /// The pairs of features that a swap exchanges (Corollary 2 of the paper): (12,13), (14,15), (16,17).
 inline constexpr std::array<std::array<std::size_t, 2>, 3> swap_pairs{{{12, 13}, {14, 15}, {16, 17}}};
 
+/// The pairs of features that put the same condition on the cameras (a ray meets the intersection of two
+/// planes): P/a/a and Pab/b/a, and so on for the other views.
+inline constexpr std::array<std::array<std::size_t, 2>, 3> exchange_pairs{
+    {{21, 24}, {22, 25}, {23, 26}}};
+
+/// The lexicographically largest signature of the swap&label class: it represents the class.
+Signature swap_representative(const Signature& signature);
+
+/// The lexicographically largest signature of the constraint class: the classes under relabeling, swap and
+/// exchange, whose problems share their camera equations.
+Signature constraint_representative(const Signature& signature);
+
 /// All representatives of label classes of balanced signatures in decreasing lexicographic order: the index
 /// in this list is the authors' number of the class.
 std::vector<Signature> label_classes();
+
+/// The number of the class that `representative` represents: its index in `classes`, the list of
+/// label_classes(). Assumes that it is there.
+std::size_t class_number(const std::vector<Signature>& classes, const Signature& representative);
 
 } // namespace plprove

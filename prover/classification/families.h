@@ -1,0 +1,23 @@
+// The named families of problems in the paper and in the literature, decided from signatures.
+#pragma once
+
+#include "prover/classification/obstruction.h"
+
+#include <optional>
+#include <string>
+
+namespace plprove {
+
+/// Which families a balanced signature belongs to, whether its problem is minimal or not.
+struct Families {
+    bool pl0p = false;                 ///< free points and free lines only (Definition 7)
+    bool at_most_one_pin = false;      ///< no point with two or more pins
+    bool five_point_extension = false; ///< some two views share exactly five points
+    bool registration = false;         ///< ... and fix all features that either of them sees
+    bool trifocal_linear = false;      ///< one of the 66 problems linear in the trifocal tensor (Kileel 2017)
+    std::optional<std::string> plmp;   ///< complete visibility: its name in PLMP, such as 3002_1
+};
+
+Families families(const Signature& signature);
+
+} // namespace plprove

@@ -1,0 +1,33 @@
+// Running the built programs as a user would, and temporary folders for their files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+/// What a command printed and how it ended.
+struct Outcome {
+    int status = -1; ///< exit status, or 128 + signal
+    std::string out;
+    std::string err;
+};
+
+/// Runs a shell command line.
+Outcome run(const std::string& command);
+
+/// The whole of a file.
+std::string read_file(const std::filesystem::path& path);
+void write_file(const std::filesystem::path& path, const std::string& content);
+
+/// A folder that vanishes with the object.
+class TemporaryFolder {
+  public:
+    TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder();
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};

@@ -1,0 +1,83 @@
+// Minors of the Jacobian: elimination by blocks against the whole matrix, and the laws of certificates.
+#include "prover/classification/archive.h"
+
+#include <doctest/doctest.h>
+
+using namespace plprove;
+
+namespace {
+
+template <class T>
+std::vector<const T*> pointers(const std::vector<T>& values) {
+    std::vector<const T*> result;
+    for (const T& value : values)
+        result.push_back(&value);
+    return result;
+}
+
+std::vector<FeatureBlock> blocks_of(const Signature& signature, const Pool& pool) {
+    std::vector<FeatureBlock> blocks;
+    for (std::size_t i = 0; i < feature_count; ++i)
+        for (std::size_t copy = 0; copy < signature[i]; ++copy)
+            blocks.push_back(feature_block(pool.instances[i][copy], pool.cameras));
+    return blocks;
+}
+
+std::vector<CameraPart> eliminated(const std::vector<FeatureBlock>& blocks) {
+    std::vector<CameraPart> parts;
+    for (const FeatureBlock& block : blocks)
+        parts.push_back(eliminate(block).value());
+    return parts;
+}
+
+} // namespace
+
+TEST_CASE("block elimination gives the determinant of the whole Jacobian, sign included") {
+    const std::vector<Signature> classes = label_classes();
+    const Pool pool = make_pool(1);
+    for (std::size_t number = 0; number < classes.size(); number += 509) {
+        CAPTURE(number);
+        const auto blocks = blocks_of(classes[number], pool);
+        const ResidueMatrix whole = jacobian(pointers(blocks));
+        REQUIRE(whole.rows() == whole.columns());
+        CHECK(determinant(pointers(eliminated(blocks))) == nmod_mat_det(whole.get()));
+    }
+}
+
+TEST_CASE("the rank of the whole Jacobian falls short by max(E, S), for every obstructed class") {
+    const std::vector<Signature> classes = label_classes();
+    const Pool pool = make_pool(2);
+    for (const Signature& signature : classes) {
+        const int deficiency = obstruction(problem_of(signature)).deficiency();
+        if (deficiency == 0) continue;
+        CAPTURE(notation(problem_of(signature)));
+        const ResidueMatrix whole = jacobian(pointers(blocks_of(signature, pool)));
+        CHECK(whole.rows() - nmod_mat_rank(whole.get()) == deficiency);
+    }
+}
+
+TEST_CASE("another pool certifies the same classes") {
+    // Classes are minimal or not whatever the coordinates: a sample in pools that the archive does not use.
+    const std::vector<Signature> classes = label_classes();
+    for (const std::uint64_t seed : {101U, 102U, 103U}) {
+        const Pool pool = make_pool(seed);
+        for (std::size_t number = seed; number < classes.size(); number += 2003) {
+            CAPTURE(number);
+            const auto blocks = blocks_of(classes[number], pool);
+            const auto parts = eliminated(blocks);
+            const PosedProblem posed{problem_of(classes[number]), pointers(blocks), pointers(parts)};
+            CHECK(certify(posed).has_value());
+        }
+    }
+}
+
+TEST_CASE("a problem certified by itself has small coordinates") {
+    const std::vector<Signature> classes = label_classes();
+    for (const std::size_t number : {std::size_t{0}, std::size_t{2394}, classes.size() - 1}) {
+        const ProblemCertificate certificate =
+            certify_problem(problem_of(classes[number]), number);
+        for (const PlacedFeature& placed : certificate.features)
+            for (const std::int64_t coordinate : placed.point)
+                CHECK(std::abs(coordinate) <= 9);
+    }
+}
