@@ -48,6 +48,28 @@ Feature canonical(const Feature& feature) {
     return result;
 }
 
+bool is_seen(const Feature& feature, int line) {
+    return std::ranges::any_of(feature.sights,
+                               [&](const Sight& sight) { return (sight.pins >> line & 1U) != 0; });
+}
+
+bool point_is_seen(const Feature& feature) {
+    return std::ranges::any_of(feature.sights, &Sight::point);
+}
+
+namespace {
+
+/// `(Pb)`: the point, where it would not be understood, and the lines that no view sees.
+std::string unseen_notation(const Feature& feature) {
+    std::string unseen;
+    if (feature.has_point && !point_is_seen(feature) && feature.lines < 2) unseen += 'P';
+    for (int line = 0; line < feature.lines; ++line)
+        if (!is_seen(feature, line)) unseen += static_cast<char>('a' + line);
+    return unseen.empty() ? unseen : "(" + unseen + ")";
+}
+
+} // namespace
+
 std::string notation(const Feature& feature) {
     std::string text;
     for (int view = 0; view < feature.views(); ++view) {
@@ -58,7 +80,7 @@ std::string notation(const Feature& feature) {
             if (feature.sees_line(view, line)) text += static_cast<char>('a' + line);
         if (text.size() == start) text += '-';
     }
-    return text;
+    return text + unseen_notation(feature);
 }
 
 const std::vector<Feature>& standard_features() {

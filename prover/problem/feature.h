@@ -56,7 +56,12 @@ Feature relabel_views(const Feature& feature, std::span<const int> from);
 /// The feature with its pins renamed so that features that differ by the names of their pins become equal.
 Feature canonical(const Feature& feature);
 
-/// `Pa/Pa/a`: the views in order, `P` for the point, letters for the pins, `-` for nothing.
+/// Whether some view sees the line, or the point.
+bool is_seen(const Feature& feature, int line);
+bool point_is_seen(const Feature& feature);
+
+/// `Pa/Pa/a`: the views in order, `P` for the point, letters for the pins, `-` for nothing; then, in
+/// parentheses, what exists but no view sees.
 std::string notation(const Feature& feature);
 
 /// The 27 features of Theorem 3 and Table 1 of the paper, in the authors' order.

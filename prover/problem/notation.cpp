@@ -61,22 +61,37 @@ Sight read_sight(Cursor& cursor) {
     return sight;
 }
 
+/// What no view sees, in parentheses: `(P)`, `(b)`, `(Pb)`; nothing where there is no parenthesis.
+Sight read_unseen(Cursor& cursor) {
+    if (!cursor.take('(')) return {};
+    Sight unseen;
+    unseen.point = cursor.take('P');
+    while (cursor.peek() >= 'a' && cursor.peek() <= 'z') {
+        unseen.pins |= 1U << (cursor.peek() - 'a');
+        cursor.take(cursor.peek());
+    }
+    if (!cursor.take(')')) cursor.fail("')' after what no view sees");
+    return unseen;
+}
+
 Feature read_feature(Cursor& cursor) {
     Feature feature;
     do
         feature.sights.push_back(read_sight(cursor));
     while (feature.views() < max_views && cursor.take('/'));
     if (feature.views() < 2) cursor.fail("'/' and what the next view sees");
-    std::uint32_t seen = 0;
-    bool point_seen = false;
+    Sight somewhere = read_unseen(cursor);
     for (const Sight& sight : feature.sights) {
-        seen |= sight.pins;
-        point_seen = point_seen || sight.point;
+        somewhere.point = somewhere.point || sight.point;
+        somewhere.pins |= sight.pins;
     }
-    if (!std::has_single_bit(seen + 1))
+    if (!std::has_single_bit(somewhere.pins + 1))
         cursor.fail("pins named a, b, ... without gaps in the feature that ends here");
-    feature.lines = std::popcount(seen);
-    feature.has_point = point_seen || feature.lines != 1;
+    feature.lines = std::popcount(somewhere.pins);
+    if (!somewhere.point && feature.lines == 0)
+        cursor.fail("'(P)' for a point that no view sees, or '(a)' for a line");
+    // Two lines of a feature meet in its point, seen or not; one line without a point is a free line.
+    feature.has_point = somewhere.point || feature.lines > 1;
     return feature;
 }
 

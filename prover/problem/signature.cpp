@@ -61,24 +61,47 @@ Signature representative_of(const std::array<Signature, 6>& orbit, Merge merge) 
     return largest;
 }
 
-bool represents_its_class(const Signature& signature) {
+/// Whether no permutation of the views makes the first `size` entries larger. Assumes that the permutations
+/// map these entries to themselves.
+bool prefix_is_largest(const Signature& signature, std::size_t size) {
     return std::ranges::all_of(view_permutations(), [&](const FeaturePermutation& permutation) {
-        return permuted(signature, permutation) <= signature;
+        Signature image{};
+        for (std::size_t i = 0; i < size; ++i)
+            image[permutation[i]] = signature[i];
+        return image <= signature;
     });
 }
 
+/// The lengths of prefixes that every permutation of the views maps to themselves.
+const std::array<bool, feature_count + 1>& closed_prefixes() {
+    static const std::array<bool, feature_count + 1> closed = [] {
+        std::array<bool, feature_count + 1> result{};
+        for (std::size_t size = 0; size <= feature_count; ++size)
+            result[size] =
+                std::ranges::all_of(view_permutations(), [&](const FeaturePermutation& p) {
+                    return std::all_of(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(size),
+                                       [&](std::size_t image) { return image < size; });
+                });
+        return result;
+    }();
+    return closed;
+}
+
 /// Appends the representatives among the solutions that begin with the given first `index` entries and whose
-/// remaining weights add up to `rest`, in decreasing lexicographic order.
+/// remaining weights add up to `rest`, in decreasing lexicographic order. The entries from `index` on are zero.
 void append_classes(Signature& signature, std::size_t index, int rest,
                     const std::array<int, feature_count>& weights,
                     std::vector<Signature>& classes) {
-    if (index + 1 == feature_count) {
-        if (rest % weights[index] != 0) return;
-        signature[index] = static_cast<std::uint8_t>(rest / weights[index]);
-        if (represents_its_class(signature)) classes.push_back(signature);
+    // A signature is the largest of its orbit only if its closed prefixes are: most of the tree is cut here.
+    if (closed_prefixes()[index] && !prefix_is_largest(signature, index)) return;
+    if (index == feature_count) {
+        if (rest == 0) classes.push_back(signature);
         return;
     }
-    for (int count = rest / weights[index]; count >= 0; --count) {
+    // The last entry has to use up the rest.
+    const int most = rest / weights[index];
+    const int least = index + 1 == feature_count ? most : 0;
+    for (int count = most; count >= least; --count) {
         signature[index] = static_cast<std::uint8_t>(count);
         append_classes(signature, index + 1, rest - count * weights[index], weights, classes);
     }
