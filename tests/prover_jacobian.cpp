@@ -1,5 +1,6 @@
 // Minors of the Jacobian: elimination by blocks against the whole matrix, and the laws of certificates.
 #include "prover/classification/archive.h"
+#include "prover/classification/problem_certificate.h"
 
 #include <doctest/doctest.h>
 
@@ -74,8 +75,7 @@ TEST_CASE("another pool certifies the same classes") {
 TEST_CASE("a problem certified by itself has small coordinates") {
     const std::vector<Signature> classes = label_classes();
     for (const std::size_t number : {std::size_t{0}, std::size_t{2394}, classes.size() - 1}) {
-        const ProblemCertificate certificate =
-            certify_problem(problem_of(classes[number]), number);
+        const ProblemCertificate certificate = certify_problem(problem_of(classes[number]));
         for (const PlacedFeature& placed : certificate.features)
             for (const std::int64_t coordinate : placed.point)
                 CHECK(std::abs(coordinate) <= 9);

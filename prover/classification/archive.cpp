@@ -60,33 +60,4 @@ Archive certify_classification(const std::vector<Signature>& classes, const Prog
     return archive;
 }
 
-ProblemCertificate certify_problem(const Problem& problem, std::size_t number) {
-    // Some seeds for each size: a small size first, where special positions are common but still rare enough.
-    constexpr std::int64_t largest_bound = 50;
-    constexpr std::uint64_t seeds = 20;
-    for (std::int64_t bound = 3; bound <= largest_bound; ++bound)
-        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-            SmallIntegers integers(seed, bound);
-            ProblemCertificate result{number, random_cameras(integers, 3), {}, {}};
-            std::vector<FeatureBlock> blocks;
-            std::vector<CameraPart> parts;
-            for (const Feature& feature : problem) {
-                result.features.push_back(random_placement(feature, result.cameras, integers));
-                blocks.push_back(feature_block(result.features.back(), result.cameras));
-                parts.push_back(eliminate(blocks.back()).value());
-            }
-            PosedProblem posed{problem, {}, {}};
-            for (std::size_t i = 0; i < problem.size(); ++i) {
-                posed.blocks.push_back(&blocks[i]);
-                posed.parts.push_back(&parts[i]);
-            }
-            if (auto certificate = certify(posed)) {
-                result.certificate = std::move(*certificate);
-                return result;
-            }
-        }
-    throw std::runtime_error("the problem is rank-deficient at every point tried, but has no "
-                             "obstruction for it");
-}
-
 } // namespace plprove

@@ -1,5 +1,4 @@
-// Archives: the certificates of all label classes, with the pools of coordinates they use; and the
-// self-contained certificate of one problem. Values here, text by write().
+// Archives: the certificates of all label classes, with the pools of coordinates they use.
 #pragma once
 
 #include "prover/classification/certificate.h"
@@ -32,19 +31,5 @@ Archive certify_classification(const std::vector<Signature>& classes, const Prog
 
 /// The text of the archive (certs/FORMAT.md, section 5, "classification").
 std::string write(const Archive& archive);
-
-/// A problem with coordinates of its own and its certificate.
-struct ProblemCertificate {
-    std::size_t number = 0; ///< of its label class
-    Cameras cameras;
-    std::vector<PlacedFeature> features;
-    Certificate certificate;
-};
-
-/// Certifies one balanced problem, at coordinates as small as a short search finds.
-ProblemCertificate certify_problem(const Problem& problem, std::size_t number);
-
-/// The text of the certificate (certs/FORMAT.md, section 5, "problem").
-std::string write(const ProblemCertificate& certificate);
 
 } // namespace plprove

@@ -129,7 +129,43 @@ std::optional<Certificate> certify_deficient(const PosedProblem& posed,
     return certificate;
 }
 
+/// The matrix with its last `count` columns moved to the front.
+ResidueMatrix with_last_columns_first(const ResidueMatrix& matrix, int count) {
+    ResidueMatrix result(matrix.rows(), matrix.columns());
+    for (int i = 0; i < matrix.rows(); ++i)
+        for (int j = 0; j < matrix.columns(); ++j)
+            result.at(i, (j + count) % matrix.columns()) = matrix.at(i, j);
+    return result;
+}
+
 } // namespace
+
+std::optional<CameraMinimalCertificate>
+certify_dominant(std::span<const FeatureBlock* const> blocks) {
+    const ResidueMatrix whole = jacobian(blocks);
+    const int cameras = blocks.front()->cameras;
+    const int own = whole.columns() - cameras;
+    // Pivots are found from the left: the camera columns come first, to be among them.
+    ResidueMatrix echelon = with_last_columns_first(whole, cameras);
+    if (nmod_mat_rref(echelon.get()) < whole.rows()) return std::nullopt;
+    std::vector<int> kept_own;
+    std::vector<int> deleted;
+    for (int column = 0, row = 0; column < whole.columns(); ++column) {
+        const bool pivot = row < whole.rows() && echelon.at(row, column) != 0;
+        row += pivot;
+        if (column < cameras && !pivot) return std::nullopt;
+        if (column >= cameras) (pivot ? kept_own : deleted).push_back(column - cameras);
+    }
+    ResidueMatrix square(whole.rows(), whole.rows());
+    for (int i = 0; i < whole.rows(); ++i) {
+        int target = 0;
+        for (const int column : kept_own)
+            square.at(i, target++) = whole.at(i, column);
+        for (int j = 0; j < cameras; ++j)
+            square.at(i, target++) = whole.at(i, own + j);
+    }
+    return CameraMinimalCertificate{counted_from_one(deleted), nmod_mat_det(square.get())};
+}
 
 std::optional<Certificate> certify(const PosedProblem& posed) {
     const Obstruction why = obstruction(posed.problem);

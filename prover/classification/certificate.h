@@ -27,6 +27,12 @@ struct DeficientCertificate {
 
 using Certificate = std::variant<MinimalCertificate, DeficientCertificate>;
 
+/// Of a camera-minimal problem that leaves some of the scene open: the joint camera map is dominant.
+struct CameraMinimalCertificate {
+    std::vector<int> deleted_columns; ///< of J, from 1; none of the camera columns
+    Residue minor = 0;                ///< of J without these, all rows, modulo q
+};
+
 /// A problem posed at a point: its features in order, with blocks and camera parts.
 struct PosedProblem {
     Problem problem;
@@ -37,5 +43,10 @@ struct PosedProblem {
 /// The certificate of a balanced problem at this point, or nothing where the point is special: the rank
 /// there is less than at a generic one.
 std::optional<Certificate> certify(const PosedProblem& posed);
+
+/// The certificate that J has full row rank at this point with all camera columns among the pivots, or nothing
+/// where it has not.
+std::optional<CameraMinimalCertificate>
+certify_dominant(std::span<const FeatureBlock* const> blocks);
 
 } // namespace plprove

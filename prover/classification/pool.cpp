@@ -41,7 +41,7 @@ PlacedFeature random_placement(const Feature& feature, const Cameras& cameras,
         placed.directions.assign(static_cast<std::size_t>(feature.lines), {});
         for (Vector3& direction : placed.directions)
             direction = integers.vector();
-    } while (defect(placed, cameras) || !eliminate(feature_block(placed, cameras)));
+    } while (defect(placed, cameras));
     return placed;
 }
 
@@ -50,8 +50,13 @@ Pool make_pool(std::uint64_t seed) {
     Pool pool{random_cameras(integers, 3), {}};
     for (std::size_t i = 0; i < feature_count; ++i) {
         const Feature& feature = standard_features()[i];
-        for (int copies = camera_dimension / weight(feature); copies > 0; --copies)
-            pool.instances[i].push_back(random_placement(feature, pool.cameras, integers));
+        const auto copies = static_cast<std::size_t>(camera_dimension / weight(feature));
+        while (pool.instances[i].size() < copies) {
+            PlacedFeature placed = random_placement(feature, pool.cameras, integers);
+            // In special position its own unknowns cannot be eliminated.
+            if (eliminate(feature_block(placed, pool.cameras)))
+                pool.instances[i].push_back(std::move(placed));
+        }
     }
     return pool;
 }

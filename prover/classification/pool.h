@@ -37,7 +37,7 @@ class SmallIntegers {
 /// Cameras 2, ..., `views` without defect.
 Cameras random_cameras(SmallIntegers& integers, int views);
 
-/// The feature placed without defect before the cameras, its own unknowns independent modulo q.
+/// The feature placed without defect before the cameras.
 PlacedFeature random_placement(const Feature& feature, const Cameras& cameras,
                                SmallIntegers& integers);
 

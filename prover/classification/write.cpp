@@ -1,5 +1,6 @@
 // The text of certificates, as certs/FORMAT.md section 5 has it.
 #include "prover/classification/archive.h"
+#include "prover/classification/problem_certificate.h"
 
 #include <type_traits>
 
@@ -55,12 +56,19 @@ void append_feature(Text& text, const PlacedFeature& placed) {
     text.line("feature", notation(placed.feature), "point", placed.point, pins);
 }
 
-void append_record(Text& text, std::size_t number, std::size_t pool,
+void append_record(Text& text, const std::string& number, std::size_t pool,
                    const MinimalCertificate& certificate) {
     text.line("minimal", number, pool + 1, certificate.minor);
 }
 
-void append_record(Text& text, std::size_t number, std::size_t pool,
+void append_record(Text& text, const std::string& number, std::size_t pool,
+                   const CameraMinimalCertificate& certificate) {
+    text.line("camera-minimal", number, pool + 1);
+    text.line("delete columns", certificate.deleted_columns);
+    text.line("minor", certificate.minor);
+}
+
+void append_record(Text& text, const std::string& number, std::size_t pool,
                    const DeficientCertificate& certificate) {
     const Obstruction& why = certificate.obstruction;
     text.line("deficient", number, pool + 1, "rank", camera_dimension - why.deficiency(), "excess",
@@ -71,9 +79,19 @@ void append_record(Text& text, std::size_t number, std::size_t pool,
         text.line("kernel", vector);
 }
 
-void append_record(Text& text, std::size_t number, std::size_t pool,
-                   const Certificate& certificate) {
-    std::visit([&](const auto& held) { append_record(text, number, pool, held); }, certificate);
+void append_record(Text&, const std::string&, std::size_t, const std::monostate&) {}
+
+void append_verdict(Text& text, const Decision& decision) {
+    const int excess = decision.constraints - decision.camera_dimension;
+    if (excess == 0)
+        text.line("verdict", std::string(name(decision.verdict)));
+    else
+        text.line("verdict", std::string(name(decision.verdict)), std::abs(excess));
+}
+
+void append_step(Text& text, const ReductionStep& step) {
+    text.line("reduce", step.position + 1, std::string(name(step.rule)),
+              step.after ? notation(*step.after) : "nothing");
 }
 
 } // namespace
@@ -92,23 +110,32 @@ std::string write(const Archive& archive) {
                 append_feature(text, placed);
     }
     for (const Record& record : archive.records)
-        append_record(text, record.number, record.pool, record.certificate);
+        std::visit(
+            [&](const auto& held) {
+                append_record(text, std::to_string(record.number), record.pool, held);
+            },
+            record.certificate);
     return text.take();
 }
 
 std::string write(const ProblemCertificate& certificate) {
-    Problem problem;
-    for (const PlacedFeature& placed : certificate.features)
-        problem.push_back(placed.feature);
+    const Decision& decision = certificate.decision;
     Text text;
     append_head(text, "problem");
-    text.line("problem", notation(problem));
+    text.line("problem", notation(decision.problem));
+    for (const ReductionStep& step : decision.reduction.steps)
+        append_step(text, step);
+    append_verdict(text, decision);
+    if (std::holds_alternative<std::monostate>(certificate.evidence)) return text.take();
     append_modulus(text);
     text.line("pool", 1);
     append_cameras(text, certificate.cameras);
     for (const PlacedFeature& placed : certificate.features)
         append_feature(text, placed);
-    append_record(text, certificate.number, 0, certificate.certificate);
+    const std::string number =
+        decision.classes ? std::to_string(decision.classes->label) : std::string("-");
+    std::visit([&](const auto& held) { append_record(text, number, 0, held); },
+               certificate.evidence);
     return text.take();
 }
 

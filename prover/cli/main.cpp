@@ -1,5 +1,7 @@
 // plprove: finds certificates and writes them. What a certificate proves is decided by plcheck, not here.
 #include "prover/classification/archive.h"
+#include "prover/classification/problem_certificate.h"
+#include "prover/problem/spec.h"
 #include "prover/cli/atomic_file.h"
 #include "prover/cli/progress.h"
 
@@ -16,11 +18,9 @@ constexpr int exit_failure = 1;
 constexpr int exit_input = 2;
 constexpr int exit_usage = 3;
 
-/// Input that names no problem: reported, exit status 2.
-class InputError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
+constexpr const char* problem_help =
+    "a problem: the authors' number (2394), notation ('2*Pa/Pa/Pa + P/P/P'), a signature of 27 "
+    "numbers, or the authors' Macaulay2 encoding";
 
 /// To the file, or to standard output for the name "-".
 void deliver(const std::string& path, const std::string& text) {
@@ -42,20 +42,8 @@ void prove_classification(const std::string& path) {
                   << " label classes, " << archive.pools.size() << " pool(s) of coordinates\n";
 }
 
-/// `2394` or `#2394`.
-std::size_t parse_number(std::string text, std::size_t count) {
-    const std::string digits = text.substr(text.starts_with('#') ? 1 : 0);
-    if (digits.empty() || digits.size() > 6 ||
-        digits.find_first_not_of("0123456789") != std::string::npos || std::stoul(digits) >= count)
-        throw InputError("'" + text + "' is no number of a label class; expected 0 to " +
-                         std::to_string(count - 1));
-    return std::stoul(digits);
-}
-
-void prove_problem(const std::string& id, const std::string& path) {
-    const std::vector<Signature> classes = label_classes();
-    const std::size_t number = parse_number(id, classes.size());
-    deliver(path, write(certify_problem(problem_of(classes[number]), number)));
+void prove_problem(const std::string& spec, const std::string& path) {
+    deliver(path, write(certify_problem(parse_spec(spec))));
 }
 
 int run(int argc, char** argv) {
@@ -75,11 +63,11 @@ int run(int argc, char** argv) {
     classification->add_option("-o,--output", path, "the archive to write, - for standard output")
         ->capture_default_str();
 
-    std::string id;
+    std::string spec;
     std::string problem_path = "-";
     CLI::App* certify = app.add_subcommand(
         "certify", "Certify one problem, with coordinates of its own, as small as they get");
-    certify->add_option("ID", id, "the authors' number of the problem, such as 2394")->required();
+    certify->add_option("PROBLEM", spec, problem_help)->required();
     certify->add_option("-o,--output", problem_path, "the file to write, - for standard output")
         ->capture_default_str();
 
@@ -89,7 +77,7 @@ int run(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : exit_usage;
     }
     if (*classification) prove_classification(path);
-    if (*certify) prove_problem(id, problem_path);
+    if (*certify) prove_problem(spec, problem_path);
     return 0;
 }
 
@@ -98,8 +86,8 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         return run(argc, argv);
-    } catch (const InputError& error) {
-        std::cerr << "plprove: " << error.what() << '\n';
+    } catch (const NotationError& error) {
+        std::cerr << "plprove: not a problem: " << error.what() << '\n';
         return exit_input;
     } catch (const std::exception& error) {
         std::cerr << "plprove: " << error.what() << '\n';

@@ -188,7 +188,8 @@ Problem problem_of_number(std::string_view digits, std::size_t column) {
 
 Problem parse_spec(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) fail(1, "expected a problem, such as 5*P/P/-");
+    if (first == std::string_view::npos) fail(1, "expected a problem, such as 5*P/P");
+    text = text.substr(0, text.find_last_not_of(" \t") + 1);
     if (text[first] == '{') return problem_of_list(ListReader(text).read());
     if (text[first] == '#') return problem_of_number(text.substr(first + 1), first + 2);
     const bool digits_only =
