@@ -8,7 +8,7 @@
 using namespace plprove;
 
 TEST_CASE("families have the known sizes") {
-    const std::vector<Signature> classes = label_classes();
+    const std::vector<Signature>& classes = label_classes();
     std::map<std::string, int> label;
     std::map<std::string, int> swap;
     std::set<Signature> constraint;
@@ -51,7 +51,7 @@ TEST_CASE("families have the known sizes") {
 }
 
 TEST_CASE("representatives are fixed points, and numbers find them") {
-    const std::vector<Signature> classes = label_classes();
+    const std::vector<Signature>& classes = label_classes();
     for (std::size_t number = 0; number < classes.size(); number += 61) {
         const Signature swap = swap_representative(classes[number]);
         const Signature constraint = constraint_representative(classes[number]);

@@ -34,7 +34,7 @@ std::vector<CameraPart> eliminated(const std::vector<FeatureBlock>& blocks) {
 } // namespace
 
 TEST_CASE("block elimination gives the determinant of the whole Jacobian, sign included") {
-    const std::vector<Signature> classes = label_classes();
+    const std::vector<Signature>& classes = label_classes();
     const Pool pool = make_pool(1);
     for (std::size_t number = 0; number < classes.size(); number += 509) {
         CAPTURE(number);
@@ -46,7 +46,7 @@ TEST_CASE("block elimination gives the determinant of the whole Jacobian, sign i
 }
 
 TEST_CASE("the rank of the whole Jacobian falls short by max(E, S), for every obstructed class") {
-    const std::vector<Signature> classes = label_classes();
+    const std::vector<Signature>& classes = label_classes();
     const Pool pool = make_pool(2);
     for (const Signature& signature : classes) {
         const int deficiency = obstruction(problem_of(signature)).deficiency();
@@ -59,7 +59,7 @@ TEST_CASE("the rank of the whole Jacobian falls short by max(E, S), for every ob
 
 TEST_CASE("another pool certifies the same classes") {
     // Classes are minimal or not whatever the coordinates: a sample in pools that the archive does not use.
-    const std::vector<Signature> classes = label_classes();
+    const std::vector<Signature>& classes = label_classes();
     for (const std::uint64_t seed : {101U, 102U, 103U}) {
         const Pool pool = make_pool(seed);
         for (std::size_t number = seed; number < classes.size(); number += 2003) {
@@ -73,7 +73,7 @@ TEST_CASE("another pool certifies the same classes") {
 }
 
 TEST_CASE("a problem certified by itself has small coordinates") {
-    const std::vector<Signature> classes = label_classes();
+    const std::vector<Signature>& classes = label_classes();
     for (const std::size_t number : {std::size_t{0}, std::size_t{2394}, classes.size() - 1}) {
         const ProblemCertificate certificate = certify_problem(problem_of(classes[number]));
         for (const PlacedFeature& placed : certificate.features)

@@ -76,7 +76,7 @@ TEST_CASE("relabeling views acts on signatures as the rotation and reflection of
 }
 
 TEST_CASE("there are 143,494 label classes, and orbits of 845,161 balanced signatures") {
-    const std::vector<Signature> classes = label_classes();
+    const std::vector<Signature>& classes = label_classes();
     REQUIRE(classes.size() == 143494);
     CHECK(std::ranges::is_sorted(classes, std::greater{}));
     std::size_t signatures = 0;

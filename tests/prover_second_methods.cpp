@@ -126,7 +126,7 @@ Eigen::Index numerical_rank(const JointCameraMap& map) {
 } // namespace
 
 TEST_CASE("numerical differentiation of the joint camera map finds the certified rank") {
-    const std::vector<Signature> classes = label_classes();
+    const std::vector<Signature>& classes = label_classes();
     const Pool pool = make_pool(1);
     std::size_t agreeing = 0;
     std::size_t samples = 0;
@@ -145,7 +145,7 @@ TEST_CASE("numerical differentiation of the joint camera map finds the certified
 }
 
 TEST_CASE("ball arithmetic over the integers certifies that determinants do not vanish") {
-    const std::vector<Signature> classes = label_classes();
+    const std::vector<Signature>& classes = label_classes();
     const Pool pool = make_pool(1);
     constexpr slong precision = 256;
     for (std::size_t number = 5; number < classes.size(); number += 4001) {

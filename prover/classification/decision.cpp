@@ -91,7 +91,7 @@ Decision decide(const Problem& problem) {
 
     const auto signature = views == 3 ? signature_of(decision.lifted) : std::nullopt;
     if (signature && decision.constraints == decision.camera_dimension) {
-        const std::vector<Signature> classes = label_classes();
+        const std::vector<Signature>& classes = label_classes();
         decision.classes = {class_number(classes, representative(*signature)),
                             class_number(classes, swap_representative(*signature)),
                             class_number(classes, constraint_representative(*signature))};

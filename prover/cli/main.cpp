@@ -1,12 +1,15 @@
 // plprove: finds certificates and writes them. What a certificate proves is decided by plcheck, not here.
+#include "prover/cli/atomic_file.h"
+#include "prover/cli/problem_report.h"
+#include "prover/cli/progress.h"
 #include "prover/classification/archive.h"
 #include "prover/classification/problem_certificate.h"
 #include "prover/problem/spec.h"
-#include "prover/cli/atomic_file.h"
-#include "prover/cli/progress.h"
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <functional>
 #include <iostream>
 #include <system_error>
 
@@ -22,6 +25,12 @@ constexpr const char* problem_help =
     "a problem: the authors' number (2394), notation ('2*Pa/Pa/Pa + P/P/P'), a signature of 27 "
     "numbers, or the authors' Macaulay2 encoding";
 
+/// A subcommand, and what to do once it was chosen.
+struct Command {
+    CLI::App* app;
+    std::function<void()> run;
+};
+
 /// To the file, or to standard output for the name "-".
 void deliver(const std::string& path, const std::string& text) {
     if (path != "-") return write_atomically(path, text);
@@ -30,11 +39,11 @@ void deliver(const std::string& path, const std::string& text) {
 }
 
 void prove_classification(const std::string& path) {
-    const std::vector<Signature> classes = label_classes();
     Archive archive;
     {
-        ProgressLine line("certifying label classes", classes.size());
-        archive = certify_classification(classes, [&](std::size_t done) { line.show(done); });
+        ProgressLine line("certifying label classes", label_classes().size());
+        archive =
+            certify_classification(label_classes(), [&](std::size_t done) { line.show(done); });
     }
     deliver(path, write(archive));
     if (path != "-")
@@ -42,42 +51,86 @@ void prove_classification(const std::string& path) {
                   << " label classes, " << archive.pools.size() << " pool(s) of coordinates\n";
 }
 
-void prove_problem(const std::string& spec, const std::string& path) {
-    deliver(path, write(certify_problem(parse_spec(spec))));
+Command classification_command(CLI::App& program) {
+    auto path = std::make_shared<std::string>("certs/classification.plc");
+    CLI::App* app = program.add_subcommand(
+        "classification", "Certify every label class of balanced signatures in one archive");
+    app->add_option("-o,--output", *path, "the archive to write, - for standard output")
+        ->capture_default_str();
+    return {app, [path] { prove_classification(*path); }};
+}
+
+Command certify_command(CLI::App& program) {
+    struct Request {
+        std::string spec;
+        std::string path = "-";
+    };
+    auto request = std::make_shared<Request>();
+    CLI::App* app = program.add_subcommand(
+        "certify", "Certify the verdict on one problem, with coordinates of its own");
+    app->add_option("PROBLEM", request->spec, problem_help)->required();
+    app->add_option("-o,--output", request->path, "the file to write, - for standard output")
+        ->capture_default_str();
+    return {app, [request] {
+                deliver(request->path, write(certify_problem(parse_spec(request->spec))));
+            }};
+}
+
+void decide_problem(const std::string& spec, bool json, const std::string& certificate) {
+    const Problem problem = parse_spec(spec);
+    const Decision decision = decide(problem);
+    std::optional<DegreeRecord> degree;
+    if (decision.classes) {
+        const DegreeTable table(parse_degrees(degree_lines()), label_classes());
+        degree = table.find(decision.classes->label, decision.classes->constraint);
+    }
+    // The certificate first: where it fails, nothing is said that it was to prove.
+    if (!certificate.empty()) deliver(certificate, write(certify_problem(problem)));
+    deliver("-", json ? json_report(decision, degree) : text_report(decision, degree));
+}
+
+Command problem_command(CLI::App& program) {
+    struct Request {
+        std::string spec;
+        std::string certificate;
+        bool json = false;
+    };
+    auto request = std::make_shared<Request>();
+    CLI::App* app = program.add_subcommand(
+        "problem", "Decide a problem: minimal, camera-minimal or neither, why, and what it is");
+    app->add_option("PROBLEM", request->spec, problem_help)->required();
+    app->add_flag("--json", request->json, "for machines");
+    app->add_option("--certificate", request->certificate,
+                    "also write a certificate of the verdict to this file");
+    app->footer("Examples:\n"
+                "  plprove problem '2*Pa/Pa/Pa + P/P/P'\n"
+                "  plprove problem '#2394' --json\n"
+                "  plprove problem '3*P/P/P + P/P/a' --certificate mine.plc\n"
+                "  plcheck mine.plc");
+    return {app,
+            [request] { decide_problem(request->spec, request->json, request->certificate); }};
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Finds certificates for point-line minimal problems; plcheck checks them.",
-                 "plprove");
-    app.footer("Examples:\n"
-               "  plprove classification -o all.plc   certify all 143,494 label classes\n"
-               "  plprove certify 2394 -o chicago.plc certify one problem, self-contained\n"
-               "  plcheck all.plc                     believe nothing, replay everything\n\n"
-               "Exit status: 0 done, 1 failure, 2 bad input, 3 usage.");
-    app.set_version_flag("--version", "plprove 1.0.0, certificate format 1");
-    app.require_subcommand(1);
-
-    std::string path = "certs/classification.plc";
-    CLI::App* classification = app.add_subcommand(
-        "classification", "Certify every label class of balanced signatures in one archive");
-    classification->add_option("-o,--output", path, "the archive to write, - for standard output")
-        ->capture_default_str();
-
-    std::string spec;
-    std::string problem_path = "-";
-    CLI::App* certify = app.add_subcommand(
-        "certify", "Certify one problem, with coordinates of its own, as small as they get");
-    certify->add_option("PROBLEM", spec, problem_help)->required();
-    certify->add_option("-o,--output", problem_path, "the file to write, - for standard output")
-        ->capture_default_str();
-
+    CLI::App program("Finds certificates for point-line minimal problems; plcheck checks them.",
+                     "plprove");
+    program.footer("Examples:\n"
+                   "  plprove problem 'P/P/P + 4*a/a/a'   decide a problem, explain, find it\n"
+                   "  plprove certify 2394 -o chicago.plc certify one problem, self-contained\n"
+                   "  plprove classification -o all.plc   certify all 143,494 label classes\n"
+                   "  plcheck all.plc                     believe nothing, replay everything\n\n"
+                   "Exit status: 0 done, 1 failure, 2 bad input, 3 usage.");
+    program.set_version_flag("--version", "plprove 1.0.0, certificate format 1");
+    program.require_subcommand(1);
+    const Command commands[] = {problem_command(program), certify_command(program),
+                                classification_command(program)};
     try {
-        app.parse(argc, argv);
+        program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : exit_usage;
+        return program.exit(error) == 0 ? 0 : exit_usage;
     }
-    if (*classification) prove_classification(path);
-    if (*certify) prove_problem(spec, problem_path);
+    for (const Command& command : commands)
+        if (command.app->parsed()) command.run();
     return 0;
 }
 

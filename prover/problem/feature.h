@@ -1,5 +1,5 @@
 // Local features: the free lines and the points with pins of which a point-line problem with at most one
-// point per line (a PL1P, Definition 3 of the paper) is the sum, with what each view sees of them.
+// point per line (a PL1P, Definition 4 of the paper) is the sum, with what each view sees of them.
 //
 // A feature is a plain value for any number of views and pins; the 27 features of the reduced minimal
 // problems in three views are a list of such values (standard_features). Everything that depends on

@@ -1,6 +1,6 @@
 // Reduction of a problem to the unique reduced problem of its kind: Theorems 2 and 7 of the paper for three
 // views, the supplementary note on two views; and the way from reduced problems to minimal and terminal ones
-// (Theorems 5 and 6, Definition 8).
+// (Theorems 5 and 6, Definition 6).
 //
 // Reducing never changes whether a problem is camera-minimal, nor its camera-degree (Theorem 4).
 #pragma once
@@ -53,7 +53,7 @@ Reduction reduce(const Problem& problem);
 /// Pa/P/a, P/b/a and Pa/b/a become Pab/b/a. Other features stay as they are.
 Feature lifted(const Feature& reduced);
 
-/// The inverse: the feature that represents this one in terminal problems (Definition 8).
+/// The inverse: the feature that represents this one in terminal problems (Definition 6).
 Feature terminal(const Feature& reduced);
 
 /// The problem of the lifted, or terminal, features in the order of the 27 standard features, others first.

@@ -156,12 +156,15 @@ std::size_t class_number(const std::vector<Signature>& classes, const Signature&
     return static_cast<std::size_t>(found - classes.begin());
 }
 
-std::vector<Signature> label_classes() {
-    std::array<int, feature_count> weights{};
-    std::ranges::transform(standard_features(), weights.begin(), weight);
-    std::vector<Signature> classes;
-    Signature signature{};
-    append_classes(signature, 0, camera_dimension, weights, classes);
+const std::vector<Signature>& label_classes() {
+    static const std::vector<Signature> classes = [] {
+        std::array<int, feature_count> weights{};
+        std::ranges::transform(standard_features(), weights.begin(), weight);
+        std::vector<Signature> list;
+        Signature signature{};
+        append_classes(signature, 0, camera_dimension, weights, list);
+        return list;
+    }();
     return classes;
 }
 

@@ -1,5 +1,5 @@
 // Signatures: how often each of the 27 features occurs in a reduced problem in three views, with the
-// relabeling of views and the swap of Corollary 2 acting on them.
+// relabeling of views and the swap of Corollary 1 acting on them.
 #pragma once
 
 #include "prover/problem/notation.h"
@@ -31,7 +31,7 @@ std::array<Signature, 6> relabelings(const Signature& signature);
 /// The lexicographically largest relabeling: the signature that represents the label class.
 Signature representative(const Signature& signature);
 
-/// The pairs of features that a swap exchanges (Corollary 2 of the paper): (12,13), (14,15), (16,17).
+/// The pairs of features that a swap exchanges (Corollary 1 of the paper): (12,13), (14,15), (16,17).
 inline constexpr std::array<std::array<std::size_t, 2>, 3> swap_pairs{{{12, 13}, {14, 15}, {16, 17}}};
 
 /// The pairs of features that put the same condition on the cameras (a ray meets the intersection of two
@@ -47,8 +47,8 @@ Signature swap_representative(const Signature& signature);
 Signature constraint_representative(const Signature& signature);
 
 /// All representatives of label classes of balanced signatures in decreasing lexicographic order: the index
-/// in this list is the authors' number of the class.
-std::vector<Signature> label_classes();
+/// in this list is the authors' number of the class. Made at the first call, in a few milliseconds.
+const std::vector<Signature>& label_classes();
 
 /// The number of the class that `representative` represents: its index in `classes`, the list of
 /// label_classes(). Assumes that it is there.

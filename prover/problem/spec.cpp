@@ -175,7 +175,7 @@ Problem problem_of_list(const NestedList& list) {
 }
 
 Problem problem_of_number(std::string_view digits, std::size_t column) {
-    const std::vector<Signature> classes = label_classes();
+    const std::vector<Signature>& classes = label_classes();
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error != std::errc{} || end != digits.data() + digits.size() || number >= classes.size())
