@@ -1,0 +1,102 @@
+#include "prover/scripts/model.h"
+
+#include <sstream>
+
+namespace plprove {
+
+namespace {
+
+constexpr std::size_t page_columns = 96;
+
+std::string letter(int index) {
+    return std::string(1, static_cast<char>('a' + index));
+}
+
+} // namespace
+
+std::vector<Observation> observations(const Feature& feature) {
+    std::vector<Observation> result;
+    for (int view = 0; view < feature.views(); ++view) {
+        const bool point = feature.sees_point(view);
+        if (point) result.push_back({Observation::point, view, 0});
+        for (int line = 0; line < feature.lines; ++line)
+            if (feature.sees_line(view, line))
+                result.push_back({point ? Observation::pin : Observation::line, view, line});
+    }
+    return result;
+}
+
+int equation_count(const Problem& problem) {
+    int count = 0;
+    for (const Feature& feature : problem)
+        for (int view = 0; view < feature.views(); ++view)
+            count += dimension_in_view(feature, view);
+    return count;
+}
+
+int feature_unknown_count(const Problem& problem) {
+    int count = 0;
+    for (const Feature& feature : problem)
+        count += dimension_in_space(feature);
+    return count;
+}
+
+int camera_unknown_count(const Problem& problem) {
+    return 6 * (view_count(problem) - 1) - 1;
+}
+
+int view_count(const Problem& problem) {
+    return problem.empty() ? 0 : problem.front().views();
+}
+
+std::vector<NamedVector> vectors(const Feature& feature, std::size_t number) {
+    const std::string n = std::to_string(number);
+    std::vector<NamedVector> result{
+        {"X" + n, {"x" + n, "y" + n, feature.has_point ? "z" + n : "1"}}};
+    for (int line = 0; line < feature.lines; ++line) {
+        const std::string name = n + letter(line);
+        result.push_back({"D" + name, {"u" + name, "v" + name, "1"}});
+    }
+    return result;
+}
+
+NamedCamera camera(int view) {
+    const std::string n = std::to_string(view + 1);
+    return {"P" + n, {"a" + n, "b" + n, "c" + n}, {view == 1 ? "1" : "e" + n, "f" + n, "g" + n}};
+}
+
+void append_unknowns(std::vector<std::string>& unknowns,
+                     const std::vector<std::string>& coordinates) {
+    for (const std::string& name : coordinates)
+        if (name != "1") unknowns.push_back(name);
+}
+
+std::string list(const std::vector<std::string>& items, const std::string& indent) {
+    std::string text;
+    std::string line = indent;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const std::string item = items[i] + (i + 1 < items.size() ? "," : "");
+        if (line.size() > indent.size() && line.size() + 1 + item.size() > page_columns) {
+            text += line + "\n";
+            line = indent;
+        }
+        line += (line.size() > indent.size() ? " " : "") + item;
+    }
+    return text + line;
+}
+
+std::string comment(const std::string& sign, const std::string& text) {
+    std::istringstream words(text);
+    std::string result;
+    std::string line = sign;
+    for (std::string word; words >> word;) {
+        if (line.size() > sign.size() && line.size() + 1 + word.size() > page_columns) {
+            result += line + "\n";
+            line = sign;
+        }
+        line += " " + word;
+    }
+    return result + line + "\n";
+}
+
+} // namespace plprove
