@@ -59,6 +59,7 @@ J = atScene transpose jacobian matrix {equations};
 rankJ = rank J;
 rankFeatures = rank J_(toList(0 .. featureUnknowns - 1));
 cameraUnknowns = numgens R - featureUnknowns;
+-- Camera-minimal: the images are generic, and motions that keep them keep the cameras.
 isCameraMinimal = rankJ == #equations and rankJ - rankFeatures == cameraUnknowns;
 isMinimal = isCameraMinimal and #equations == numgens R;
 answer = b -> if b then "yes" else "no";
