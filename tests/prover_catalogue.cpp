@@ -1,0 +1,245 @@
+// The catalogue as values: known counts, and laws of its entries.
+#include "prover/catalogue/catalogue.h"
+#include "prover/catalogue/filter.h"
+#include "prover/catalogue/terminal.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <map>
+#include <numeric>
+#include <set>
+
+using namespace plprove;
+
+namespace {
+
+const std::vector<Entry>& all() {
+    static const std::vector<Entry> entries = catalogue(parse_degrees(degree_lines()));
+    return entries;
+}
+
+std::ptrdiff_t count(const Filter& filter) {
+    return std::ranges::count_if(all(), [&](const Entry& e) { return matches(filter, e); });
+}
+
+Filter where(std::initializer_list<bool Filter::*> flags) {
+    Filter filter;
+    for (const auto flag : flags)
+        filter.*flag = true;
+    return filter;
+}
+
+/// A problem up to relabeling of the views, renaming of pins and order of features.
+Problem up_to_relabeling(const Problem& problem) {
+    Problem least;
+    std::array<int, 3> views{0, 1, 2};
+    do {
+        Problem relabeled;
+        for (const Feature& feature : problem)
+            relabeled.push_back(canonical(relabel_views(feature, views)));
+        std::ranges::sort(relabeled);
+        if (least.empty() || relabeled < least) least = relabeled;
+    } while (std::ranges::next_permutation(views).found);
+    return least;
+}
+
+int dangling_pins(const Feature& feature) {
+    int dangling = 0;
+    for (int line = 0; line < feature.lines; ++line) {
+        int seen = 0;
+        for (int view = 0; view < feature.views(); ++view)
+            seen += feature.sees_line(view, line);
+        dangling += seen == 1;
+    }
+    return dangling;
+}
+
+std::vector<DegreeRecord> read(std::vector<std::string_view> lines) {
+    return parse_degrees(lines);
+}
+
+} // namespace
+
+TEST_CASE("the catalogue has the known counts") {
+    CHECK(all().size() == 143494);
+    CHECK(count(where({&Filter::minimal})) == 140616);
+    CHECK(count(where({&Filter::not_minimal})) == 2878);
+    CHECK(count(where({&Filter::terminal})) == 74575);
+    CHECK(count(where({&Filter::minimal, &Filter::pl0p})) == 51);
+    CHECK(count(where({&Filter::terminal, &Filter::pl0p})) == 51);
+    CHECK(count(where({&Filter::terminal, &Filter::one_pin})) == 9533);
+    CHECK(count(where({&Filter::five_point})) == 6413);
+    CHECK(count(where({&Filter::terminal, &Filter::five_point})) == 3615);
+    CHECK(count(where({&Filter::registration})) == 61);
+    CHECK(count(where({&Filter::terminal, &Filter::trifocal})) == 66);
+    CHECK(count(where({&Filter::minimal, &Filter::complete_visibility})) == 12);
+    std::set<std::size_t> swap_classes;
+    std::set<std::size_t> constraint_classes;
+    for (const Entry& entry : all()) {
+        swap_classes.insert(entry.swap_class);
+        constraint_classes.insert(entry.constraint_class);
+    }
+    CHECK(swap_classes.size() == 76446);
+    CHECK(constraint_classes.size() == 10693);
+}
+
+TEST_CASE("too many shared points explain 2871 classes, stars alone the other seven") {
+    Filter filter;
+    filter.obstruction = ObstructionFilter::epipolar;
+    CHECK(count(filter) == 2871);
+    filter.obstruction = ObstructionFilter::any;
+    CHECK(count(filter) == 2878);
+    filter.obstruction = ObstructionFilter::star;
+    CHECK(count(filter) == 8); // one of them shares too many points besides
+    filter.obstruction = ObstructionFilter::none;
+    CHECK(count(filter) == 140616);
+}
+
+TEST_CASE("swap and constraint classes begin with themselves and have one verdict") {
+    bool consistent = true;
+    for (const Entry& entry : all())
+        for (const std::size_t first : {entry.swap_class, entry.constraint_class}) {
+            consistent = consistent && first <= entry.number;
+            consistent = consistent && all()[first].minimal() == entry.minimal();
+            consistent = consistent && all()[first].constraint_class == entry.constraint_class;
+        }
+    CHECK(consistent);
+}
+
+TEST_CASE("terminal problems up to relabeling are the minimal swap classes (Corollary 3)") {
+    std::map<Problem, std::size_t> swap_class_of;
+    bool same_class = true;
+    for (const Entry& entry : all()) {
+        if (!entry.minimal() || (!entry.terminal() && entry.number % 17 != 0)) continue;
+        const Problem problem = parse_problem(terminal_notation(entry.signature));
+        const auto [known, fresh] =
+            swap_class_of.emplace(up_to_relabeling(problem), entry.swap_class);
+        same_class = same_class && (fresh || known->second == entry.swap_class);
+    }
+    CHECK(same_class);
+    CHECK(swap_class_of.size() == 74575);
+}
+
+TEST_CASE("a terminal form gives up a constraint for each pin left dangling") {
+    std::map<std::string, std::string> changed;
+    for (const Feature& feature : standard_features()) {
+        const Feature terminal = terminal_form(feature);
+        CHECK(weight(terminal) + dangling_pins(terminal) == weight(feature));
+        CHECK(terminal_form(terminal) == terminal);
+        if (terminal != feature) changed[notation(feature)] = notation(terminal);
+    }
+    // The nine features that Definition 8 excludes.
+    const std::map<std::string, std::string> expected{
+        {"a/P/Pa", "a/P/P"},  {"a/Pa/P", "a/P/P"},  {"P/a/Pa", "P/a/P"},
+        {"Pa/a/P", "P/a/P"},  {"P/Pa/a", "P/P/a"},  {"Pa/P/a", "P/P/a"},
+        {"Pab/b/a", "P/b/a"}, {"b/Pab/a", "b/P/a"}, {"b/a/Pab", "b/a/P"}};
+    CHECK(changed == expected);
+}
+
+TEST_CASE("a problem is spelled alike from its signature and from its features") {
+    bool alike = true;
+    for (const Entry& entry : all())
+        alike = alike && notation(entry.signature) == notation(problem_of(entry.signature));
+    CHECK(alike);
+    CHECK(notation(all()[2394].signature) == "2*Pa/Pa/Pa + P/P/P");
+    CHECK(terminal_notation(all()[2394].signature) == "2*Pa/Pa/Pa + P/P/P");
+}
+
+TEST_CASE("the two features of a swap pair become one term of the terminal problem") {
+    const auto signature = signature_of(parse_problem("3*P/P/P + P/Pa/a"));
+    REQUIRE(signature);
+    CHECK(terminal_notation(*signature) == "3*P/P/P + P/P/a");
+    const auto both = signature_of(parse_problem("2*P/P/P + a/a/a + P/-/P + P/Pa/a + Pa/P/a"));
+    REQUIRE(both);
+    CHECK(terminal_notation(*both) == "2*P/P/P + a/a/a + 2*P/P/a + P/-/P");
+}
+
+TEST_CASE("counts agree with one another and with the excesses") {
+    bool consistent = true;
+    for (const Entry& entry : all()) {
+        const Counts& c = entry.counts;
+        const int features = std::accumulate(entry.signature.begin(), entry.signature.end(), 0);
+        consistent = consistent && c.points + c.free_lines == features;
+        for (std::size_t pair = 0; pair < 3; ++pair) {
+            const auto [i, j] = view_pairs[pair];
+            consistent = consistent &&
+                         entry.obstruction.excess[pair] == std::max(0, c.shared_points[pair] - 5);
+            // Inclusion and exclusion: no more points than there are.
+            const int union_of_two = c.points_in_view[static_cast<std::size_t>(i)] +
+                                     c.points_in_view[static_cast<std::size_t>(j)] -
+                                     c.shared_points[pair];
+            consistent = consistent && union_of_two <= c.points;
+        }
+        consistent =
+            consistent && (c.complete_views == 3) == (families(entry.signature).plmp.has_value());
+    }
+    CHECK(consistent);
+}
+
+TEST_CASE("the degrees on file are of minimal classes, and reach all with the same equations") {
+    const std::vector<DegreeRecord> degrees = parse_degrees(degree_lines());
+    CHECK(!degrees.empty());
+    for (const DegreeRecord& record : degrees) {
+        CAPTURE(record.number);
+        CHECK(all()[record.number].minimal());
+        REQUIRE(all()[record.number].degree);
+        CHECK(all()[record.number].degree->status >= record.status);
+    }
+    const auto swapped = signature_of(parse_problem("3*P/P/P + Pa/P/a"));
+    REQUIRE(swapped);
+    const std::size_t number = class_number(label_classes(), swap_representative(*swapped));
+    CHECK(all()[number].degree.has_value());
+    bool minimal_only = true;
+    for (const Entry& entry : all())
+        minimal_only = minimal_only && (!entry.degree || entry.minimal());
+    CHECK(minimal_only);
+}
+
+TEST_CASE("the strongest record on file wins, and certified is never made up") {
+    const std::vector<Signature> classes = label_classes();
+    const DegreeTable table(
+        {{2394, 311, DegreeStatus::claimed, "x"}, {2394, 312, DegreeStatus::evidence, "y"}},
+        classes);
+    const std::size_t constraint = all()[2394].constraint_class;
+    REQUIRE(table.find(2394, constraint));
+    CHECK(table.find(2394, constraint)->degree == 312);
+    CHECK(table.find(2394, constraint)->status == DegreeStatus::evidence);
+    CHECK(!table.find(0, all()[0].constraint_class));
+}
+
+TEST_CASE("a malformed file of degrees is refused with its line") {
+    const std::string_view head = "number,degree,status,source";
+    CHECK(read({"# note", head, "5,80,claimed,somebody"}).size() == 1);
+    CHECK(read({head}).empty());
+    const std::pair<std::string_view, const char*> wrong[] = {
+        {"5,80,claimed", "line 2"},      {"5,80,proved,x", "certified, evidence or claimed"},
+        {"5,0,claimed,x", "positive"},   {"143494,8,claimed,x", "143493"},
+        {"-1,8,claimed,x", "143493"},    {"5,8x,claimed,x", "positive"},
+        {"5,8,claimed,", "source"},      {"5,8,claimed,a,b", "four fields"},
+        {"5,8,claimed,\"a\"", "quotes"}, {"5,99999999999,claimed,x", "positive"},
+    };
+    for (const auto& [line, reason] : wrong) {
+        CAPTURE(line);
+        CHECK_THROWS_WITH_AS(read({head, line}), doctest::Contains(reason), std::runtime_error);
+    }
+    CHECK_THROWS_WITH_AS(read({head, "5,8,claimed,x", "5,9,claimed,y"}), doctest::Contains("above"),
+                         std::runtime_error);
+    CHECK_THROWS_WITH_AS(read({"5,8,claimed,x"}), doctest::Contains("line 1"), std::runtime_error);
+}
+
+TEST_CASE("ranges and view counts are read or refused whole") {
+    const auto is = [](std::string_view text, int least, int most) {
+        const auto range = parse_range(text);
+        return range && range->least == least && range->most == most;
+    };
+    CHECK(is("3", 3, 3));
+    CHECK(is("2..5", 2, 5));
+    CHECK(is("..5", 0, 5));
+    CHECK(is("2..", 2, Range{}.most));
+    for (const char* text :
+         {"", "..", "5..2", "x", "1.5", "-1", "1...2", "1..2..3", "1234567", " 1"})
+        CHECK(!parse_range(text));
+    CHECK(parse_views("5,3,4") == Views{3, 4, 5});
+    for (const char* text : {"", "1,2", "1,2,3,4", "1,,2", "1,2,", "a,b,c", "1, 2,3"})
+        CHECK(!parse_views(text));
+}
