@@ -1,0 +1,189 @@
+#include "prover/catalogue/schema.h"
+
+#include "prover/catalogue/columns.h"
+
+#include <vector>
+
+namespace plprove {
+
+namespace {
+
+using Member = Relation::Member;
+
+const char* type_of(const Column& column) {
+    const bool is_text = column.kind == ColumnKind::text;
+    if (std::string_view(column.name) == "number") return "INTEGER PRIMARY KEY";
+    if (column.optional) return is_text ? "TEXT" : "INTEGER";
+    return is_text ? "TEXT NOT NULL" : "INTEGER NOT NULL";
+}
+
+std::vector<Member> class_members() {
+    std::vector<Member> members;
+    for (const Column& column : columns())
+        members.push_back({column.name, type_of(column), column.meaning});
+    return members;
+}
+
+constexpr Member feature_members[] = {
+    {"feature", "INTEGER PRIMARY KEY", "the authors' index, 0 to 26"},
+    {"notation", "TEXT NOT NULL", "what views 1, 2, 3 see"},
+    {"terminal_form", "TEXT NOT NULL", "what they see of it in a terminal problem"},
+    {"points", "INTEGER NOT NULL", "1, or 0 for the free line"},
+    {"pins", "INTEGER NOT NULL", "lines through the point"},
+    {"dimension_in_space", "INTEGER NOT NULL", "degrees of freedom in space"},
+    {"dimension_in_images", "INTEGER NOT NULL", "degrees of freedom in the three images"},
+    {"weight", "INTEGER NOT NULL", "their difference: constraints on the cameras, 11 in a problem"},
+};
+
+constexpr Member class_feature_members[] = {
+    {"number", "INTEGER NOT NULL REFERENCES classes", "the number of a class"},
+    {"feature", "INTEGER NOT NULL REFERENCES features", "a feature of its representative"},
+    {"multiplicity", "INTEGER NOT NULL", "how often, at least 1"},
+};
+
+constexpr Member degree_members[] = {
+    {"number", "INTEGER NOT NULL REFERENCES classes", "the class that the source speaks of"},
+    {"degree", "INTEGER NOT NULL", "its degree"},
+    {"status", "TEXT NOT NULL", "certified, evidence or claimed"},
+    {"source", "TEXT NOT NULL", "where the degree comes from"},
+};
+
+constexpr Member about_members[] = {
+    {"topic", "TEXT NOT NULL", "what the remark is about"},
+    {"remark", "TEXT NOT NULL", "what holds for the catalogue as a whole"},
+};
+
+constexpr Member description_members[] = {
+    {"relation", "TEXT NOT NULL", "a table or view"},
+    {"column", "TEXT", "one of its columns, or NULL for the whole"},
+    {"meaning", "TEXT NOT NULL", "what it holds"},
+};
+
+constexpr Member swap_members[] = {
+    {"swap_class", "", "the smallest number in the class, which represents it"},
+    {"classes", "", "how many label classes it has"},
+    {"minimal", "", "whether they are minimal"},
+    {"terminal_problem", "", "the terminal problem that they become, NULL if not minimal"},
+    {"constraint_class", "", "the constraint class that they belong to"},
+};
+
+constexpr Member constraint_members[] = {
+    {"constraint_class", "", "the smallest number in the class, which represents it"},
+    {"classes", "", "how many label classes it has"},
+    {"terminal_problems", "", "how many terminal problems share its camera equations"},
+    {"minimal", "", "whether its classes are minimal"},
+    {"degree", "", "the degree on file of the first class"},
+    {"degree_status", "", "certified, evidence or claimed"},
+};
+
+constexpr Member count_members[] = {
+    {"quantity", "", "what is counted"},
+    {"paper", "", "the paper's number"},
+    {"catalogue", "", "the number of rows of this catalogue"},
+};
+
+constexpr const char* swap_query = R"(
+SELECT c.number, m.classes, c.minimal, c.terminal_problem, c.constraint_class
+FROM (SELECT swap_class, count(*) AS classes FROM classes GROUP BY swap_class) AS m
+JOIN classes AS c ON c.number = m.swap_class)";
+
+constexpr const char* constraint_query = R"(
+SELECT c.number, m.classes, m.terminal_problems, c.minimal, c.degree, c.degree_status
+FROM (SELECT constraint_class, count(*) AS classes, sum(terminal) AS terminal_problems
+      FROM classes GROUP BY constraint_class) AS m
+JOIN classes AS c ON c.number = m.constraint_class)";
+
+constexpr const char* count_query = R"(
+WITH sums AS (
+    SELECT count(*) AS classes, sum(minimal) AS minimal, sum(number = swap_class) AS swap_classes,
+           sum(terminal) AS terminal, sum(minimal AND pl0p) AS pl0p,
+           sum(terminal AND one_pin) AS one_pin, sum(five_point) AS five_point,
+           sum(registration) AS registration, sum(terminal AND five_point) AS terminal_five_point,
+           sum(terminal AND trifocal) AS trifocal, count(plmp) AS plmp
+    FROM classes)
+SELECT 'label classes', 143494, classes FROM sums
+UNION ALL SELECT 'label classes, not minimal', 2878, classes - minimal FROM sums
+UNION ALL SELECT 'label classes, minimal', 140616, minimal FROM sums
+UNION ALL SELECT 'swap&label classes', 76446, swap_classes FROM sums
+UNION ALL SELECT 'swap&label classes, not minimal', 1871, swap_classes - terminal FROM sums
+UNION ALL SELECT 'terminal problems', 74575, terminal FROM sums
+UNION ALL SELECT 'minimal PL0Ps', 51, pl0p FROM sums
+UNION ALL SELECT 'terminal, at most one pin per point', 9533, one_pin FROM sums
+UNION ALL SELECT 'five-point extensions', 6300, five_point FROM sums
+UNION ALL SELECT 'five-point extensions, registration', 61, registration FROM sums
+UNION ALL SELECT 'five-point extensions, terminal', 3648, terminal_five_point FROM sums
+UNION ALL SELECT 'terminal, linear in the trifocal tensor', 66, trifocal FROM sums
+UNION ALL SELECT 'minimal, complete visibility', 12, plmp FROM sums)";
+
+constexpr const char* index_list[] = {
+    "CREATE INDEX by_swap_class ON classes(swap_class)",
+    "CREATE INDEX by_constraint_class ON classes(constraint_class, terminal)",
+    "CREATE INDEX by_points_and_lines ON classes(points, lines)",
+    "CREATE INDEX by_degree ON classes(degree, degree_status) WHERE degree IS NOT NULL",
+};
+
+} // namespace
+
+std::span<const Relation> tables() {
+    static const std::vector<Member> members = class_members();
+    static const Relation list[] = {
+        {"classes", "every label class of balanced problems, one a row", members, ""},
+        {"features", "the 27 local features", feature_members, ""},
+        {"class_features", "the signatures, feature by feature", class_feature_members,
+         "PRIMARY KEY (number, feature)"},
+        {"degrees", "the degrees on file, as certs/degrees.csv has them", degree_members,
+         "PRIMARY KEY (number, status)"},
+        {"about", "what holds for the catalogue as a whole", about_members, ""},
+        {"description", "the meaning of every table, view and column", description_members, ""},
+    };
+    return list;
+}
+
+std::span<const Relation> views() {
+    static const std::vector<Member> members = [] {
+        std::vector<Member> list = class_members();
+        for (Member& member : list)
+            member.type = "";
+        return list;
+    }();
+    static const Relation list[] = {
+        {"minimal_problems", "the minimal classes, with all columns of classes", members,
+         "SELECT * FROM classes WHERE minimal"},
+        {"terminal_problems",
+         "the classes that stand for the terminal problems, with all columns of classes", members,
+         "SELECT * FROM classes WHERE terminal"},
+        {"swap_classes", "the swap&label classes", swap_members, swap_query},
+        {"constraint_classes", "the classes of problems with the same camera equations",
+         constraint_members, constraint_query},
+        {"counts", "the counts of the paper beside those of this catalogue", count_members,
+         count_query},
+    };
+    return list;
+}
+
+std::string create_table(const Relation& table) {
+    const bool keyed = *table.rest != '\0';
+    std::string sql = "CREATE TABLE " + std::string(table.name) + " ( -- " + table.meaning + "\n";
+    for (std::size_t i = 0; i < table.members.size(); ++i) {
+        const Member& member = table.members[i];
+        const bool last = !keyed && i + 1 == table.members.size();
+        sql += std::string("    ") + member.name + " " + member.type + (last ? "" : ",") + " -- " +
+               member.meaning + "\n";
+    }
+    if (keyed) sql += std::string("    ") + table.rest + "\n";
+    return sql + (keyed ? ") WITHOUT ROWID" : ")");
+}
+
+std::string create_view(const Relation& view) {
+    std::string names;
+    for (const Member& member : view.members)
+        names += (names.empty() ? "" : ", ") + std::string(member.name);
+    return "CREATE VIEW " + std::string(view.name) + "(" + names + ") AS -- " + view.meaning +
+           "\n" + view.rest;
+}
+
+std::span<const char* const> indexes() {
+    return index_list;
+}
+
+} // namespace plprove
