@@ -55,9 +55,8 @@ ProblemCertificate certify_problem(const Problem& problem) {
         return {decision, {}, {}, {}};
     // Small sizes first: special positions are common there, but still rare enough.
     constexpr std::int64_t smallest_bound = 3;
-    constexpr std::int64_t largest_bound = 50;
     constexpr std::uint64_t seeds = 10;
-    for (std::int64_t bound = smallest_bound; bound <= largest_bound; ++bound)
+    for (std::int64_t bound = smallest_bound; bound <= max_coordinate; ++bound)
         for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
             ProblemCertificate result = attempt(decision, SmallIntegers(seed, bound));
             if (!std::holds_alternative<std::monostate>(result.evidence)) return result;

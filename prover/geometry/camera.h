@@ -45,7 +45,7 @@ std::optional<std::string> defect(const Cameras& cameras);
 /// What makes the feature inadmissible before these cameras, or nothing.
 std::optional<std::string> defect(const PlacedFeature& placed, const Cameras& cameras);
 
-/// Coordinates up to this size keep all entries of Jacobians within 64 bits.
-inline constexpr std::int64_t max_coordinate = 100;
+/// Coordinates up to this size, with quaternions up to a third of it, keep all entries of Jacobians below 2^55.
+inline constexpr std::int64_t max_coordinate = 50;
 
 } // namespace plprove
