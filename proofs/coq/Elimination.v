@@ -91,15 +91,6 @@ Proof.
   inversion hr; auto.
 Qed.
 
-Lemma divide_mod z t : (pZ | z mod pZ * t) <-> (pZ | z * t).
-Proof.
-  rewrite (Z.div_mod z pZ) at 2 by discriminate.
-  replace ((pZ * (z / pZ) + z mod pZ) * t) with (z mod pZ * t + (z / pZ * t) * pZ) by ring.
-  split; intro h.
-  - apply Z.divide_add_r; [exact h|apply Z.divide_factor_r].
-  - apply Z.divide_add_cancel_r in h; [exact h|]. apply Z.divide_factor_r.
-Qed.
-
 (** Congruence modulo p, as a difference. *)
 Definition eqm a b := (pZ | a - b).
 Lemma eqm_mod z t : eqm (z mod pZ * t) (z * t).
@@ -149,6 +140,13 @@ Proof.
     + destruct (_ && _); [|exact hs]. constructor; auto. apply add_mul_small; auto. constructor.
 Qed.
 
+Lemma pivot_identity q y e c r a k l m :
+  e - c * r = k * q -> a * y + r = m * q -> c * a - 1 = l * q -> y + e = (k + c * m - l * y) * q.
+Proof.
+  intros h1 h2 h3. replace e with (k * q + c * r) by lia. replace r with (m * q - a * y) by lia.
+  transitivity (k * q + c * m * q - (l * q) * y); [rewrite <- h3|]; ring.
+Qed.
+
 Lemma insert_ok st r x : small_st st -> small r -> holds st x -> (pZ | ev r x) -> holds (insert st r) x.
 Proof.
   revert r x; induction st as [|s st IH]; intros r x hs hr hx hv; [exact hx|].
@@ -183,9 +181,7 @@ Proof.
       simpl in h5. rewrite ?Z.add_0_l in h5.
       destruct h5 as [k hk]. destruct h6 as [l hl]. destruct hv as [m hm].
       exists (k + to_Z (inverse a) * m - l * y).
-      replace ((k + to_Z (inverse a) * m - l * y) * pZ)
-        with (k * pZ + to_Z (inverse a) * (m * pZ) - (l * pZ) * y) by ring.
-      rewrite <- hk, <- hm, <- hl. ring.
+      eapply pivot_identity; eauto.
 Qed.
 
 Lemma insert_all_ok rows st x : small_st st -> Forall small rows -> holds st x ->
@@ -271,7 +267,7 @@ Proof.
   constructor; [|exact tail]. split.
   - apply Forall_app. split; [|constructor; [reflexivity|assumption]].
     apply Forall_forall. intros a ha. apply repeat_spec in ha. subst a. reflexivity.
-  - rewrite ev_zeros by reflexivity. simpl ev. change (to_Z 1) with 1. rewrite Z.mul_1_l. exact h1.
+  - rewrite ev_zeros by reflexivity. change (ev (1%uint63 :: q) (t :: x)) with (to_Z 1 * t + ev q x). rewrite to_Z_1, Z.mul_1_l. exact h1.
 Qed.
 
 Lemma rows_of_ok st x : length x = length st -> small_st st -> holds st x ->
