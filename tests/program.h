@@ -20,7 +20,7 @@ void write_file(const std::filesystem::path& path, const std::string& content);
 
 /// A folder that vanishes with the object.
 class TemporaryFolder {
-  public:
+public:
     TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -28,6 +28,6 @@ class TemporaryFolder {
     std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
     const std::filesystem::path& path() const { return path_; }
 
-  private:
+private:
     std::filesystem::path path_;
 };

@@ -211,16 +211,21 @@ TEST_CASE("a malformed file of degrees is refused with its line") {
     const std::string_view head = "number,degree,status,source";
     CHECK(read({"# note", head, "5,80,claimed,somebody"}).size() == 1);
     CHECK(read({head}).empty());
-    const std::pair<std::string_view, const char*> wrong[] = {
+    struct Wrong {
+        std::string_view line;
+        const char* reason;
+    };
+    const Wrong list[] = {
         {"5,80,claimed", "line 2"},      {"5,80,proved,x", "certified, evidence or claimed"},
         {"5,0,claimed,x", "positive"},   {"143494,8,claimed,x", "143493"},
         {"-1,8,claimed,x", "143493"},    {"5,8x,claimed,x", "positive"},
         {"5,8,claimed,", "source"},      {"5,8,claimed,a,b", "four fields"},
         {"5,8,claimed,\"a\"", "quotes"}, {"5,99999999999,claimed,x", "positive"},
     };
-    for (const auto& [line, reason] : wrong) {
-        CAPTURE(line);
-        CHECK_THROWS_WITH_AS(read({head, line}), doctest::Contains(reason), std::runtime_error);
+    for (const Wrong& wrong : list) {
+        CAPTURE(wrong.line);
+        CHECK_THROWS_WITH_AS(read({head, wrong.line}), doctest::Contains(wrong.reason),
+                             std::runtime_error);
     }
     CHECK_THROWS_WITH_AS(read({head, "5,8,claimed,x", "5,9,claimed,y"}), doctest::Contains("above"),
                          std::runtime_error);

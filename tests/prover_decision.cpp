@@ -45,7 +45,7 @@ Ranks generic_ranks(const Problem& problem, std::uint64_t seed) {
 }
 
 class RandomProblems {
-  public:
+public:
     explicit RandomProblems(unsigned seed) : random_(seed) {}
 
     int below(int bound) { return static_cast<int>(random_() % static_cast<unsigned>(bound)); }
@@ -97,7 +97,7 @@ class RandomProblems {
         return problem;
     }
 
-  private:
+private:
     std::mt19937 random_;
 };
 
@@ -143,9 +143,9 @@ TEST_CASE("verdicts on random problems of every kind agree with the ranks of the
             problem.push_back(random.feature(views, 9));
         check_against_ranks(problem);
     }
-    for (const char* text : {"Pabcdefgh/Pabcdefgh/Pabcdefgh", "Pabcdefghi/Pabcdefghi/Pabcdefghi",
-                             "5*P/P", "5*P/P + Pa/a", "6*P/P/- + 5*P/-/P", "3*P/P/P + P/P/a",
-                             "3*P/P/P + P/a/b + P/a/a(b)"})
+    for (const char* text :
+         {"Pabcdefgh/Pabcdefgh/Pabcdefgh", "Pabcdefghi/Pabcdefghi/Pabcdefghi", "5*P/P",
+          "5*P/P + Pa/a", "6*P/P/- + 5*P/-/P", "3*P/P/P + P/P/a", "3*P/P/P + P/a/b + P/a/a(b)"})
         check_against_ranks(parse_spec(text));
 }
 

@@ -1,4 +1,5 @@
-// Minors of the Jacobian: elimination by blocks against the whole matrix, and the laws of certificates.
+// Minors of the Jacobian: elimination by blocks against the whole matrix, and the laws of
+// certificates.
 #include "prover/classification/archive.h"
 #include "prover/classification/problem_certificate.h"
 
@@ -58,7 +59,8 @@ TEST_CASE("the rank of the whole Jacobian falls short by max(E, S), for every ob
 }
 
 TEST_CASE("another pool certifies the same classes") {
-    // Classes are minimal or not whatever the coordinates: a sample in pools that the archive does not use.
+    // Classes are minimal or not whatever the coordinates: a sample in pools that the archive does
+    // not use.
     const std::vector<Signature>& classes = label_classes();
     for (const std::uint64_t seed : {101U, 102U, 103U}) {
         const Pool pool = make_pool(seed);
@@ -66,7 +68,8 @@ TEST_CASE("another pool certifies the same classes") {
             CAPTURE(number);
             const auto blocks = blocks_of(classes[number], pool);
             const auto parts = eliminated(blocks);
-            const PosedProblem posed{problem_of(classes[number]), pointers(blocks), pointers(parts)};
+            const PosedProblem posed{problem_of(classes[number]), pointers(blocks),
+                                     pointers(parts)};
             CHECK(certify(posed).has_value());
         }
     }

@@ -62,7 +62,8 @@ TEST_CASE("malformed notation is refused with the column and what was expected")
     }
 }
 
-TEST_CASE("relabeling views acts on signatures as the rotation and reflection of the authors' data") {
+TEST_CASE(
+    "relabeling views acts on signatures as the rotation and reflection of the authors' data") {
     Signature s{};
     std::iota(s.begin(), s.end(), std::uint8_t{0});
     const auto orbit = relabelings(s);

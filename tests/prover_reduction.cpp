@@ -1,5 +1,5 @@
-// Reduction: the rows of the paper's table of all ways to observe a feature, the completeness of the 27, and
-// the ways to name a problem.
+// Reduction: the rows of the paper's table of all ways to observe a feature, the completeness of
+// the 27, and the ways to name a problem.
 #include "prover/problem/reduction.h"
 #include "prover/problem/signature.h"
 #include "prover/problem/spec.h"
@@ -17,7 +17,8 @@ std::string reduced(const std::string& text) {
     return problem.empty() ? "nothing" : notation(canonical(problem.front()));
 }
 
-/// Every way in which `views` views can see a feature, pins renamed at will: calls visit(feature) for each.
+/// Every way in which `views` views can see a feature, pins renamed at will: calls visit(feature)
+/// for each.
 template <class Visit>
 void for_each_observation(int views, bool has_point, int lines, Visit visit) {
     // A line is known by the set of views that see it; the sets ascend, since names do not matter.
@@ -49,22 +50,42 @@ void for_each_observation(int views, bool has_point, int lines, Visit visit) {
     }
 }
 
-std::string canonical_text(const char* text) { return notation(canonical(parse_feature(text))); }
+std::string canonical_text(const char* text) {
+    return notation(canonical(parse_feature(text)));
+}
 
 } // namespace
 
 TEST_CASE("the rows of the paper's table reduce as it says") {
     const std::map<std::string, std::string> rows{
-        {"a/-/-", "nothing"},      {"a/a/-", "nothing"},    {"a/a/a", "a/a/a"},
-        {"P/-/-", "nothing"},      {"P/P/-", "P/P/-"},      {"P/P/P", "P/P/P"},
-        {"P/a/-", "nothing"},      {"P/P/a", "P/P/a"},      {"P/a/a", "P/a/a"},
-        {"Pa/a/-", "nothing"},     {"Pa/P/a", "Pa/P/a"},    {"Pa/a/a", "a/a/a"},
-        {"Pa/Pa/a", "Pa/Pa/a"},    {"Pa/Pa/Pa", "Pa/Pa/Pa"}, {"Pa/Pa/P", "P/P/P"},
-        {"Pa/-/-", "nothing"},     {"Pa/P/-", "P/P/-"},     {"Pa/Pa/-", "P/P/-"},
-        {"a/a/a(P)", "a/a/a"},     {"a/a/-(P)", "nothing"}, {"a/b/-", "nothing"},
-        {"a/b/b", "nothing"},      {"-/-/-(P)", "nothing"}, {"-/-/-(a)", "nothing"},
-        {"P/P/P(a)", "P/P/P"},     {"Pab/Pab/Pab", "Pab/Pab/Pab"},
-        {"Pab/Pab/a", "Pa/Pa/a"},  {"Pabc/a/b", canonical_text("Pab/a/b")},
+        {"a/-/-", "nothing"},
+        {"a/a/-", "nothing"},
+        {"a/a/a", "a/a/a"},
+        {"P/-/-", "nothing"},
+        {"P/P/-", "P/P/-"},
+        {"P/P/P", "P/P/P"},
+        {"P/a/-", "nothing"},
+        {"P/P/a", "P/P/a"},
+        {"P/a/a", "P/a/a"},
+        {"Pa/a/-", "nothing"},
+        {"Pa/P/a", "Pa/P/a"},
+        {"Pa/a/a", "a/a/a"},
+        {"Pa/Pa/a", "Pa/Pa/a"},
+        {"Pa/Pa/Pa", "Pa/Pa/Pa"},
+        {"Pa/Pa/P", "P/P/P"},
+        {"Pa/-/-", "nothing"},
+        {"Pa/P/-", "P/P/-"},
+        {"Pa/Pa/-", "P/P/-"},
+        {"a/a/a(P)", "a/a/a"},
+        {"a/a/-(P)", "nothing"},
+        {"a/b/-", "nothing"},
+        {"a/b/b", "nothing"},
+        {"-/-/-(P)", "nothing"},
+        {"-/-/-(a)", "nothing"},
+        {"P/P/P(a)", "P/P/P"},
+        {"Pab/Pab/Pab", "Pab/Pab/Pab"},
+        {"Pab/Pab/a", "Pa/Pa/a"},
+        {"Pabc/a/b", canonical_text("Pab/a/b")},
         {"P/a/b", canonical_text("P/a/b")},
         {"Pa/a/b", canonical_text("Pa/a/b")},
     };
@@ -74,8 +95,9 @@ TEST_CASE("the rows of the paper's table reduce as it says") {
     }
 }
 
-TEST_CASE("three views: every observation of a feature with up to 8 pins reduces to one of the 27, to a "
-          "feature with dangling pins (Theorem 5), to a star with 8 pins, or to nothing") {
+TEST_CASE(
+    "three views: every observation of a feature with up to 8 pins reduces to one of the 27, to a "
+    "feature with dangling pins (Theorem 5), to a star with 8 pins, or to nothing") {
     std::set<Feature> standard;
     for (const Feature& feature : standard_features())
         standard.insert(canonical(feature));

@@ -1,5 +1,5 @@
-// The Jacobian by second methods: numerical differentiation of the joint camera map itself, and ball
-// arithmetic for a determinant.
+// The Jacobian by second methods: numerical differentiation of the joint camera map itself, and
+// ball arithmetic for a determinant.
 #include "prover/classification/archive.h"
 
 #include <Eigen/Dense>
@@ -22,11 +22,11 @@ Vector3d real(const Vector3& v) {
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-/// The joint camera map in affine coordinates, written from Definition 2 of the paper: rotations by the
-/// exponential map at the given cameras, image points as (x/z, y/z), image lines by two coordinates of their
-/// dual point, lines through a seen point by the slope of their direction.
+/// The joint camera map in affine coordinates, written from Definition 2 of the paper: rotations by
+/// the exponential map at the given cameras, image points as (x/z, y/z), image lines by two
+/// coordinates of their dual point, lines through a seen point by the slope of their direction.
 class JointCameraMap {
-  public:
+public:
     JointCameraMap(const Signature& signature, const Pool& pool) : pool_(pool) {
         for (std::size_t i = 0; i < feature_count; ++i)
             for (std::size_t copy = 0; copy < signature[i]; ++copy)
@@ -57,7 +57,7 @@ class JointCameraMap {
         return Eigen::Map<VectorXd>(images.data(), static_cast<Eigen::Index>(images.size()));
     }
 
-  private:
+private:
     void append_view(const PlacedFeature& placed, int view, const Vector3d& point,
                      const std::vector<Vector3d>& directions, const VectorXd& cameras,
                      std::vector<double>& images) const {
@@ -87,8 +87,9 @@ class JointCameraMap {
             if (!placed.feature.sees_line(view, line)) continue;
             const Vector3d dual =
                 image.cross(rotation * directions[static_cast<std::size_t>(line)]).normalized();
-            // On the unit sphere of dual points any two independent coordinates will do; a generic plane
-            // through the origin avoids choosing. A line through a seen point has one of them.
+            // On the unit sphere of dual points any two independent coordinates will do; a generic
+            // plane through the origin avoids choosing. A line through a seen point has one of
+            // them.
             const Vector3d chart = dual / (dual[0] * 0.31 + dual[1] * 0.57 + dual[2] * 0.76);
             images.push_back(chart[0]);
             if (!placed.feature.sees_point(view)) images.push_back(chart[1]);
@@ -100,7 +101,8 @@ class JointCameraMap {
     int unknowns_ = camera_dimension;
 };
 
-/// The number of singular values above 1e-7 of the largest: numerical differentiation leaves some 1e-9.
+/// The number of singular values above 1e-7 of the largest: numerical differentiation leaves some
+/// 1e-9.
 Eigen::Index numerical_rank(const JointCameraMap& map) {
     constexpr double step = 1e-5;
     VectorXd motion = VectorXd::Zero(map.unknowns());

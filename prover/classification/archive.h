@@ -24,9 +24,9 @@ struct Archive {
 /// Called with the number of classes done, now and then.
 using Progress = std::function<void(std::size_t done)>;
 
-/// Certifies the given label classes (all of them: label_classes()), numbered in order. A class whose minor
-/// vanishes in one pool is tried in the next. Throws std::runtime_error where the pools are used up, which
-/// would refute NOTES section 4.
+/// Certifies the given label classes (all of them: label_classes()), numbered in order. A class
+/// whose minor vanishes in one pool is tried in the next. Throws std::runtime_error where the pools
+/// are used up, which would refute NOTES section 4.
 Archive certify_classification(const std::vector<Signature>& classes, const Progress& progress);
 
 /// The text of the archive (certs/FORMAT.md, section 5, "classification").

@@ -29,7 +29,8 @@ IntegerMatrix stack(std::span<const CameraPart* const> parts) {
     return result;
 }
 
-/// A reduced row echelon form with a common denominator: the matrix itself over the rationals, `rank` rows.
+/// A reduced row echelon form with a common denominator: the matrix itself over the rationals,
+/// `rank` rows.
 struct EchelonForm {
     IntegerMatrix matrix;
     Integer denominator;
@@ -39,8 +40,7 @@ struct EchelonForm {
 
 EchelonForm echelon_form(const IntegerMatrix& matrix) {
     EchelonForm form{IntegerMatrix(matrix.rows(), matrix.columns()), {}, {}, {}};
-    const auto rank =
-        fmpz_mat_rref(form.matrix.get(), form.denominator.get(), matrix.get());
+    const auto rank = fmpz_mat_rref(form.matrix.get(), form.denominator.get(), matrix.get());
     for (int column = 0; column < matrix.columns(); ++column) {
         const auto row = static_cast<int>(form.pivots.size());
         const bool pivot = row < rank && !fmpz_is_zero(form.matrix.at(row, column));
@@ -49,8 +49,8 @@ EchelonForm echelon_form(const IntegerMatrix& matrix) {
     return form;
 }
 
-/// The kernel vector that is nonzero at free column `column` only among the free ones: primitive, positive
-/// there.
+/// The kernel vector that is nonzero at free column `column` only among the free ones: primitive,
+/// positive there.
 std::vector<std::string> kernel_vector(const EchelonForm& form, int column) {
     IntegerMatrix vector(1, form.matrix.columns());
     fmpz_set(vector.at(0, column), form.denominator.get());
@@ -66,8 +66,8 @@ std::vector<std::string> kernel_vector(const EchelonForm& form, int column) {
     return entries;
 }
 
-/// The rows of a matrix of full column rank that are not needed for it; `kept` receives the others. Both
-/// ascend.
+/// The rows of a matrix of full column rank that are not needed for it; `kept` receives the others.
+/// Both ascend.
 std::vector<int> superfluous_rows(const ResidueMatrix& matrix, std::vector<int>& kept) {
     ResidueMatrix transposed(matrix.columns(), matrix.rows());
     nmod_mat_transpose(transposed.get(), matrix.get());

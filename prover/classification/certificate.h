@@ -1,5 +1,6 @@
-// Certificates of single problems as values: a nonzero minor where the problem is minimal; a kernel basis, a
-// nonzero minor of the exact rank and the obstruction where it is not (certs/FORMAT.md, sections 3 to 5).
+// Certificates of single problems as values: a nonzero minor where the problem is minimal; a kernel
+// basis, a nonzero minor of the exact rank and the obstruction where it is not (certs/FORMAT.md,
+// sections 3 to 5).
 #pragma once
 
 #include "prover/classification/obstruction.h"
@@ -19,15 +20,16 @@ struct MinimalCertificate {
 
 struct DeficientCertificate {
     Obstruction obstruction;
-    std::vector<int> deleted_rows;    ///< of J, from 1
-    std::vector<int> deleted_columns; ///< of the 11 camera columns, from 1
-    Residue minor = 0;                ///< of J without these, modulo q
+    std::vector<int> deleted_rows;                ///< of J, from 1
+    std::vector<int> deleted_columns;             ///< of the 11 camera columns, from 1
+    Residue minor = 0;                            ///< of J without these, modulo q
     std::vector<std::vector<std::string>> kernel; ///< decimal; camera parts of the motions, a basis
 };
 
 using Certificate = std::variant<MinimalCertificate, DeficientCertificate>;
 
-/// Of a camera-minimal problem that leaves some of the scene open: the joint camera map is dominant.
+/// Of a camera-minimal problem that leaves some of the scene open: the joint camera map is
+/// dominant.
 struct CameraMinimalCertificate {
     std::vector<int> deleted_columns; ///< of J, from 1; none of the camera columns
     Residue minor = 0;                ///< of J without these, all rows, modulo q
@@ -40,12 +42,12 @@ struct PosedProblem {
     std::vector<const CameraPart*> parts;
 };
 
-/// The certificate of a balanced problem at this point, or nothing where the point is special: the rank
-/// there is less than at a generic one.
+/// The certificate of a balanced problem at this point, or nothing where the point is special: the
+/// rank there is less than at a generic one.
 std::optional<Certificate> certify(const PosedProblem& posed);
 
-/// The certificate that J has full row rank at this point with all camera columns among the pivots, or nothing
-/// where it has not.
+/// The certificate that J has full row rank at this point with all camera columns among the pivots,
+/// or nothing where it has not.
 std::optional<CameraMinimalCertificate>
 certify_dominant(std::span<const FeatureBlock* const> blocks);
 

@@ -28,7 +28,9 @@ Verdict verdict_of(const Decision& decision) {
     return decision.balanced() ? Verdict::minimal : Verdict::camera_minimal;
 }
 
-std::string view_name(int view) { return std::to_string(view + 1); }
+std::string view_name(int view) {
+    return std::to_string(view + 1);
+}
 
 std::string count_of(int count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
@@ -42,7 +44,8 @@ const Feature& star_of(const Problem& problem) {
 std::string star_reason(const Problem& problem) {
     const Feature& star = star_of(problem);
     const std::string point = "the point with " + std::to_string(star.lines) + " pins";
-    const std::string slide = " slide along its ray to " + point + ", so that the images of the "
+    const std::string slide = " slide along its ray to " + point +
+                              ", so that the images of the "
                               "point and its pins stay";
     for (int view = 0; view < star.views(); ++view) {
         const auto seen = std::ranges::count_if(problem, [&](const Feature& feature) {
@@ -56,7 +59,8 @@ std::string star_reason(const Problem& problem) {
         return "let each camera" + slide + ": up to scale, that is a family of 2 motions, and " +
                (star.lines == 8 ? "nothing else constrains them"
                                 : "the other feature puts 1 condition on them");
-    return "let each camera" + slide + ": up to scale, that is a family of 2 motions, and the free "
+    return "let each camera" + slide +
+           ": up to scale, that is a family of 2 motions, and the free "
            "line puts 1 condition on them, since its normals are coplanar already";
 }
 
@@ -64,11 +68,16 @@ std::string star_reason(const Problem& problem) {
 
 std::string_view name(Verdict verdict) {
     switch (verdict) {
-    case Verdict::minimal: return "minimal";
-    case Verdict::camera_minimal: return "camera-minimal";
-    case Verdict::obstructed: return "obstructed";
-    case Verdict::under_constrained: return "under-constrained";
-    case Verdict::over_constrained: return "over-constrained";
+    case Verdict::minimal:
+        return "minimal";
+    case Verdict::camera_minimal:
+        return "camera-minimal";
+    case Verdict::obstructed:
+        return "obstructed";
+    case Verdict::under_constrained:
+        return "under-constrained";
+    case Verdict::over_constrained:
+        return "over-constrained";
     }
     return {};
 }
@@ -125,8 +134,7 @@ std::vector<std::string> reasons(const Decision& decision) {
         result.push_back(given + ": over-constrained by " + std::to_string(-missing));
         break;
     case Verdict::obstructed:
-        result.push_back(given + ", but " +
-                         std::to_string(decision.obstruction.deficiency()) +
+        result.push_back(given + ", but " + std::to_string(decision.obstruction.deficiency()) +
                          " fewer are independent, at any images");
         break;
     }

@@ -1,9 +1,10 @@
-// Deciding a problem: minimal, camera-minimal only, or neither, and why; for any PL1P in two or three views.
+// Deciding a problem: minimal, camera-minimal only, or neither, and why; for any PL1P in two or
+// three views.
 //
-// The problem is reduced (Theorems 2 and 7) and its dangling pins are fixed (Theorem 6). Neither changes
-// whether it is camera-minimal. What remains consists of the 27 features and is camera-minimal exactly when
-// its weights add up to the dimension of the cameras and no obstruction holds. A camera-minimal problem is
-// minimal exactly when it is balanced as given (Lemma 2).
+// The problem is reduced (Theorems 2 and 7) and its dangling pins are fixed (Theorem 6). Neither
+// changes whether it is camera-minimal. What remains consists of the 27 features and is
+// camera-minimal exactly when its weights add up to the dimension of the cameras and no obstruction
+// holds. A camera-minimal problem is minimal exactly when it is balanced as given (Lemma 2).
 #pragma once
 
 #include "prover/classification/families.h"
@@ -38,8 +39,9 @@ struct Decision {
     int constraints = 0; ///< the weights of `lifted`, added up
     Obstruction obstruction;
     Verdict verdict{};
-    std::optional<ClassNumbers> classes; ///< where `lifted` is a balanced problem of the 27 features
-    std::optional<Families> families;    ///< likewise
+    std::optional<ClassNumbers>
+        classes;                      ///< where `lifted` is a balanced problem of the 27 features
+    std::optional<Families> families; ///< likewise
 
     bool balanced() const { return space_dimension + camera_dimension == image_dimension; }
 };

@@ -12,8 +12,8 @@ bool sees_a_line(const Feature& feature, View view) {
     return feature.sights[static_cast<std::size_t>(view)].pins != 0;
 }
 
-/// Whether the two views see the same lines, and every point that only one of them sees has a pin that the
-/// other sees: with their relative pose, everything they see is known in space.
+/// Whether the two views see the same lines, and every point that only one of them sees has a pin
+/// that the other sees: with their relative pose, everything they see is known in space.
 bool fixes_what_it_sees(const Problem& problem, View first, View second) {
     return std::ranges::all_of(problem, [&](const Feature& feature) {
         if (feature.sights[static_cast<std::size_t>(first)].pins !=
@@ -24,8 +24,8 @@ bool fixes_what_it_sees(const Problem& problem, View first, View second) {
     });
 }
 
-/// Whether the problem, or one that differs from it by swaps, consists of PPP, LLL, PLL, PPL and PLP
-/// correspondences with respect to view 1.
+/// Whether the problem, or one that differs from it by swaps, consists of PPP, LLL, PLL, PPL and
+/// PLP correspondences with respect to view 1.
 bool linear_in_first_view(const Signature& signature) {
     // P/P/P, a/a/a, P/a/a, and the swap pairs whose terminal features are P/a/P and P/P/a.
     constexpr std::array<std::size_t, 7> allowed{7, 11, 14, 15, 16, 17, 21};
@@ -34,8 +34,8 @@ bool linear_in_first_view(const Signature& signature) {
     return true;
 }
 
-/// The name in Table 1 of "PLMP": points, dependent points (none), free lines, pins, and as index the largest
-/// number of pins at a point.
+/// The name in Table 1 of "PLMP": points, dependent points (none), free lines, pins, and as index
+/// the largest number of pins at a point.
 std::optional<std::string> plmp_name(const Problem& problem) {
     int points = 0;
     int free_lines = 0;
@@ -59,9 +59,8 @@ std::optional<std::string> plmp_name(const Problem& problem) {
 Families families(const Signature& signature) {
     const Problem problem = problem_of(signature);
     Families result;
-    result.pl0p = std::ranges::all_of(problem, [](const Feature& feature) {
-        return !feature.has_point || feature.lines == 0;
-    });
+    result.pl0p = std::ranges::all_of(
+        problem, [](const Feature& feature) { return !feature.has_point || feature.lines == 0; });
     result.at_most_one_pin = std::ranges::all_of(
         problem, [](const Feature& feature) { return !feature.has_point || feature.lines <= 1; });
     const std::array<int, 3> shared = shared_points(problem);

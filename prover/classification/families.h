@@ -14,8 +14,9 @@ struct Families {
     bool at_most_one_pin = false;      ///< no point with two or more pins
     bool five_point_extension = false; ///< some two views share exactly five points
     bool registration = false;         ///< ... and fix all features that either of them sees
-    bool trifocal_linear = false;      ///< one of the 66 problems linear in the trifocal tensor (Kileel 2017)
-    std::optional<std::string> plmp;   ///< complete visibility: its name in PLMP, such as 3002_1
+    bool trifocal_linear =
+        false; ///< one of the 66 problems linear in the trifocal tensor (Kileel 2017)
+    std::optional<std::string> plmp; ///< complete visibility: its name in PLMP, such as 3002_1
 };
 
 Families families(const Signature& signature);

@@ -25,15 +25,17 @@ int star_obstruction(const Problem& problem) {
 
 } // namespace
 
-int Obstruction::deficiency() const { return std::max(excess[0] + excess[1] + excess[2], star); }
+int Obstruction::deficiency() const {
+    return std::max(excess[0] + excess[1] + excess[2], star);
+}
 
 std::array<int, 3> shared_points(const Problem& problem) {
     std::array<int, 3> shared{};
     for (const Feature& feature : problem)
         for (std::size_t pair = 0; pair < view_pairs.size(); ++pair) {
             const auto [first, second] = view_pairs[pair];
-            shared[pair] += second < feature.views() && feature.sees_point(first) &&
-                            feature.sees_point(second);
+            shared[pair] +=
+                second < feature.views() && feature.sees_point(first) && feature.sees_point(second);
         }
     return shared;
 }

@@ -11,7 +11,8 @@ constexpr std::int64_t pool_bound = 9;
 } // namespace
 
 std::int64_t SmallIntegers::next() {
-    // SplitMix64 (Steele, Lea, Flood 2014): a few lines, and the same numbers with every standard library.
+    // SplitMix64 (Steele, Lea, Flood 2014): a few lines, and the same numbers with every standard
+    // library.
     state_ += 0x9e3779b97f4a7c15U;
     std::uint64_t z = state_;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -24,7 +25,8 @@ Cameras random_cameras(SmallIntegers& integers, int views) {
     Cameras cameras(static_cast<std::size_t>(views - 1));
     do
         for (Camera& camera : cameras) {
-            // Quaternion entries enter squared: a smaller range keeps the rotation matrices readable.
+            // Quaternion entries enter squared: a smaller range keeps the rotation matrices
+            // readable.
             for (std::int64_t& entry : camera.quaternion)
                 entry = integers.next() / 3;
             camera.translation = integers.vector();

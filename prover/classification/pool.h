@@ -1,6 +1,6 @@
 // Pools: one set of cameras with enough placed features of each kind to pose every problem of the
-// classification at once. Coordinates are small, since people read them, and pseudo-random from a seed, since
-// special positions make minors vanish.
+// classification at once. Coordinates are small, since people read them, and pseudo-random from a
+// seed, since special positions make minors vanish.
 #pragma once
 
 #include "prover/geometry/jacobian.h"
@@ -8,7 +8,8 @@
 
 namespace plprove {
 
-/// Cameras and, for each of the 27 features, placed instances of it, as many as a balanced problem can have.
+/// Cameras and, for each of the 27 features, placed instances of it, as many as a balanced problem
+/// can have.
 struct Pool {
     Cameras cameras;
     std::array<std::vector<PlacedFeature>, feature_count> instances;
@@ -19,7 +20,7 @@ using CameraParts = std::array<std::vector<CameraPart>, feature_count>;
 
 /// A reproducible source of small integers: the same numbers on every machine.
 class SmallIntegers {
-  public:
+public:
     /// Integers of absolute value at most `bound`.
     SmallIntegers(std::uint64_t seed, std::int64_t bound) : state_(seed), bound_(bound) {}
     std::int64_t next();
@@ -29,7 +30,7 @@ class SmallIntegers {
         return {x, y, next()};
     }
 
-  private:
+private:
     std::uint64_t state_;
     std::int64_t bound_;
 };

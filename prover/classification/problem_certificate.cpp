@@ -16,7 +16,8 @@ std::vector<const T*> pointers(const std::vector<T>& values) {
     return result;
 }
 
-/// The certificate of the balanced problem with these blocks, or nothing where they are in special position.
+/// The certificate of the balanced problem with these blocks, or nothing where they are in special
+/// position.
 Evidence certify_balanced(const Problem& problem, const std::vector<FeatureBlock>& blocks) {
     std::vector<CameraPart> parts;
     for (const FeatureBlock& block : blocks) {
@@ -61,8 +62,9 @@ ProblemCertificate certify_problem(const Problem& problem) {
             ProblemCertificate result = attempt(decision, SmallIntegers(seed, bound));
             if (!std::holds_alternative<std::monostate>(result.evidence)) return result;
         }
-    throw std::runtime_error("the rank is too small at every point tried, although the problem is " +
-                             std::string(name(decision.verdict)));
+    throw std::runtime_error(
+        "the rank is too small at every point tried, although the problem is " +
+        std::string(name(decision.verdict)));
 }
 
 } // namespace plprove

@@ -1,5 +1,5 @@
-// The self-contained certificate of the verdict on one problem: how it reduces, and the rank that decides, at
-// coordinates of its own (certs/FORMAT.md, "problem" files).
+// The self-contained certificate of the verdict on one problem: how it reduces, and the rank that
+// decides, at coordinates of its own (certs/FORMAT.md, "problem" files).
 #pragma once
 
 #include "prover/classification/certificate.h"
@@ -15,13 +15,14 @@ using Evidence = std::variant<std::monostate, MinimalCertificate, CameraMinimalC
 
 struct ProblemCertificate {
     Decision decision;
-    Cameras cameras;                     ///< none for a dimension count
-    std::vector<PlacedFeature> features; ///< of the problem as given; of the lifted one where it is obstructed
+    Cameras cameras; ///< none for a dimension count
+    std::vector<PlacedFeature>
+        features; ///< of the problem as given; of the lifted one where it is obstructed
     Evidence evidence;
 };
 
-/// Certifies the verdict, at coordinates as small as a short search finds. Throws std::runtime_error where no
-/// point of the search has the rank that the verdict claims.
+/// Certifies the verdict, at coordinates as small as a short search finds. Throws
+/// std::runtime_error where no point of the search has the rank that the verdict claims.
 ProblemCertificate certify_problem(const Problem& problem);
 
 /// The text of the certificate.

@@ -9,7 +9,7 @@ namespace plprove {
 namespace {
 
 class Text {
-  public:
+public:
     /// One line: the words, separated by blanks.
     template <class... Words>
     void line(const Words&... words) {
@@ -18,16 +18,14 @@ class Text {
     }
     std::string take() { return std::move(text_); }
 
-  private:
+private:
     void append(const char* word) { (text_ += word) += ' '; }
     void append(const std::string& word) { (text_ += word) += ' '; }
     template <class Integer>
-        requires std::is_integral_v<Integer>
-    void append(Integer number) {
-        append(std::to_string(number));
-    }
+    requires std::is_integral_v<Integer>
+    void append(Integer number) { append(std::to_string(number)); }
     template <class Range>
-        requires requires(const Range& range) { range.begin(); }
+    requires requires(const Range& range) { range.begin(); }
     void append(const Range& range) {
         for (const auto& word : range)
             append(word);
@@ -36,9 +34,13 @@ class Text {
     std::string text_;
 };
 
-void append_head(Text& text, const char* kind) { text.line("plcert 1", kind); }
+void append_head(Text& text, const char* kind) {
+    text.line("plcert 1", kind);
+}
 
-void append_modulus(Text& text) { text.line("modulus", modulus); }
+void append_modulus(Text& text) {
+    text.line("modulus", modulus);
+}
 
 void append_cameras(Text& text, const Cameras& cameras) {
     for (std::size_t i = 0; i < cameras.size(); ++i)
@@ -99,7 +101,8 @@ void append_step(Text& text, const ReductionStep& step) {
 std::string write(const Archive& archive) {
     Text text;
     append_head(text, "classification");
-    text.line("# A certificate for each label class of balanced point-line problems in three views.");
+    text.line(
+        "# A certificate for each label class of balanced point-line problems in three views.");
     text.line("# certs/FORMAT.md of the project point-line-certificates explains every line.");
     append_modulus(text);
     for (std::size_t i = 0; i < archive.pools.size(); ++i) {

@@ -19,7 +19,7 @@ namespace {
 
 /// A temporary file that vanishes unless it is renamed.
 class TemporaryFile {
-  public:
+public:
     explicit TemporaryFile(const std::filesystem::path& target)
         : target_(target), name_(target.string() + ".XXXXXX") {
         descriptor_ = ::mkstemp(name_.data());
@@ -53,7 +53,7 @@ class TemporaryFile {
         sync_folder();
     }
 
-  private:
+private:
     /// The rename itself survives a power failure only once the folder is on the disk.
     void sync_folder() const {
         const std::filesystem::path folder =

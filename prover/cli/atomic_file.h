@@ -6,8 +6,8 @@
 
 namespace plprove {
 
-/// Writes `content` to a temporary file beside `path`, forces it to the disk and renames it to `path`. Throws
-/// std::system_error that names the path; then the old file, if any, is as it was.
+/// Writes `content` to a temporary file beside `path`, forces it to the disk and renames it to
+/// `path`. Throws std::system_error that names the path; then the old file, if any, is as it was.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
 } // namespace plprove

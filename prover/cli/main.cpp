@@ -1,9 +1,11 @@
-// plprove: finds certificates and writes them. What a certificate proves is decided by plcheck, not here.
+// plprove: finds certificates and writes them. What a certificate proves is decided by plcheck, not
+// here.
+#include "prover/classification/archive.h"
+#include "prover/classification/problem_certificate.h"
 #include "prover/cli/atomic_file.h"
 #include "prover/cli/problem_report.h"
 #include "prover/cli/progress.h"
-#include "prover/classification/archive.h"
-#include "prover/classification/problem_certificate.h"
+#include "prover/drawing/drawing.h"
 #include "prover/problem/spec.h"
 
 #include <CLI/CLI.hpp>
@@ -107,8 +109,28 @@ Command problem_command(CLI::App& program) {
                 "  plprove problem '#2394' --json\n"
                 "  plprove problem '3*P/P/P + P/P/a' --certificate mine.plc\n"
                 "  plcheck mine.plc");
-    return {app,
-            [request] { decide_problem(request->spec, request->json, request->certificate); }};
+    return {app, [request] { decide_problem(request->spec, request->json, request->certificate); }};
+}
+
+Command show_command(CLI::App& program) {
+    struct Request {
+        std::string spec;
+        std::string svg;
+    };
+    auto request = std::make_shared<Request>();
+    CLI::App* app =
+        program.add_subcommand("show", "Draw a problem: what each view sees of it, side by side");
+    app->add_option("PROBLEM", request->spec, problem_help)->required();
+    app->add_option("--svg", request->svg,
+                    "write a picture for a paper to this file (- for standard output) instead of "
+                    "drawing in the terminal");
+    return {app, [request] {
+                const Problem problem = parse_spec(request->spec);
+                if (request->svg.empty())
+                    deliver("-", draw_text(problem));
+                else
+                    deliver(request->svg, draw_svg(problem));
+            }};
 }
 
 int run(int argc, char** argv) {
@@ -122,8 +144,8 @@ int run(int argc, char** argv) {
                    "Exit status: 0 done, 1 failure, 2 bad input, 3 usage.");
     program.set_version_flag("--version", "plprove 1.0.0, certificate format 1");
     program.require_subcommand(1);
-    const Command commands[] = {problem_command(program), certify_command(program),
-                                classification_command(program)};
+    const Command commands[] = {problem_command(program), show_command(program),
+                                certify_command(program), classification_command(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

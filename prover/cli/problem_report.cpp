@@ -16,8 +16,7 @@ std::vector<std::string> family_names(const Families& families) {
     if (families.pl0p) names.emplace_back("PL0P: free points and free lines only");
     if (families.at_most_one_pin) names.emplace_back("at most one pin per point");
     if (families.plmp) names.push_back("complete visibility: " + *families.plmp + " in PLMP");
-    if (families.five_point_extension)
-        names.emplace_back("extension of the five-point problem");
+    if (families.five_point_extension) names.emplace_back("extension of the five-point problem");
     if (families.registration) names.emplace_back("camera registration");
     if (families.trifocal_linear)
         names.emplace_back("one of the 66 problems linear in the trifocal tensor");
@@ -55,7 +54,9 @@ void section(std::ostream& out, const std::string& label) {
     out << std::left << std::setw(label_width) << label;
 }
 
-void continue_section(std::ostream& out) { section(out, ""); }
+void continue_section(std::ostream& out) {
+    section(out, "");
+}
 
 void write_dimensions(std::ostream& out, const Decision& decision) {
     section(out, "dimensions");
@@ -96,11 +97,16 @@ void write_reduction(std::ostream& out, const Decision& decision) {
 
 std::string verdict_in_words(Verdict verdict) {
     switch (verdict) {
-    case Verdict::minimal: return "minimal";
-    case Verdict::camera_minimal: return "camera-minimal, but not minimal";
-    case Verdict::obstructed: return "neither minimal nor camera-minimal: obstructed";
-    case Verdict::under_constrained: return "neither minimal nor camera-minimal: under-constrained";
-    case Verdict::over_constrained: return "neither minimal nor camera-minimal: over-constrained";
+    case Verdict::minimal:
+        return "minimal";
+    case Verdict::camera_minimal:
+        return "camera-minimal, but not minimal";
+    case Verdict::obstructed:
+        return "neither minimal nor camera-minimal: obstructed";
+    case Verdict::under_constrained:
+        return "neither minimal nor camera-minimal: under-constrained";
+    case Verdict::over_constrained:
+        return "neither minimal nor camera-minimal: over-constrained";
     }
     return {};
 }
@@ -127,8 +133,7 @@ void write_classes(std::ostream& out, const Decision& decision,
     if (!decision.classes) return;
     section(out, "number");
     out << '#' << decision.classes->label << " of the label classes, swap class #"
-        << decision.classes->swap << ", constraint class #" << decision.classes->constraint
-        << '\n';
+        << decision.classes->swap << ", constraint class #" << decision.classes->constraint << '\n';
     section(out, "families");
     const std::vector<std::string> names = family_names(*decision.families);
     if (names.empty()) out << "none of the named ones\n";

@@ -9,7 +9,8 @@
 
 namespace plprove {
 
-/// The decision in words, one fact a paragraph. `degree` is what is on file for its constraint class.
+/// The decision in words, one fact a paragraph. `degree` is what is on file for its constraint
+/// class.
 std::string text_report(const Decision& decision, const std::optional<DegreeRecord>& degree);
 
 /// The same as a JSON object.

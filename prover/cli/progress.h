@@ -6,10 +6,10 @@
 
 namespace plprove {
 
-/// Shows "label: done of total" on standard error, rewriting its line; the line is wiped at the end. Silent
-/// where standard error is no terminal.
+/// Shows "label: done of total" on standard error, rewriting its line; the line is wiped at the
+/// end. Silent where standard error is no terminal.
 class ProgressLine {
-  public:
+public:
     ProgressLine(std::string label, std::size_t total);
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
@@ -17,7 +17,7 @@ class ProgressLine {
 
     void show(std::size_t done);
 
-  private:
+private:
     std::string label_;
     std::size_t total_;
     bool terminal_;

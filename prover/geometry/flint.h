@@ -29,7 +29,7 @@ constexpr Residue residue(std::int64_t value) {
 
 /// A matrix of residues modulo q, zero at first.
 class ResidueMatrix {
-  public:
+public:
     ResidueMatrix(int rows, int columns) { nmod_mat_init(matrix_, rows, columns, modulus); }
     ResidueMatrix() : ResidueMatrix(0, 0) {}
     ResidueMatrix(ResidueMatrix&& other) noexcept : ResidueMatrix() {
@@ -48,13 +48,13 @@ class ResidueMatrix {
     nmod_mat_struct* get() { return matrix_; }
     const nmod_mat_struct* get() const { return matrix_; }
 
-  private:
+private:
     nmod_mat_t matrix_;
 };
 
 /// A matrix of integers, zero at first.
 class IntegerMatrix {
-  public:
+public:
     IntegerMatrix(int rows, int columns) { fmpz_mat_init(matrix_, rows, columns); }
     IntegerMatrix() : IntegerMatrix(0, 0) {}
     IntegerMatrix(IntegerMatrix&& other) noexcept : IntegerMatrix() {
@@ -73,13 +73,13 @@ class IntegerMatrix {
     fmpz_mat_struct* get() { return matrix_; }
     const fmpz_mat_struct* get() const { return matrix_; }
 
-  private:
+private:
     fmpz_mat_t matrix_;
 };
 
 /// An integer, zero at first.
 class Integer {
-  public:
+public:
     Integer() { fmpz_init(value_); }
     Integer(Integer&& other) noexcept : Integer() { fmpz_swap(value_, other.value_); }
     Integer& operator=(Integer&& other) noexcept {
@@ -90,7 +90,7 @@ class Integer {
     fmpz* get() { return value_; }
     const fmpz* get() const { return value_; }
 
-  private:
+private:
     fmpz_t value_;
 };
 

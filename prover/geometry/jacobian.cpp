@@ -9,7 +9,7 @@ namespace {
 
 /// A block under construction, which knows where the unknowns of the feature and of a camera are.
 class BlockBuilder {
-  public:
+public:
     explicit BlockBuilder(const Feature& feature) : has_point_(feature.has_point) {
         block_.own = dimension_in_space(feature);
         block_.cameras = camera_unknowns(feature.views());
@@ -40,10 +40,11 @@ class BlockBuilder {
 
     FeatureBlock take() { return std::move(block_); }
 
-  private:
+private:
     void begin_row() {
         ++block_.rows;
-        block_.entries.resize(static_cast<std::size_t>(block_.rows * (block_.own + block_.cameras)));
+        block_.entries.resize(
+            static_cast<std::size_t>(block_.rows * (block_.own + block_.cameras)));
     }
 
     std::int64_t& entry(int column) {
@@ -51,8 +52,8 @@ class BlockBuilder {
             (block_.rows - 1) * (block_.own + block_.cameras) + column)];
     }
 
-    // Columns of camera v = 1, 2, ... (from 0): omega from here on, then the translation. That of camera 1
-    // lacks its first coordinate.
+    // Columns of camera v = 1, 2, ... (from 0): omega from here on, then the translation. That of
+    // camera 1 lacks its first coordinate.
     int rotation_column(int view) const { return block_.own + (view == 1 ? 0 : 6 * view - 7); }
     int translation_column(int view) const {
         return rotation_column(view) + 3 - (view == 1 ? 1 : 0);
@@ -74,7 +75,9 @@ class BlockBuilder {
 };
 
 /// The residue of an integer modulo q.
-Residue residue_of(const fmpz* value) { return fmpz_fdiv_ui(value, modulus); }
+Residue residue_of(const fmpz* value) {
+    return fmpz_fdiv_ui(value, modulus);
+}
 
 /// Rows `order[first..last)` and columns [from, to) of the block.
 IntegerMatrix submatrix(const FeatureBlock& block, std::span<const int> order, int from, int to) {
@@ -85,8 +88,8 @@ IntegerMatrix submatrix(const FeatureBlock& block, std::span<const int> order, i
     return result;
 }
 
-/// An order of the rows of the block whose first `own` rows are independent modulo q in the own columns,
-/// or nothing.
+/// An order of the rows of the block whose first `own` rows are independent modulo q in the own
+/// columns, or nothing.
 std::optional<std::vector<int>> pivot_order(const FeatureBlock& block) {
     ResidueMatrix own(block.rows, block.own);
     for (int i = 0; i < block.rows; ++i)

@@ -1,9 +1,10 @@
-// The linearised incidence equations of placed features (NOTES of certs/FORMAT.md, section 3): the Jacobian of
-// the joint camera map in integer entries, block by block.
+// The linearised incidence equations of placed features (NOTES of certs/FORMAT.md, section 3): the
+// Jacobian of the joint camera map in integer entries, block by block.
 //
-// A problem's Jacobian J consists of one block of rows per feature; a block involves only the feature's own
-// unknowns and the camera unknowns. Eliminating the former leaves `weight` rows in the camera unknowns: the
-// camera part. All minors of interest are computed from camera parts, once for each placed feature.
+// A problem's Jacobian J consists of one block of rows per feature; a block involves only the
+// feature's own unknowns and the camera unknowns. Eliminating the former leaves `weight` rows in
+// the camera unknowns: the camera part. All minors of interest are computed from camera parts, once
+// for each placed feature.
 #pragma once
 
 #include "prover/geometry/camera.h"
@@ -25,20 +26,24 @@ struct FeatureBlock {
     }
 };
 
-/// The number of camera unknowns for `views` views: 6 for each camera but the first, less 1 for the scale.
-constexpr int camera_unknowns(int views) { return 6 * (views - 1) - 1; }
+/// The number of camera unknowns for `views` views: 6 for each camera but the first, less 1 for the
+/// scale.
+constexpr int camera_unknowns(int views) {
+    return 6 * (views - 1) - 1;
+}
 
-/// The block of a placed feature in the chart of FORMAT.md, section 3. Assumes that neither the cameras nor
-/// the feature have a defect and that no coordinate exceeds max_coordinate.
+/// The block of a placed feature in the chart of FORMAT.md, section 3. Assumes that neither the
+/// cameras nor the feature have a defect and that no coordinate exceeds max_coordinate.
 FeatureBlock feature_block(const PlacedFeature& placed, const Cameras& cameras);
 
 /// The block after elimination of the feature's own unknowns.
 struct CameraPart {
-    int own = 0;          ///< eliminated unknowns
-    IntegerMatrix exact;  ///< weight x cameras, up to a factor per row: what the block demands of the cameras
+    int own = 0; ///< eliminated unknowns
+    IntegerMatrix
+        exact; ///< weight x cameras, up to a factor per row: what the block demands of the cameras
     ResidueMatrix modulo; ///< weight x cameras, modulo q: the Schur complement
-    Residue factor = 0;   ///< signed determinant of the eliminated rows: det of a square block [A|B] =
-                          ///< factor * det(modulo)
+    Residue factor = 0; ///< signed determinant of the eliminated rows: det of a square block [A|B]
+                        ///< = factor * det(modulo)
 };
 
 /// Eliminates a block, or returns nothing where its own columns are dependent modulo q.

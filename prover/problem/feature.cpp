@@ -36,7 +36,8 @@ Feature canonical(const Feature& feature) {
     std::vector<std::uint32_t> seen_by(static_cast<std::size_t>(feature.lines), 0);
     for (int line = 0; line < feature.lines; ++line)
         for (int view = 0; view < feature.views(); ++view)
-            if (feature.sees_line(view, line)) seen_by[static_cast<std::size_t>(line)] |= 1U << view;
+            if (feature.sees_line(view, line))
+                seen_by[static_cast<std::size_t>(line)] |= 1U << view;
     std::ranges::sort(seen_by, std::greater{});
     Feature result = feature;
     for (int view = 0; view < feature.views(); ++view) {
@@ -86,12 +87,33 @@ std::string notation(const Feature& feature) {
 const std::vector<Feature>& standard_features() {
     static const std::vector<Feature> features = [] {
         std::vector<Feature> list;
-        for (const char* text :
-             {"Pabcdefg/Pabcdefg/Pabcdefg", "Pabcdef/Pabcdef/Pabcdef", "Pabcde/Pabcde/Pabcde",
-              "Pabcd/Pabcd/Pabcd", "Pabc/Pabc/Pabc", "Pab/Pab/Pab", "Pa/Pa/Pa", "P/P/P",
-              "a/Pa/Pa", "Pa/a/Pa", "Pa/Pa/a", "a/a/a", "a/P/Pa", "a/Pa/P", "P/a/Pa", "Pa/a/P",
-              "P/Pa/a", "Pa/P/a", "-/P/P", "P/-/P", "P/P/-", "P/a/a", "a/P/a", "a/a/P", "Pab/b/a",
-              "b/Pab/a", "b/a/Pab"})
+        for (const char* text : {"Pabcdefg/Pabcdefg/Pabcdefg",
+                                 "Pabcdef/Pabcdef/Pabcdef",
+                                 "Pabcde/Pabcde/Pabcde",
+                                 "Pabcd/Pabcd/Pabcd",
+                                 "Pabc/Pabc/Pabc",
+                                 "Pab/Pab/Pab",
+                                 "Pa/Pa/Pa",
+                                 "P/P/P",
+                                 "a/Pa/Pa",
+                                 "Pa/a/Pa",
+                                 "Pa/Pa/a",
+                                 "a/a/a",
+                                 "a/P/Pa",
+                                 "a/Pa/P",
+                                 "P/a/Pa",
+                                 "Pa/a/P",
+                                 "P/Pa/a",
+                                 "Pa/P/a",
+                                 "-/P/P",
+                                 "P/-/P",
+                                 "P/P/-",
+                                 "P/a/a",
+                                 "a/P/a",
+                                 "a/a/P",
+                                 "Pab/b/a",
+                                 "b/Pab/a",
+                                 "b/a/Pab"})
             list.push_back(parse_feature(text));
         return list;
     }();

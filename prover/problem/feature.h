@@ -1,10 +1,11 @@
-// Local features: the free lines and the points with pins of which a point-line problem with at most one
-// point per line (a PL1P, Definition 4 of the paper) is the sum, with what each view sees of them.
+// Local features: the free lines and the points with pins of which a point-line problem with at
+// most one point per line (a PL1P, Definition 4 of the paper) is the sum, with what each view sees
+// of them.
 //
-// A feature is a plain value for any number of views and pins; the 27 features of the reduced minimal
-// problems in three views are a list of such values (standard_features). Everything that depends on
-// visibility (dimensions, weight, relabeling, which features a view permutation maps to which) is derived
-// from the value, not tabulated.
+// A feature is a plain value for any number of views and pins; the 27 features of the reduced
+// minimal problems in three views are a list of such values (standard_features). Everything that
+// depends on visibility (dimensions, weight, relabeling, which features a view permutation maps to
+// which) is derived from the value, not tabulated.
 #pragma once
 
 #include <compare>
@@ -42,26 +43,27 @@ inline constexpr int max_pins = 26;
 /// Degrees of freedom in space: 4 for a free line, 3 + 2k for a point with k pins.
 int dimension_in_space(const Feature& feature);
 
-/// Degrees of freedom in view `view`: 2 for a seen point, 1 for a line through a seen point, 2 for a line
-/// whose point is not seen.
+/// Degrees of freedom in view `view`: 2 for a seen point, 1 for a line through a seen point, 2 for
+/// a line whose point is not seen.
 int dimension_in_view(const Feature& feature, int view);
 
-/// Degrees of freedom in all views less those in space: how many constraints the feature puts on the
-/// cameras when it is generic (Table 1 of the paper).
+/// Degrees of freedom in all views less those in space: how many constraints the feature puts on
+/// the cameras when it is generic (Table 1 of the paper).
 int weight(const Feature& feature);
 
 /// The same feature seen by relabeled views: view v of the result is view from[v] of `feature`.
 Feature relabel_views(const Feature& feature, std::span<const int> from);
 
-/// The feature with its pins renamed so that features that differ by the names of their pins become equal.
+/// The feature with its pins renamed so that features that differ by the names of their pins become
+/// equal.
 Feature canonical(const Feature& feature);
 
 /// Whether some view sees the line, or the point.
 bool is_seen(const Feature& feature, int line);
 bool point_is_seen(const Feature& feature);
 
-/// `Pa/Pa/a`: the views in order, `P` for the point, letters for the pins, `-` for nothing; then, in
-/// parentheses, what exists but no view sees.
+/// `Pa/Pa/a`: the views in order, `P` for the point, letters for the pins, `-` for nothing; then,
+/// in parentheses, what exists but no view sees.
 std::string notation(const Feature& feature);
 
 /// The 27 features of Theorem 3 and Table 1 of the paper, in the authors' order.

@@ -12,7 +12,7 @@ constexpr std::size_t max_features = 1000;
 
 /// A reader of `text` that knows its column, for errors that point at what is wrong.
 class Cursor {
-  public:
+public:
     explicit Cursor(std::string_view text) : text_(text) {}
 
     bool at_end() const { return position_ == text_.size(); }
@@ -32,7 +32,7 @@ class Cursor {
                             ", expected " + expected);
     }
 
-  private:
+private:
     static std::string describe(char c) {
         const auto code = static_cast<unsigned char>(c);
         if (code > 0x20 && code < 0x7f) return std::string("'") + c + "'";
@@ -90,7 +90,8 @@ Feature read_feature(Cursor& cursor) {
     feature.lines = std::popcount(somewhere.pins);
     if (!somewhere.point && feature.lines == 0)
         cursor.fail("'(P)' for a point that no view sees, or '(a)' for a line");
-    // Two lines of a feature meet in its point, seen or not; one line without a point is a free line.
+    // Two lines of a feature meet in its point, seen or not; one line without a point is a free
+    // line.
     feature.has_point = somewhere.point || feature.lines > 1;
     return feature;
 }

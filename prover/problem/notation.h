@@ -1,5 +1,5 @@
-// Reading the notation for local features and problems: `2*Pa/Pa/Pa + P/P/P`. certs/FORMAT.md, section 1,
-// specifies it.
+// Reading the notation for local features and problems: `2*Pa/Pa/Pa + P/P/P`. certs/FORMAT.md,
+// section 1, specifies it.
 #pragma once
 
 #include "prover/problem/feature.h"
@@ -12,7 +12,7 @@ namespace plprove {
 
 /// A text that is not a problem: what was found, at which column (from 1), and what was expected.
 class NotationError : public std::runtime_error {
-  public:
+public:
     using std::runtime_error::runtime_error;
 };
 
@@ -22,8 +22,8 @@ using Problem = std::vector<Feature>;
 /// Reads one feature, such as `Pa/Pa/a`. Throws NotationError.
 Feature parse_feature(std::string_view text);
 
-/// Reads a sum of features with multiplicities; blanks around `+` and `*` may be left out or added. Throws
-/// NotationError.
+/// Reads a sum of features with multiplicities; blanks around `+` and `*` may be left out or added.
+/// Throws NotationError.
 Problem parse_problem(std::string_view text);
 
 /// The sum in notation, equal neighbours joined: `2*Pa/Pa/Pa + P/P/P`.

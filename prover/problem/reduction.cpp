@@ -37,7 +37,9 @@ Feature without_pin(const Feature& feature, int line) {
     return result;
 }
 
-ReductionStep forget(Rule rule, const Feature& feature) { return {rule, 0, feature, std::nullopt}; }
+ReductionStep forget(Rule rule, const Feature& feature) {
+    return {rule, 0, feature, std::nullopt};
+}
 
 std::optional<ReductionStep> forget_a_line(const Feature& feature) {
     for (int line = 0; line < feature.lines; ++line) {
@@ -68,7 +70,8 @@ Feature as_free_line(const Feature& feature) {
 std::optional<ReductionStep> reduce_point_with_pin(const Feature& feature) {
     const LineViews line = views_of_line(feature, 0);
     if (views_of_point(feature) != 1) return std::nullopt;
-    if (line.seen == 3) return ReductionStep{Rule::point_on_line, 0, feature, as_free_line(feature)};
+    if (line.seen == 3)
+        return ReductionStep{Rule::point_on_line, 0, feature, as_free_line(feature)};
     // Seen as P/a/- or Pa/a/-. What remains, P/a/a, is a condition on the cameras.
     if (line.seen == 1 || line.with_point == 1) return forget(Rule::point_and_pin, feature);
     return std::nullopt;
@@ -83,21 +86,30 @@ bool some_view_sees_only_a_pin(const Feature& feature) {
 
 std::string_view name(Rule rule) {
     switch (rule) {
-    case Rule::unseen_line: return "unseen-line";
-    case Rule::pin_seen_once: return "pin-seen-once";
-    case Rule::pin_seen_twice: return "pin-seen-twice";
-    case Rule::free_line: return "free-line";
-    case Rule::unseen_point: return "unseen-point";
-    case Rule::bare_point: return "bare-point";
-    case Rule::point_on_line: return "point-on-line";
-    case Rule::point_and_pin: return "point-and-pin";
+    case Rule::unseen_line:
+        return "unseen-line";
+    case Rule::pin_seen_once:
+        return "pin-seen-once";
+    case Rule::pin_seen_twice:
+        return "pin-seen-twice";
+    case Rule::free_line:
+        return "free-line";
+    case Rule::unseen_point:
+        return "unseen-point";
+    case Rule::bare_point:
+        return "bare-point";
+    case Rule::point_on_line:
+        return "point-on-line";
+    case Rule::point_and_pin:
+        return "point-and-pin";
     }
     return {};
 }
 
 std::string_view explanation(Rule rule) {
     switch (rule) {
-    case Rule::unseen_line: return "a line that no view sees is forgotten (Theorem 7)";
+    case Rule::unseen_line:
+        return "a line that no view sees is forgotten (Theorem 7)";
     case Rule::pin_seen_once:
         return "a pin seen by one view, which sees its point too, is forgotten (Theorem 7)";
     case Rule::pin_seen_twice:
@@ -157,7 +169,8 @@ Feature lifted(const Feature& reduced) {
     Feature result = reduced;
     for (int line = 0; line < reduced.lines && reduced.has_point; ++line) {
         if (views_of_line(reduced, line).seen != 1) continue;
-        // A dangling pin. In P/P/a the first view that sees the point fixes it; in P/b/a the only one does.
+        // A dangling pin. In P/P/a the first view that sees the point fixes it; in P/b/a the only
+        // one does.
         const auto view = std::ranges::find_if(result.sights, &Sight::point);
         view->pins |= 1U << line;
     }
@@ -171,7 +184,8 @@ Feature terminal(const Feature& reduced) {
     constexpr std::size_t first_with_dangling = 12;
     constexpr std::size_t last_with_one_pin = 17;
     constexpr std::size_t first_with_two_pins = 24;
-    const auto index = static_cast<std::size_t>(std::ranges::find(*signature, 1) - signature->begin());
+    const auto index =
+        static_cast<std::size_t>(std::ranges::find(*signature, 1) - signature->begin());
     if (index < first_with_dangling || (index > last_with_one_pin && index < first_with_two_pins))
         return full;
     Feature result = full;

@@ -41,8 +41,8 @@ Signature permuted(const Signature& signature, const FeaturePermutation& permuta
     return result;
 }
 
-/// Moves all features of the second kind of each pair to the first: among the signatures that differ by the
-/// pairs, this is the largest.
+/// Moves all features of the second kind of each pair to the first: among the signatures that
+/// differ by the pairs, this is the largest.
 template <std::size_t N>
 Signature merged(Signature signature, const std::array<std::array<std::size_t, 2>, N>& pairs) {
     for (const auto& [first, second] : pairs) {
@@ -61,8 +61,8 @@ Signature representative_of(const std::array<Signature, 6>& orbit, Merge merge) 
     return largest;
 }
 
-/// Whether no permutation of the views makes the first `size` entries larger. Assumes that the permutations
-/// map these entries to themselves.
+/// Whether no permutation of the views makes the first `size` entries larger. Assumes that the
+/// permutations map these entries to themselves.
 bool prefix_is_largest(const Signature& signature, std::size_t size) {
     return std::ranges::all_of(view_permutations(), [&](const FeaturePermutation& permutation) {
         Signature image{};
@@ -87,12 +87,14 @@ const std::array<bool, feature_count + 1>& closed_prefixes() {
     return closed;
 }
 
-/// Appends the representatives among the solutions that begin with the given first `index` entries and whose
-/// remaining weights add up to `rest`, in decreasing lexicographic order. The entries from `index` on are zero.
+/// Appends the representatives among the solutions that begin with the given first `index` entries
+/// and whose remaining weights add up to `rest`, in decreasing lexicographic order. The entries
+/// from `index` on are zero.
 void append_classes(Signature& signature, std::size_t index, int rest,
                     const std::array<int, feature_count>& weights,
                     std::vector<Signature>& classes) {
-    // A signature is the largest of its orbit only if its closed prefixes are: most of the tree is cut here.
+    // A signature is the largest of its orbit only if its closed prefixes are: most of the tree is
+    // cut here.
     if (closed_prefixes()[index] && !prefix_is_largest(signature, index)) return;
     if (index == feature_count) {
         if (rest == 0) classes.push_back(signature);
@@ -139,7 +141,8 @@ Signature representative(const Signature& signature) {
 }
 
 Signature swap_representative(const Signature& signature) {
-    // Relabeling permutes the pairs, so that merging commutes with it up to the choice of a largest member.
+    // Relabeling permutes the pairs, so that merging commutes with it up to the choice of a largest
+    // member.
     return representative_of(relabelings(signature), [](const Signature& relabeled) {
         return merged(relabeled, swap_pairs);
     });

@@ -1,5 +1,5 @@
-// Signatures: how often each of the 27 features occurs in a reduced problem in three views, with the
-// relabeling of views and the swap of Corollary 1 acting on them.
+// Signatures: how often each of the 27 features occurs in a reduced problem in three views, with
+// the relabeling of views and the swap of Corollary 1 acting on them.
 #pragma once
 
 #include "prover/problem/notation.h"
@@ -22,7 +22,8 @@ inline constexpr int camera_dimension = 11;
 /// The problem with the features of `signature` in the authors' order.
 Problem problem_of(const Signature& signature);
 
-/// The signature of a problem that consists of standard features (pins named in any way), else nothing.
+/// The signature of a problem that consists of standard features (pins named in any way), else
+/// nothing.
 std::optional<Signature> signature_of(const Problem& problem);
 
 /// The images of `signature` under the six permutations of the views, the signature itself first.
@@ -31,23 +32,26 @@ std::array<Signature, 6> relabelings(const Signature& signature);
 /// The lexicographically largest relabeling: the signature that represents the label class.
 Signature representative(const Signature& signature);
 
-/// The pairs of features that a swap exchanges (Corollary 1 of the paper): (12,13), (14,15), (16,17).
-inline constexpr std::array<std::array<std::size_t, 2>, 3> swap_pairs{{{12, 13}, {14, 15}, {16, 17}}};
+/// The pairs of features that a swap exchanges (Corollary 1 of the paper): (12,13), (14,15),
+/// (16,17).
+inline constexpr std::array<std::array<std::size_t, 2>, 3> swap_pairs{
+    {{12, 13}, {14, 15}, {16, 17}}};
 
-/// The pairs of features that put the same condition on the cameras (a ray meets the intersection of two
-/// planes): P/a/a and Pab/b/a, and so on for the other views.
+/// The pairs of features that put the same condition on the cameras (a ray meets the intersection
+/// of two planes): P/a/a and Pab/b/a, and so on for the other views.
 inline constexpr std::array<std::array<std::size_t, 2>, 3> exchange_pairs{
     {{21, 24}, {22, 25}, {23, 26}}};
 
 /// The lexicographically largest signature of the swap&label class: it represents the class.
 Signature swap_representative(const Signature& signature);
 
-/// The lexicographically largest signature of the constraint class: the classes under relabeling, swap and
-/// exchange, whose problems share their camera equations.
+/// The lexicographically largest signature of the constraint class: the classes under relabeling,
+/// swap and exchange, whose problems share their camera equations.
 Signature constraint_representative(const Signature& signature);
 
-/// All representatives of label classes of balanced signatures in decreasing lexicographic order: the index
-/// in this list is the authors' number of the class. Made at the first call, in a few milliseconds.
+/// All representatives of label classes of balanced signatures in decreasing lexicographic order:
+/// the index in this list is the authors' number of the class. Made at the first call, in a few
+/// milliseconds.
 const std::vector<Signature>& label_classes();
 
 /// The number of the class that `representative` represents: its index in `classes`, the list of

@@ -23,7 +23,7 @@ struct NestedList {
 }
 
 class ListReader {
-  public:
+public:
     explicit ListReader(std::string_view text) : text_(text) {}
 
     NestedList read() {
@@ -33,7 +33,7 @@ class ListReader {
         return list;
     }
 
-  private:
+private:
     static constexpr int max_depth = 8;
 
     std::size_t column() const { return position_ + 1; }
@@ -167,8 +167,8 @@ Problem problem_of_counts(const std::vector<int>& counts) {
 Problem problem_of_list(const NestedList& list) {
     if (!list.items.empty() && list.items[0].is_number) {
         if (list.items.size() != feature_count)
-            fail(list.column, "expected a signature of 27 numbers, found " +
-                                  std::to_string(list.items.size()));
+            fail(list.column,
+                 "expected a signature of 27 numbers, found " + std::to_string(list.items.size()));
         return problem_of_counts(numbers(list, "a multiplicity from 0 to 99", 0, 99));
     }
     return problem_of_encoding(list);
@@ -179,8 +179,8 @@ Problem problem_of_number(std::string_view digits, std::size_t column) {
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error != std::errc{} || end != digits.data() + digits.size() || number >= classes.size())
-        fail(column, "expected the number of a label class, 0 to " +
-                         std::to_string(classes.size() - 1));
+        fail(column,
+             "expected the number of a label class, 0 to " + std::to_string(classes.size() - 1));
     return problem_of(classes[number]);
 }
 
@@ -192,8 +192,7 @@ Problem parse_spec(std::string_view text) {
     text = text.substr(0, text.find_last_not_of(" \t") + 1);
     if (text[first] == '{') return problem_of_list(ListReader(text).read());
     if (text[first] == '#') return problem_of_number(text.substr(first + 1), first + 2);
-    const bool digits_only =
-        text.find_first_not_of("0123456789", first) == std::string_view::npos;
+    const bool digits_only = text.find_first_not_of("0123456789", first) == std::string_view::npos;
     if (digits_only) return problem_of_number(text.substr(first), first + 1);
     if (text.find_first_not_of("0123456789 ,\t") == std::string_view::npos) {
         // A signature without braces: commas or blanks.
