@@ -219,7 +219,11 @@ TEST_CASE("the queries in the document have the answers that it gives") {
 
 TEST_CASE("every filter of list means its condition in SQL") {
     const Database database(exports().database);
-    const std::pair<const char*, const char*> filters[] = {
+    struct Meaning {
+        const char* filter;
+        const char* condition;
+    };
+    const Meaning meanings[] = {
         {"", "1"},
         {"--minimal", "minimal"},
         {"--not-minimal", "NOT minimal"},
@@ -253,14 +257,14 @@ TEST_CASE("every filter of list means its condition in SQL") {
         {"--degree-status claimed", "degree_status = 'claimed'"},
         {"--degree-status certified", "degree_status = 'certified'"},
     };
-    for (const auto& [filter, condition] : filters) {
-        CAPTURE(filter);
-        const Outcome list = run(plprove_program + " list " + filter);
+    for (const Meaning& meaning : meanings) {
+        CAPTURE(meaning.filter);
+        const Outcome list = run(plprove_program + " list " + meaning.filter);
         CHECK(list.status == 0);
         CHECK(list.err.empty());
         const bool same =
-            list.out == database.ask(std::string("SELECT number FROM classes WHERE ") + condition +
-                                         " ORDER BY number",
+            list.out == database.ask(std::string("SELECT number FROM classes WHERE ") +
+                                         meaning.condition + " ORDER BY number",
                                      "", false);
         CHECK(same);
     }

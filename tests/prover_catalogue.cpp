@@ -1,7 +1,8 @@
 // The catalogue as values: known counts, and laws of its entries.
 #include "prover/catalogue/catalogue.h"
 #include "prover/catalogue/filter.h"
-#include "prover/catalogue/terminal.h"
+#include "prover/catalogue/spelling.h"
+#include "prover/problem/reduction.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -106,7 +107,7 @@ TEST_CASE("swap and constraint classes begin with themselves and have one verdic
     CHECK(consistent);
 }
 
-TEST_CASE("terminal problems up to relabeling are the minimal swap classes (Corollary 3)") {
+TEST_CASE("terminal problems up to relabeling are the minimal swap classes") {
     std::map<Problem, std::size_t> swap_class_of;
     bool same_class = true;
     for (const Entry& entry : all()) {
@@ -123,12 +124,12 @@ TEST_CASE("terminal problems up to relabeling are the minimal swap classes (Coro
 TEST_CASE("a terminal form gives up a constraint for each pin left dangling") {
     std::map<std::string, std::string> changed;
     for (const Feature& feature : standard_features()) {
-        const Feature terminal = terminal_form(feature);
-        CHECK(weight(terminal) + dangling_pins(terminal) == weight(feature));
-        CHECK(terminal_form(terminal) == terminal);
-        if (terminal != feature) changed[notation(feature)] = notation(terminal);
+        const Feature form = terminal(feature);
+        CHECK(weight(form) + dangling_pins(form) == weight(feature));
+        CHECK(terminal(form) == form);
+        if (form != feature) changed[notation(feature)] = notation(form);
     }
-    // The nine features that Definition 8 excludes.
+    // The nine features that Definition 6 excludes.
     const std::map<std::string, std::string> expected{
         {"a/P/Pa", "a/P/P"},  {"a/Pa/P", "a/P/P"},  {"P/a/Pa", "P/a/P"},
         {"Pa/a/P", "P/a/P"},  {"P/Pa/a", "P/P/a"},  {"Pa/P/a", "P/P/a"},

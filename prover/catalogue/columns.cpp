@@ -1,6 +1,6 @@
 #include "prover/catalogue/columns.h"
 
-#include "prover/catalogue/terminal.h"
+#include "prover/catalogue/spelling.h"
 
 namespace plprove {
 

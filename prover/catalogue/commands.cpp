@@ -2,7 +2,7 @@
 
 #include "prover/catalogue/export.h"
 #include "prover/catalogue/filter.h"
-#include "prover/catalogue/terminal.h"
+#include "prover/catalogue/spelling.h"
 
 #include <map>
 #include <system_error>

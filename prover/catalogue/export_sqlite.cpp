@@ -3,7 +3,8 @@
 #include "prover/catalogue/columns.h"
 #include "prover/catalogue/export.h"
 #include "prover/catalogue/schema.h"
-#include "prover/catalogue/terminal.h"
+#include "prover/catalogue/spelling.h"
+#include "prover/problem/reduction.h"
 
 #include <memory>
 #include <sqlite3.h>
@@ -98,7 +99,7 @@ void insert_features(Database& database) {
     Insert insert(database, "features", 8);
     for (std::size_t i = 0; i < feature_count; ++i) {
         const Feature& feature = standard_features()[i];
-        insert.row(static_cast<int>(i), notation(feature), notation(terminal_form(feature)),
+        insert.row(static_cast<int>(i), notation(feature), notation(terminal(feature)),
                    feature.has_point ? 1 : 0, feature.has_point ? feature.lines : 0,
                    dimension_in_space(feature), dimension_in_space(feature) + weight(feature),
                    weight(feature));
