@@ -265,7 +265,7 @@ Definition instance_ok i k := let q := instance i k in
   all (fun j => x3 (dir q j) != 0%R) (iota 0 (pins (ft i))).
 Definition differ (u w : vec ZR) := [|| x1 u != x1 w, x2 u != x2 w | x3 u != x3 w].
 Definition cams_ok := [&& all (fun v => norm (quat_of (cams v)) != 0%R) views, x1 (trans (cams V2)) != 0%R &
-  all (fun uw => differ (scale (norm (quat_of (cams uw.2))) (centre (cams uw.1))) (scale (norm (quat_of (cams uw.1))) (centre (cams uw.2))))
+  all (fun uw => differ (scale (norm (quat_of (cams uw.2)) ^+ 2)%R (centre (cams uw.1))) (scale (norm (quat_of (cams uw.1)) ^+ 2)%R (centre (cams uw.2))))
     [:: (V1, V2); (V2, V1); (V1, V3); (V3, V1); (V2, V3); (V3, V2)]].
 
 Lemma cams_okE : cams_ok. Proof. by vm_compute. Qed.

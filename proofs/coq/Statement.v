@@ -90,7 +90,7 @@ Definition rot q u := let: Quat a b c d := q in Vec
 Record camera := Camera { quat_of : quat; trans : vec }.
 Definition turn C u := rot (quat_of C) u.
 Definition project C X := add (turn C X) (trans C).
-Definition centre C := rot (conj (quat_of C)) (trans C).   (* up to the factor -1/norm *)
+Definition centre C := rot (conj (quat_of C)) (trans C).   (* up to the factor -1/norm^2 *)
 
 (** A placed feature: which of the 27, its point, the directions of its pins 0, 1, ... *)
 Record placed := Placed { kind : nat; point : vec; dir : nat -> vec }.
@@ -125,7 +125,7 @@ Definition shape (scene : seq placed) (s : signature) :=
   all (fun p => kind p < 27)%N scene /\ s = [seq count (fun p => kind p == i) scene | i <- iota 0 27].
 Definition admissible (C : view -> camera) (scene : seq placed) :=
   [/\ C V1 = Camera (Quat 1 0 0 0) vec0, forall v, norm (quat_of (C v)) <> 0, x1 (trans (C V2)) <> 0,
-      (forall u v, u <> v -> scale (norm (quat_of (C v))) (centre (C u)) <> scale (norm (quat_of (C u))) (centre (C v))) &
+      (forall u v, u <> v -> scale (norm (quat_of (C v)) ^+ 2) (centre (C u)) <> scale (norm (quat_of (C u)) ^+ 2) (centre (C v))) &
       forall n, (n < size scene)%N -> let p := nth p0 scene n in
       [/\ (forall v, sees_point (ft (kind p)) v -> x3 (project (C v) (point p)) <> 0),
           (forall v j, j \in sees_pins (ft (kind p)) v -> line (C v) p j <> vec0) &
