@@ -1,5 +1,6 @@
 // plprove: finds certificates and writes them. What a certificate proves is decided by plcheck, not
 // here.
+#include "prover/catalogue/commands.h"
 #include "prover/classification/archive.h"
 #include "prover/classification/problem_certificate.h"
 #include "prover/cli/atomic_file.h"
@@ -7,11 +8,11 @@
 #include "prover/cli/progress.h"
 #include "prover/drawing/drawing.h"
 #include "prover/problem/spec.h"
+#include "prover/scripts/scripts.h"
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
-#include <functional>
 #include <iostream>
 #include <system_error>
 
@@ -26,12 +27,6 @@ constexpr int exit_usage = 3;
 constexpr const char* problem_help =
     "a problem: the authors' number (2394), notation ('2*Pa/Pa/Pa + P/P/P'), a signature of 27 "
     "numbers, or the authors' Macaulay2 encoding";
-
-/// A subcommand, and what to do once it was chosen.
-struct Command {
-    CLI::App* app;
-    std::function<void()> run;
-};
 
 /// To the file, or to standard output for the name "-".
 void deliver(const std::string& path, const std::string& text) {
@@ -59,7 +54,10 @@ Command classification_command(CLI::App& program) {
         "classification", "Certify every label class of balanced signatures in one archive");
     app->add_option("-o,--output", *path, "the archive to write, - for standard output")
         ->capture_default_str();
-    return {app, [path] { prove_classification(*path); }};
+    return {app, [path] {
+                prove_classification(*path);
+                return 0;
+            }};
 }
 
 Command certify_command(CLI::App& program) {
@@ -75,6 +73,7 @@ Command certify_command(CLI::App& program) {
         ->capture_default_str();
     return {app, [request] {
                 deliver(request->path, write(certify_problem(parse_spec(request->spec))));
+                return 0;
             }};
 }
 
@@ -109,7 +108,10 @@ Command problem_command(CLI::App& program) {
                 "  plprove problem '#2394' --json\n"
                 "  plprove problem '3*P/P/P + P/P/a' --certificate mine.plc\n"
                 "  plcheck mine.plc");
-    return {app, [request] { decide_problem(request->spec, request->json, request->certificate); }};
+    return {app, [request] {
+                decide_problem(request->spec, request->json, request->certificate);
+                return 0;
+            }};
 }
 
 Command show_command(CLI::App& program) {
@@ -130,6 +132,32 @@ Command show_command(CLI::App& program) {
                     deliver("-", draw_text(problem));
                 else
                     deliver(request->svg, draw_svg(problem));
+                return 0;
+            }};
+}
+
+/// `export` of the catalogue, with the scripts of single problems beside it.
+Command export_command(CLI::App& program) {
+    struct Request {
+        std::string macaulay2;
+        std::string julia;
+    };
+    auto request = std::make_shared<Request>();
+    const Command catalogue = add_export_command(program, deliver);
+    catalogue.app
+        ->add_option("--macaulay2", request->macaulay2,
+                     "print a Macaulay2 script with the equations of this problem")
+        ->type_name("PROBLEM");
+    catalogue.app
+        ->add_option(
+            "--julia", request->julia,
+            "print a script for HomotopyContinuation.jl with the equations of this problem")
+        ->type_name("PROBLEM");
+    return {catalogue.app, [request, catalogue] {
+                if (!request->macaulay2.empty())
+                    deliver("-", macaulay2_script(parse_spec(request->macaulay2)));
+                if (!request->julia.empty()) deliver("-", julia_script(parse_spec(request->julia)));
+                return catalogue.run();
             }};
 }
 
@@ -139,20 +167,22 @@ int run(int argc, char** argv) {
     program.footer("Examples:\n"
                    "  plprove problem 'P/P/P + 4*a/a/a'   decide a problem, explain, find it\n"
                    "  plprove certify 2394 -o chicago.plc certify one problem, self-contained\n"
+                   "  plprove list --minimal --pl0p       numbers of the classes of a family\n"
                    "  plprove classification -o all.plc   certify all 143,494 label classes\n"
                    "  plcheck all.plc                     believe nothing, replay everything\n\n"
                    "Exit status: 0 done, 1 failure, 2 bad input, 3 usage.");
     program.set_version_flag("--version", "plprove 1.0.0, certificate format 1");
     program.require_subcommand(1);
-    const Command commands[] = {problem_command(program), show_command(program),
-                                certify_command(program), classification_command(program)};
+    const Command commands[] = {problem_command(program),           show_command(program),
+                                add_list_command(program, deliver), certify_command(program),
+                                classification_command(program),    export_command(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : exit_usage;
     }
     for (const Command& command : commands)
-        if (command.app->parsed()) command.run();
+        if (command.app->parsed()) return command.run();
     return 0;
 }
 

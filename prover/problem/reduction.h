@@ -12,7 +12,7 @@
 
 namespace plprove {
 
-/// The rules, in the order in which they are tried. certs/FORMAT.md, section 8, defines each.
+/// The rules, in the order in which they are tried. certs/FORMAT.md, section 7, defines each.
 enum class Rule {
     unseen_line,
     pin_seen_once,

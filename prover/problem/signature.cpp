@@ -72,19 +72,23 @@ bool prefix_is_largest(const Signature& signature, std::size_t size) {
     });
 }
 
-/// The lengths of prefixes that every permutation of the views maps to themselves.
-const std::array<bool, feature_count + 1>& closed_prefixes() {
-    static const std::array<bool, feature_count + 1> closed = [] {
+/// The lengths at which to compare prefixes: where a block of entries ends that the permutations of
+/// the views permute among themselves.
+const std::array<bool, feature_count + 1>& ends_of_blocks() {
+    static const std::array<bool, feature_count + 1> ends = [] {
         std::array<bool, feature_count + 1> result{};
-        for (std::size_t size = 0; size <= feature_count; ++size)
-            result[size] =
-                std::ranges::all_of(view_permutations(), [&](const FeaturePermutation& p) {
-                    return std::all_of(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(size),
-                                       [&](std::size_t image) { return image < size; });
-                });
+        std::size_t reached = 0; // how far the permutations take the entries so far
+        for (std::size_t i = 0; i < feature_count; ++i) {
+            const bool fixed =
+                reached <= i &&
+                std::ranges::all_of(view_permutations(), [&](const auto& p) { return p[i] == i; });
+            for (const FeaturePermutation& permutation : view_permutations())
+                reached = std::max(reached, permutation[i] + 1);
+            result[i + 1] = reached == i + 1 && !fixed;
+        }
         return result;
     }();
-    return closed;
+    return ends;
 }
 
 /// Appends the representatives among the solutions that begin with the given first `index` entries
@@ -93,9 +97,9 @@ const std::array<bool, feature_count + 1>& closed_prefixes() {
 void append_classes(Signature& signature, std::size_t index, int rest,
                     const std::array<int, feature_count>& weights,
                     std::vector<Signature>& classes) {
-    // A signature is the largest of its orbit only if its closed prefixes are: most of the tree is
+    // A signature is the largest of its orbit only if its prefixes are: most of the tree is
     // cut here.
-    if (closed_prefixes()[index] && !prefix_is_largest(signature, index)) return;
+    if (ends_of_blocks()[index] && !prefix_is_largest(signature, index)) return;
     if (index == feature_count) {
         if (rest == 0) classes.push_back(signature);
         return;

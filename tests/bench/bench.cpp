@@ -1,0 +1,142 @@
+// Speed, each figure beside that of a peer in the same run: the minor of a class in the checker against
+// FLINT's determinant of the same matrix; certifying and checking classes against FLINT's determinant of
+// their whole Jacobians.
+#include "checker/modular.h"
+#include "prover/classification/archive.h"
+
+#include <benchmark/benchmark.h>
+#include <iostream>
+#include <map>
+
+namespace {
+
+using namespace plprove;
+
+constexpr std::size_t sample_step = 701;
+
+/// A sample of minimal classes in the archive's first pool: what every benchmark below works on.
+struct Sample {
+    std::vector<std::vector<FeatureBlock>> blocks;
+    std::vector<std::vector<CameraPart>> parts;
+    std::vector<ResidueMatrix> stacks; ///< 11 x 11, modulo q
+    std::vector<ResidueMatrix> wholes; ///< J, modulo q
+};
+
+template <class T>
+std::vector<const T*> pointers(const std::vector<T>& values) {
+    std::vector<const T*> result;
+    for (const T& value : values)
+        result.push_back(&value);
+    return result;
+}
+
+ResidueMatrix stack(const std::vector<CameraPart>& parts) {
+    ResidueMatrix result(camera_dimension, camera_dimension);
+    int row = 0;
+    for (const CameraPart& part : parts)
+        for (int i = 0; i < part.modulo.rows(); ++i, ++row)
+            for (int j = 0; j < camera_dimension; ++j)
+                result.at(row, j) = part.modulo.at(i, j);
+    return result;
+}
+
+const Sample& sample() {
+    static const Sample value = [] {
+        Sample result;
+        const Pool pool = make_pool(1);
+        for (std::size_t number = 0; number < label_classes().size(); number += sample_step) {
+            const Signature& signature = label_classes()[number];
+            if (obstruction(problem_of(signature)).deficiency() > 0) continue;
+            std::vector<FeatureBlock> blocks;
+            std::vector<CameraPart> parts;
+            for (std::size_t i = 0; i < feature_count; ++i)
+                for (std::size_t copy = 0; copy < signature[i]; ++copy) {
+                    blocks.push_back(feature_block(pool.instances[i][copy], pool.cameras));
+                    parts.push_back(eliminate(blocks.back()).value());
+                }
+            result.stacks.push_back(stack(parts));
+            result.wholes.push_back(jacobian(pointers(blocks)));
+            result.blocks.push_back(std::move(blocks));
+            result.parts.push_back(std::move(parts));
+        }
+        return result;
+    }();
+    return value;
+}
+
+void count_items(benchmark::State& state, std::size_t items) {
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(items));
+}
+
+void checker_minor(benchmark::State& state) {
+    std::vector<checker::Matrix<checker::Residue>> matrices;
+    for (const ResidueMatrix& stack : sample().stacks) {
+        auto& matrix = matrices.emplace_back(
+            checker::Matrix<checker::Residue>{camera_dimension, camera_dimension});
+        for (int i = 0; i < camera_dimension; ++i)
+            for (int j = 0; j < camera_dimension; ++j)
+                matrix[static_cast<std::size_t>(i)][j] = stack.at(i, j);
+    }
+    for (auto _ : state)
+        for (const auto& matrix : matrices)
+            benchmark::DoNotOptimize(checker::determinant(matrix));
+    count_items(state, matrices.size());
+}
+
+void flint_minor(benchmark::State& state) {
+    for (auto _ : state)
+        for (const ResidueMatrix& stack : sample().stacks)
+            benchmark::DoNotOptimize(nmod_mat_det(stack.get()));
+    count_items(state, sample().stacks.size());
+}
+
+void prover_minor(benchmark::State& state) {
+    for (auto _ : state)
+        for (const auto& parts : sample().parts)
+            benchmark::DoNotOptimize(determinant(pointers(parts)));
+    count_items(state, sample().parts.size());
+}
+
+void flint_whole_jacobian(benchmark::State& state) {
+    for (auto _ : state)
+        for (const ResidueMatrix& whole : sample().wholes)
+            benchmark::DoNotOptimize(nmod_mat_det(whole.get()));
+    count_items(state, sample().wholes.size());
+}
+
+BENCHMARK(checker_minor);
+BENCHMARK(flint_minor);
+BENCHMARK(prover_minor);
+BENCHMARK(flint_whole_jacobian);
+
+/// The usual table, and then the ratios.
+class RatioReporter : public benchmark::ConsoleReporter {
+  public:
+    void ReportRuns(const std::vector<Run>& runs) override {
+        ConsoleReporter::ReportRuns(runs);
+        for (const Run& run : runs)
+            cpu_[run.benchmark_name()] = run.GetAdjustedCPUTime();
+    }
+    void Finalize() override {
+        ratio("checker_minor", "flint_minor");
+        ratio("prover_minor", "flint_whole_jacobian");
+    }
+
+  private:
+    void ratio(const std::string& ours, const std::string& peer) {
+        if (!cpu_.contains(ours) || !cpu_.contains(peer)) return;
+        GetOutputStream() << "ratio " << ours << " / " << peer << ": " << cpu_[ours] / cpu_[peer]
+                          << '\n';
+    }
+
+    std::map<std::string, double> cpu_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    RatioReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+}
