@@ -61,57 +61,81 @@ Signature representative_of(const std::array<Signature, 6>& orbit, Merge merge) 
     return largest;
 }
 
-/// Whether no permutation of the views makes the first `size` entries larger. Assumes that the
-/// permutations map these entries to themselves.
-bool prefix_is_largest(const Signature& signature, std::size_t size) {
-    return std::ranges::all_of(view_permutations(), [&](const FeaturePermutation& permutation) {
-        Signature image{};
-        for (std::size_t i = 0; i < size; ++i)
-            image[permutation[i]] = signature[i];
-        return image <= signature;
-    });
-}
-
-/// The lengths at which to compare prefixes: where a block of entries ends that the permutations of
-/// the views permute among themselves.
-const std::array<bool, feature_count + 1>& ends_of_blocks() {
-    static const std::array<bool, feature_count + 1> ends = [] {
-        std::array<bool, feature_count + 1> result{};
+/// Lists the balanced signatures that represent their classes, in decreasing lexicographic order.
+///
+/// The permutations of the views permute the entries in consecutive blocks. After each block, a
+/// permutation that makes the prefix larger rules the whole branch out, and one that makes it
+/// smaller need not be looked at again further down: only the tied ones remain.
+class ClassEnumerator {
+public:
+    ClassEnumerator() {
+        std::ranges::transform(standard_features(), weights_.begin(), weight);
         std::size_t reached = 0; // how far the permutations take the entries so far
-        for (std::size_t i = 0; i < feature_count; ++i) {
-            const bool fixed =
-                reached <= i &&
-                std::ranges::all_of(view_permutations(), [&](const auto& p) { return p[i] == i; });
-            for (const FeaturePermutation& permutation : view_permutations())
-                reached = std::max(reached, permutation[i] + 1);
-            result[i + 1] = reached == i + 1 && !fixed;
+        for (std::size_t i = 0, begin = 0; i < feature_count; ++i) {
+            for (std::size_t p = 0; p < permutation_count; ++p) {
+                const std::size_t image = view_permutations()[p][i];
+                source_[p][image] = i;
+                reached = std::max(reached, image + 1);
+            }
+            if (reached != i + 1) continue;
+            block_begin_[i + 1] = begin;
+            begin = i + 1;
         }
-        return result;
-    }();
-    return ends;
-}
+    }
 
-/// Appends the representatives among the solutions that begin with the given first `index` entries
-/// and whose remaining weights add up to `rest`, in decreasing lexicographic order. The entries
-/// from `index` on are zero.
-void append_classes(Signature& signature, std::size_t index, int rest,
-                    const std::array<int, feature_count>& weights,
-                    std::vector<Signature>& classes) {
-    // A signature is the largest of its orbit only if its prefixes are: most of the tree is
-    // cut here.
-    if (ends_of_blocks()[index] && !prefix_is_largest(signature, index)) return;
-    if (index == feature_count) {
-        if (rest == 0) classes.push_back(signature);
-        return;
+    std::vector<Signature> run() {
+        append(0, camera_dimension, (1U << permutation_count) - 1);
+        return std::move(classes_);
     }
-    // The last entry has to use up the rest.
-    const int most = rest / weights[index];
-    const int least = index + 1 == feature_count ? most : 0;
-    for (int count = most; count >= least; --count) {
-        signature[index] = static_cast<std::uint8_t>(count);
-        append_classes(signature, index + 1, rest - count * weights[index], weights, classes);
+
+private:
+    static constexpr std::size_t permutation_count = 6;
+    static constexpr std::size_t inside_a_block = feature_count;
+
+    /// Those of the tied permutations that leave the block before `end` as it is; nothing where one
+    /// makes it larger.
+    std::optional<unsigned> still_tied(std::size_t end, unsigned tied) const {
+        for (std::size_t p = 0; p < permutation_count; ++p) {
+            if ((tied >> p & 1U) == 0) continue;
+            for (std::size_t i = block_begin_[end]; i < end; ++i) {
+                const std::uint8_t image = signature_[source_[p][i]];
+                if (image > signature_[i]) return std::nullopt;
+                if (image == signature_[i]) continue;
+                tied &= ~(1U << p);
+                break;
+            }
+        }
+        return tied;
     }
-}
+
+    /// Appends the representatives with the first `index` entries of signature_ and weights that
+    /// add up to `rest` in the remaining ones.
+    void append(std::size_t index, int rest, unsigned tied) {
+        if (block_begin_[index] != inside_a_block) {
+            const auto remaining = still_tied(index, tied);
+            if (!remaining) return;
+            tied = *remaining;
+        }
+        if (index == feature_count) return classes_.push_back(signature_);
+        // The last entry has to use up the rest.
+        const int most = rest / weights_[index];
+        const int least = index + 1 == feature_count ? most : 0;
+        for (int count = most; count >= least; --count) {
+            signature_[index] = static_cast<std::uint8_t>(count);
+            append(index + 1, rest - count * weights_[index], tied);
+        }
+    }
+
+    std::array<int, feature_count> weights_{};
+    std::array<FeaturePermutation, 6> source_{};
+    std::array<std::size_t, feature_count + 1> block_begin_ = [] {
+        std::array<std::size_t, feature_count + 1> none{};
+        none.fill(inside_a_block);
+        return none;
+    }();
+    Signature signature_{};
+    std::vector<Signature> classes_;
+};
 
 } // namespace
 
@@ -164,14 +188,7 @@ std::size_t class_number(const std::vector<Signature>& classes, const Signature&
 }
 
 const std::vector<Signature>& label_classes() {
-    static const std::vector<Signature> classes = [] {
-        std::array<int, feature_count> weights{};
-        std::ranges::transform(standard_features(), weights.begin(), weight);
-        std::vector<Signature> list;
-        Signature signature{};
-        append_classes(signature, 0, camera_dimension, weights, list);
-        return list;
-    }();
+    static const std::vector<Signature> classes = ClassEnumerator().run();
     return classes;
 }
 
