@@ -1,0 +1,50 @@
+// What the checker makes of certificate files: bytes go in, a report comes out. Files are replayed
+// as FORMAT.md, section 6, says, and every count is derived from the certificates that hold.
+#pragma once
+
+#include "checker/problem.h"
+#include "checker/reader.h"
+
+namespace checker {
+
+/// What a certificate proves: the obstruction of a class, which is minimal if there is none.
+struct Verdict {
+    std::size_t number, line; // of the label class; in the file
+    Obstruction obstruction;
+};
+
+struct FileReport {
+    std::string name{};
+    bool parsed = true;                 // conforms to section 5; if not, there are no verdicts
+    std::optional<Signature> problem{}; // in a problem file
+    std::vector<Verdict> verdicts{};
+    std::size_t refused = 0;
+    std::vector<Complaint> complaints{}; // the first refusals; or the violation of section 5
+
+    void refuse(std::size_t line, std::string reason);
+};
+
+/// A line of the table: what the paper says, what the certificates say, and how these compare.
+struct Claim {
+    std::string claim, paper, certified, verdict;
+};
+
+struct Report {
+    std::vector<FileReport> files{};
+    std::vector<Claim> claims{};
+    int status = 0; // of the command: 0 every certificate holds, 1 one is refused, 2 syntax error
+};
+
+/// Replays the bytes of a file.
+FileReport replay(const Classification& classes, std::string name, std::string_view bytes);
+
+/// Derives the claims from all files. A count is certified if every class has a certificate that
+/// holds. Refuses verdicts that contradict each other.
+Report summarize(const Classification& classes, std::vector<FileReport> files);
+
+/// The report for people and for programs, and what was refused.
+std::string text(const Report& report);
+std::string json(const Report& report);
+std::string complaints(const Report& report);
+
+} // namespace checker
