@@ -108,6 +108,8 @@ Lemma A_add u w : A (add u w) = add (A u) (A w).
 Proof. by rewrite /A !rot_add. Qed.
 Lemma A_scale k u : A (scale k u) = scale k (A u).
 Proof. by rewrite /A !rot_scale. Qed.
+Lemma A_zero : A (vec0 R) = vec0 R.
+Proof. by rewrite -{1}(scale_zero (0 : R)) A_scale; apply: vec_ext; rewrite /= mul0r. Qed.
 Lemma A_turn u : A (turn (C i) u) = scale (Ni ^+ 2) (turn (C j) u).
 Proof. by rewrite /A rot_conj rot_scale. Qed.
 Lemma A_cross u w : cross (A u) (A w) = scale (Ni * Nj) (A (cross u w)).
