@@ -93,8 +93,8 @@ constexpr Map swaps = [] {
     return map;
 }();
 
-/// The largest signature of the label class, or of the swap&label class: swaps commute with
-/// relabelings, and towards the earlier feature of a pair they make a signature larger.
+/// The largest signature of the label class, or of the swap&label class (then also the largest of
+/// its label class): swaps commute with relabelings, and those towards the earlier feature enlarge.
 static Signature largest(const Signature& signature, bool up_to_swaps) {
     Signature best{};
     for (const Map& map : relabelings) {
@@ -125,17 +125,13 @@ Classification classify() {
     Classification classes;
     Signature signature{};
     enumerate(signature, 0, camera_unknowns, classes);
-    for (const Signature& representative : classes.representatives)
-        classes.swap_class.push_back(*class_of(classes, largest(representative, true)));
-    return classes;
-}
-
-std::optional<std::size_t> class_of(const Classification& classes, const Signature& signature) {
     const auto& all = classes.representatives;
-    const Signature best = largest(signature, false);
-    const auto place = std::lower_bound(all.begin(), all.end(), best, std::greater<>());
-    if (place == all.end() || *place != best) return std::nullopt;
-    return static_cast<std::size_t>(place - all.begin());
+    for (const Signature& s : all) {
+        const auto place =
+            std::lower_bound(all.begin(), all.end(), largest(s, true), std::greater<>());
+        classes.swap_class.push_back(static_cast<std::size_t>(place - all.begin()));
+    }
+    return classes;
 }
 
 std::string notation(const Signature& signature) {
@@ -171,13 +167,6 @@ Obstruction obstruction(const Signature& signature) {
     }
     found.star = star == 7 || (star == 6 && lines > 0) || (star >= 3 && seen != 0b111);
     return found;
-}
-
-std::string Obstruction::words() const {
-    std::string text = "generic rank " + std::to_string(11 - deficiency()) + " of 11, excess";
-    for (const unsigned e : excess)
-        text += " " + std::to_string(e);
-    return text + ", star " + std::to_string(star);
 }
 
 } // namespace checker

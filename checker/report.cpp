@@ -112,12 +112,7 @@ std::vector<const Obstruction*> collect(const Classification& classes, Report& r
 /// What became of a file, in words.
 std::string outcome(const FileReport& file) {
     if (!file.parsed) return "not a certificate file";
-    if (file.refused > 0) return say(file.refused, " refused");
-    if (!file.problem) return say(file.verdicts.size(), " certificates hold");
-    const auto& [number, line, obstruction] = file.verdicts.front();
-    const std::string problem = say(notation(*file.problem), " (class ", number, "): certified ");
-    return obstruction.minimal() ? problem + "minimal"
-                                 : say(problem, "not minimal: ", obstruction.words());
+    return say(file.verdicts.size(), " certificates hold, ", file.refused, " refusals");
 }
 
 /// JSON: null for `-`, a number if the text is one, and a string otherwise.

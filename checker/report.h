@@ -15,8 +15,7 @@ struct Verdict {
 
 struct FileReport {
     std::string name{};
-    bool parsed = true;                 // conforms to section 5; if not, there are no verdicts
-    std::optional<Signature> problem{}; // in a problem file
+    bool parsed = true; // conforms to section 5; if not, there are no verdicts
     std::vector<Verdict> verdicts{};
     std::size_t refused = 0;
     std::vector<Complaint> complaints{}; // the first refusals; or the violation of section 5

@@ -96,8 +96,8 @@ ResidueMatrix without_camera_columns(const ResidueMatrix& matrix, std::span<cons
 Residue minor_of_rows(const ResidueMatrix& matrix, std::span<const int> rows) {
     ResidueMatrix square(static_cast<int>(rows.size()), matrix.columns());
     for (int i = 0; i < square.rows(); ++i)
-        std::copy_n(matrix.get()->rows[rows[static_cast<std::size_t>(i)]], square.columns(),
-                    square.get()->rows[i]);
+        for (int j = 0; j < square.columns(); ++j)
+            square.at(i, j) = matrix.at(rows[static_cast<std::size_t>(i)], j);
     return nmod_mat_det(square.get());
 }
 

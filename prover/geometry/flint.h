@@ -41,10 +41,11 @@ public:
     }
     ~ResidueMatrix() { nmod_mat_clear(matrix_); }
 
-    int rows() const { return static_cast<int>(matrix_->r); }
-    int columns() const { return static_cast<int>(matrix_->c); }
-    Residue& at(int row, int column) { return matrix_->rows[row][column]; }
-    Residue at(int row, int column) const { return matrix_->rows[row][column]; }
+    int rows() const { return static_cast<int>(nmod_mat_nrows(matrix_)); }
+    int columns() const { return static_cast<int>(nmod_mat_ncols(matrix_)); }
+    // Through FLINT's accessors: how a matrix lies in memory changed in FLINT 3.
+    Residue& at(int row, int column) { return *nmod_mat_entry_ptr(matrix_, row, column); }
+    Residue at(int row, int column) const { return nmod_mat_get_entry(matrix_, row, column); }
     nmod_mat_struct* get() { return matrix_; }
     const nmod_mat_struct* get() const { return matrix_; }
 
@@ -66,8 +67,8 @@ public:
     }
     ~IntegerMatrix() { fmpz_mat_clear(matrix_); }
 
-    int rows() const { return static_cast<int>(matrix_->r); }
-    int columns() const { return static_cast<int>(matrix_->c); }
+    int rows() const { return static_cast<int>(fmpz_mat_nrows(matrix_)); }
+    int columns() const { return static_cast<int>(fmpz_mat_ncols(matrix_)); }
     fmpz* at(int row, int column) { return fmpz_mat_entry(matrix_, row, column); }
     const fmpz* at(int row, int column) const { return fmpz_mat_entry(matrix_, row, column); }
     fmpz_mat_struct* get() { return matrix_; }

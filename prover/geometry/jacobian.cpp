@@ -182,7 +182,8 @@ Residue determinant(std::span<const CameraPart* const> parts) {
         // Its camera rows, and all those before, pass below the eliminated rows of this feature.
         odd ^= row % 2 != 0 && part->own % 2 != 0;
         for (int i = 0; i < part->modulo.rows(); ++i, ++row)
-            std::copy_n(part->modulo.get()->rows[i], size, stack.get()->rows[row]);
+            for (int j = 0; j < size; ++j)
+                stack.at(row, j) = part->modulo.at(i, j);
         factor = nmod_mul(factor, part->factor, q);
     }
     const Residue result = nmod_mul(factor, nmod_mat_det(stack.get()), q);
