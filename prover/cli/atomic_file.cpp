@@ -1,10 +1,10 @@
 #include "prover/cli/atomic_file.h"
 
 #include <cerrno>
-#include <cstdlib>
+#include <cstdio>
 #include <fcntl.h>
+#include <random>
 #include <string>
-#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -13,68 +13,138 @@ namespace plprove {
 
 namespace {
 
-[[noreturn]] void fail(int error, const std::filesystem::path& path) {
+namespace fs = std::filesystem;
+
+constexpr mode_t rights_of_new_files = 0666; // the user's umask takes from these
+
+[[noreturn]] void fail(int error, const fs::path& path) {
     throw std::system_error(error, std::generic_category(), "cannot write " + path.string());
 }
 
-/// A temporary file that vanishes unless it is renamed.
-class TemporaryFile {
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// A name in the folder of `path` that no other process has thought of.
+std::string unused_name(const fs::path& path) {
+    std::random_device random;
+    char suffix[2 * 8 + 1];
+    std::snprintf(suffix, sizeof suffix, "%08x%08x", random(), random());
+    return (folder_of(path) / ".plprove-").string() + suffix;
+}
+
+/// An open file that is being written for `path`, which names the file in messages.
+class OpenFile {
 public:
-    explicit TemporaryFile(const std::filesystem::path& target)
-        : target_(target), name_(target.string() + ".XXXXXX") {
-        descriptor_ = ::mkstemp(name_.data());
-        if (descriptor_ < 0) fail(errno, target_);
+    OpenFile(int descriptor, const fs::path& path) : path_(path), descriptor_(descriptor) {
+        if (descriptor_ < 0) fail(errno, path_);
     }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile() {
         if (descriptor_ >= 0) ::close(descriptor_);
-        if (!name_.empty()) ::unlink(name_.c_str());
     }
+
+    int descriptor() const { return descriptor_; }
 
     void write(std::string_view content) {
         while (!content.empty()) {
             const auto written = ::write(descriptor_, content.data(), content.size());
             if (written < 0 && errno == EINTR) continue;
-            if (written < 0) fail(errno, target_);
+            if (written < 0) fail(errno, path_);
             content.remove_prefix(static_cast<std::size_t>(written));
         }
     }
 
-    void rename_to_target() {
-        // mkstemp gives the file to its owner alone; the rights should be those of any new file.
-        const mode_t mask = ::umask(0);
-        ::umask(mask);
-        if (::fchmod(descriptor_, 0666 & ~mask) < 0 || ::fsync(descriptor_) < 0)
-            fail(errno, target_);
-        if (::close(std::exchange(descriptor_, -1)) < 0) fail(errno, target_);
-        if (::rename(name_.c_str(), target_.c_str()) < 0) fail(errno, target_);
-        name_.clear();
+private:
+    const fs::path& path_;
+    int descriptor_;
+};
+
+/// The file before it has its name. Where the file system permits, it has no name at all, and the
+/// kernel drops it with the process; elsewhere it has a hidden one, and is removed unless the
+/// process is killed.
+class TemporaryFile {
+public:
+    explicit TemporaryFile(const fs::path& target) : target_(target), file_(open(), target_) {}
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        if (!name_.empty()) ::unlink(name_.c_str());
+    }
+
+    void write(std::string_view content) {
+        file_.write(content);
+        if (::fsync(file_.descriptor()) < 0) fail(errno, target_);
+    }
+
+    void move_to_target() {
+        if (!name_.empty() || !link(target_)) replace_target();
         sync_folder();
     }
 
 private:
-    /// The rename itself survives a power failure only once the folder is on the disk.
-    void sync_folder() const {
-        const std::filesystem::path folder =
-            target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
-        const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        if (descriptor < 0) return;
-        ::fsync(descriptor);
-        ::close(descriptor);
+    int open() {
+        const int nameless = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC,
+                                    rights_of_new_files);
+        if (nameless >= 0 && ::access(link_to(nameless).c_str(), F_OK) == 0) return nameless;
+        if (nameless >= 0) ::close(nameless); // without /proc it could not be named
+        name_ = unused_name(target_);
+        const int named =
+            ::open(name_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, rights_of_new_files);
+        if (named < 0) name_.clear();
+        return named;
     }
 
-    std::filesystem::path target_;
-    std::string name_;
-    int descriptor_ = -1;
+    static std::string link_to(int descriptor) {
+        return "/proc/self/fd/" + std::to_string(descriptor);
+    }
+
+    /// Gives the nameless file a name; false if something has this name already.
+    bool link(const fs::path& name) {
+        if (::linkat(AT_FDCWD, link_to(file_.descriptor()).c_str(), AT_FDCWD, name.c_str(),
+                     AT_SYMLINK_FOLLOW) == 0)
+            return true;
+        if (errno != EEXIST) fail(errno, target_);
+        return false;
+    }
+
+    /// Only rename() replaces an old file at a stroke, and it takes a name.
+    void replace_target() {
+        if (name_.empty()) {
+            std::string name = unused_name(target_);
+            if (!link(name)) fail(errno, target_);
+            name_ = std::move(name);
+        }
+        if (::rename(name_.c_str(), target_.c_str()) < 0) fail(errno, target_);
+        name_.clear();
+    }
+
+    /// The name itself survives a power failure only once the folder is on the disk.
+    void sync_folder() const {
+        const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (folder < 0) return;
+        ::fsync(folder);
+        ::close(folder);
+    }
+
+    fs::path target_;
+    std::string name_; // before file_, which may be given one when it is opened
+    OpenFile file_;
 };
 
 } // namespace
 
-void write_atomically(const std::filesystem::path& path, std::string_view content) {
-    TemporaryFile file(path);
+void write_atomically(const fs::path& path, std::string_view content) {
+    std::error_code ignored; // opening the file says better what is wrong
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        OpenFile device(::open(path.c_str(), O_WRONLY | O_CLOEXEC), path);
+        return device.write(content);
+    }
+    TemporaryFile file(fs::exists(status) ? fs::canonical(path) : path);
     file.write(content);
-    file.rename_to_target();
+    file.move_to_target();
 }
 
 } // namespace plprove

@@ -12,8 +12,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <stdexcept>
 #include <system_error>
 
 namespace {
@@ -179,7 +181,9 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? 0 : exit_usage;
+        if (program.exit(error) != 0) return exit_usage;
+        if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+        return 0;
     }
     for (const Command& command : commands)
         if (command.app->parsed()) return command.run();
@@ -189,6 +193,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond the user's limit is a failed write
     try {
         return run(argc, argv);
     } catch (const NotationError& error) {
