@@ -7,18 +7,18 @@
 #include <fstream>
 #include <iostream>
 
-constexpr std::string_view help = R"(usage:
+static constexpr std::string_view help = R"(usage:
     plcheck classification.plc         derive every count of the classification from certificates
-    plcheck chicago.plc other.plc      what these files certify, together
+    plcheck a.plc b.plc                what several files certify together
     plcheck --json classification.plc  the same for a program
     plcheck --version                  the format, and what has to be trusted
 Certificates are as certs/FORMAT.md says; none is believed. Exit status: 0 every certificate holds,
 1 one is refused, 2 a file cannot be read or parsed, or the report not be written, 3 usage.
 )";
 
-constexpr std::string_view version = R"(plcheck, certificate format 1
+static constexpr std::string_view version = R"(plcheck, certificate format 1
 To be trusted: the sources in checker/, the C++ compiler and its standard library, GMP, the machine;
-certs/FORMAT.md and proofs/ for what follows. Not trusted: the files and the program that wrote them.
+certs/FORMAT.md and proofs/ for what follows. Not trusted: the files and the program behind them.
 )";
 
 /// Says what is wrong, and returns the status.
@@ -27,43 +27,47 @@ static int fail(const std::string& what, int status) {
     return status;
 }
 
-/// Writes the text; returns the status unless that fails.
+/// Writes the text, and returns the status unless that fails.
 static int write(std::string_view text, int status) {
     std::cout << text << std::flush;
-    return std::cout ? status : fail("cannot write the report: is the output closed or full?", 2);
+    return std::cout ? status : fail("cannot write the report: is the output closed, or full?", 2);
 }
 
-/// The bytes of a file, or enough of them to show that it is too large; none if it cannot be read.
-static std::optional<std::string> read(const char* path) {
+/// Reads a file, but not much more than may be parsed; false if that fails.
+static bool read(const char* path, std::string& bytes) {
     std::ifstream in(path, std::ios::binary);
-    std::string bytes, chunk(1 << 20, '\0');
-    while (in && bytes.size() <= checker::largest_file) {
+    std::string chunk(1 << 20, '\0');
+    for (bytes.clear(); in && bytes.size() <= checker::largest_file;) {
         in.read(chunk.data(), std::ssize(chunk));
         bytes.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
     }
-    return in.eof() || in.good() ? std::optional(bytes) : std::nullopt;
+    return in.eof() || in.good();
 }
 
-static int run(const std::vector<const char*>& arguments) {
+int main(int count, char** values) try {
+    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a failed write
     bool json = false;
     std::vector<const char*> paths;
-    for (const char* argument : arguments) {
-        const std::string_view option = argument;
+    for (int i = 1; i < count; ++i) {
+        const std::string_view option = values[i];
         if (option == "--help") return write(help, 0);
         if (option == "--version") return write(version, 0);
-        json |= option == "--json";
-        if (!option.starts_with('-')) paths.push_back(argument);
-        if (option.starts_with('-') && option != "--json")
+        if (option == "--json")
+            json = true;
+        else if (option.starts_with('-'))
             return fail("unknown option " + checker::printable(option, 40) + "; see plcheck --help",
                         3);
+        else
+            paths.push_back(values[i]);
     }
     if (paths.empty()) return fail("no file given; see plcheck --help", 3);
     const checker::Classification classes = checker::classify();
     std::vector<checker::FileReport> files;
     int status = 0;
     for (const char* path : paths) {
-        if (const auto bytes = read(path))
-            files.push_back(checker::replay(classes, path, *bytes));
+        std::string bytes;
+        if (read(path, bytes))
+            files.push_back(checker::replay(classes, path, bytes));
         else
             status = fail(checker::say("cannot read ", checker::printable(path, 4096), ": ",
                                        std::strerror(errno)),
@@ -73,13 +77,6 @@ static int run(const std::vector<const char*>& arguments) {
     std::cerr << checker::complaints(report);
     return write(json ? checker::json(report) : checker::text(report),
                  std::max(status, report.status));
-}
-
-int main(int count, char** values) {
-    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a failed write
-    try {
-        return run({values + 1, values + count});
-    } catch (const std::bad_alloc&) {
-        return fail("out of memory", 2);
-    }
+} catch (const std::bad_alloc&) {
+    return fail("out of memory", 2);
 }

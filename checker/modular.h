@@ -1,5 +1,5 @@
-// Arithmetic modulo q = 2^61 - 1, a prime (Mersenne's ninth), and the determinant behind every
-// minor.
+// Arithmetic modulo q = 2^61 - 1, a prime (Mersenne's ninth), and the determinant behind all
+// minors.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 namespace checker {
 
 inline constexpr std::uint64_t modulus = (std::uint64_t{1} << 61) - 1;
+__extension__ using Wide = unsigned __int128;
 
 struct Residue {
     std::uint64_t value = 0; // less than q
 
-    __extension__ using Wide = unsigned __int128;
     /// Of x < 2^123: as 2^61 = 1, the bits above the lowest 61 are added to these, twice.
     static constexpr Residue of(Wide x) {
         const Wide once = (x & modulus) + (x >> 61);
@@ -33,24 +33,24 @@ struct Residue {
     }
 };
 
-/// The determinant of the first n rows and columns of m.
-inline Residue determinant(std::array<std::array<Residue, 11>, 11> m, std::size_t n) {
+using Row = std::array<Residue, 11>;
+
+inline Residue determinant(std::array<Row, 11> m) {
     Residue product{1}, scale{1}; // rows are scaled on the way, so as to divide only once
-    for (std::size_t c = 0; c < n; ++c) {
+    for (std::size_t c = 0; c < 11; ++c) {
         std::size_t place = c;
-        while (place < n && m[place][c] == Residue{})
+        while (place < 11 && m[place][c] == Residue{})
             ++place;
-        if (place == n) return {};
+        if (place == 11) return {};
         if (place != c) product = -product;
         std::swap(m[c], m[place]);
         const Residue pivot = m[c][c];
         product = product * pivot;
-        for (std::size_t r = c + 1; r < n; ++r) {
-            const Residue b = -m[r][c];
-            if (b == Residue{}) continue;
-            for (std::size_t k = c; k < n; ++k)
-                m[r][k] = Residue::of(Residue::Wide{pivot.value} * m[r][k].value +
-                                      Residue::Wide{b.value} * m[c][k].value);
+        for (std::size_t r = c + 1; r < 11; ++r) {
+            const Wide a = pivot.value, b = (-m[r][c]).value;
+            if (b == 0) continue;
+            for (std::size_t k = c; k < 11; ++k)
+                m[r][k] = Residue::of(a * m[r][k].value + b * m[c][k].value);
             scale = scale * pivot;
         }
     }

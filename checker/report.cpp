@@ -4,48 +4,49 @@
 #include <iomanip>
 
 namespace checker {
-namespace {
 
-/// What the claims are about. A minimal class that is the first of its swap&label class stands for
-/// a terminal problem. If two views share five points, these determine their relative pose.
+/// What the claims are about: for each line of the table below, whether it counts the class.
 struct Class {
-    Obstruction obstruction{};
-    bool first = false, all_seen = true, five = false, registration = false;
-    unsigned points = 0, lines = 0, pins = 0, most_pins = 0;
-
-    bool minimal() const { return obstruction.minimal(); }
-    bool terminal() const { return first && minimal(); }
-    unsigned excess() const { return obstruction.epipolar(); }
-    /// The name in PLMP, if all is seen; the second digit counts points on the lines of others.
-    std::string name() const { return say(points, 0, lines, pins, '_', most_pins); }
+    bool minimal, first;                  // of its swap&label class: one terminal problem for each
+    unsigned excess, star;                // E, S
+    unsigned most_pins = 0;               // at a point
+    bool five = false, registers = false; // two views share five points; see `describe`
+    std::string plmp_name{};              // if every view sees everything
 };
 
-/// Whether a pair of views sees the same lines of a feature and, if only one sees its point, the
-/// other sees a pin of it: so that their relative pose determines all that a third view needs.
-bool determined(const Feature& feature, Views pair) {
+/// Whether the relative pose of a pair of views determines what a third view needs of a feature:
+/// they see the same lines of it, and if only one sees its point, the other sees a pin.
+static bool determines(Views pair, const Feature& feature) {
     for (const Views pin : feature.pin)
         if (std::popcount(pin & pair) == 1) return false;
     return std::popcount(feature.point & pair) != 1 || (feature.views & pair) == pair;
 }
 
-Class describe(const Signature& signature) {
-    Class c;
+static Class describe(const Signature& signature, const Obstruction& obstruction, bool first) {
+    Class c{.minimal = obstruction.minimal(),
+            .first = first,
+            .excess = obstruction.epipolar(),
+            .star = obstruction.star};
+    unsigned points = 0, lines = 0, pins = 0, equations = 0;
+    std::array<bool, 3> scene{true, true, true}; // each pair of views determines
     for (std::size_t i = 0; i < feature_count; ++i) {
-        const unsigned pins = features[i].point == 0 ? 0 : features[i].pins;
+        const Feature& f = features[i];
+        const unsigned point_pins = f.point == 0 ? 0 : f.pins;
         if (signature[i] == 0) continue;
-        (features[i].point == 0 ? c.lines : c.points) += signature[i];
-        c.pins += signature[i] * pins;
-        c.most_pins = std::max(c.most_pins, pins);
-        c.all_seen &= features[i].equations == 6 + 3 * pins; // the most that there can be
+        (f.point == 0 ? lines : points) += signature[i];
+        pins += signature[i] * point_pins;
+        equations += signature[i] * f.equations;
+        c.most_pins = std::max(c.most_pins, point_pins);
+        for (std::size_t p = 0; p < 3; ++p)
+            scene[p] &= determines(view_pairs[p], f);
     }
-    for (const Views pair : view_pairs) {
-        if (shared_points(signature, pair) != 5) continue;
-        bool scene = true;
-        for (std::size_t i = 0; i < feature_count; ++i)
-            scene &= signature[i] == 0 || determined(features[i], pair);
-        c.five = true;
-        c.registration |= scene;
+    for (std::size_t p = 0; p < 3; ++p) {
+        const bool five = shared_points(signature, view_pairs[p]) == 5;
+        c.five |= five;
+        c.registers |= five && scene[p];
     }
+    if (equations == 6 * (points + lines) + 3 * pins) // every view sees everything
+        c.plmp_name = say(points, 0, lines, pins, '_', c.most_pins);
     return c;
 }
 
@@ -56,33 +57,33 @@ struct Count {
     bool (*counts)(const Class&);
     std::string_view difference = "not explained";
 };
-
+using C = const Class&;
 constexpr std::string_view skipped =
     "the published script skips its list of re-checked classes (proofs/classification.md, 7)";
-using C = const Class&;
 constexpr std::array<Count, 13> table{{
-    {"label classes, not minimal", 2878, [](C c) { return !c.minimal(); }},
-    {"label classes, minimal", 140616, [](C c) { return c.minimal(); }},
-    {"swap&label classes, not minimal", 1871, [](C c) { return c.first && !c.minimal(); }},
-    {"terminal camera-minimal", 74575, [](C c) { return c.terminal(); }},
-    {"reduced minimal PL0Ps (no pins)", 51, [](C c) { return c.minimal() && c.most_pins == 0; }},
+    {"label classes, not minimal", 2878, [](C c) { return !c.minimal; }},
+    {"label classes, minimal", 140616, [](C c) { return c.minimal; }},
+    {"swap&label classes, not minimal", 1871, [](C c) { return c.first && !c.minimal; }},
+    {"terminal camera-minimal", 74575, [](C c) { return c.first && c.minimal; }},
+    {"reduced minimal PL0Ps (no pins)", 51, [](C c) { return c.minimal && c.most_pins == 0; }},
     {"terminal, at most one pin a point", 9533,
-     [](C c) { return c.terminal() && c.most_pins < 2; }},
-    {"five-point extensions, minimal", 6300, [](C c) { return c.minimal() && c.five; }, skipped},
-    {"- of these, camera registration", 61, [](C c) { return c.minimal() && c.registration; }},
-    {"- terminal camera-minimal", 3648, [](C c) { return c.terminal() && c.five; }, skipped},
-    {"minimal, complete visibility", 12, [](C c) { return c.minimal() && c.all_seen; }},
-    {"not minimal by E > 0", 0, [](C c) { return c.excess() > 0; }},
-    {"not minimal by S = 1 alone", 0, [](C c) { return !c.minimal() && c.excess() == 0; }},
-    {"not minimal by both", 0, [](C c) { return c.excess() > 0 && c.obstruction.star == 1; }},
+     [](C c) { return c.first && c.minimal && c.most_pins < 2; }},
+    {"five-point extensions, minimal", 6300, [](C c) { return c.minimal && c.five; }, skipped},
+    {"- of these, camera registration", 61, [](C c) { return c.minimal && c.registers; }},
+    {"- terminal camera-minimal", 3648, [](C c) { return c.first && c.minimal && c.five; },
+     skipped},
+    {"minimal, complete visibility", 12, [](C c) { return c.minimal && !c.plmp_name.empty(); }},
+    {"not minimal by E > 0", 0, [](C c) { return c.excess > 0; }},
+    {"not minimal by S = 1 alone", 0, [](C c) { return c.star > c.excess; }},
+    {"not minimal by both", 0, [](C c) { return c.excess > 0 && c.star > 0; }},
 }};
 
-/// The minimal problems of PLMP in three views with no line through two points.
-constexpr std::string_view plmp = "3002_1 3002_2 3010_0 2005_3 2005_4 2005_5 "
-                                  "2013_2 2013_3 2021_1 1024_4 1032_2 1040_0";
+/// The problems that PLMP and the paper name.
+constexpr std::string_view plmp_names = "3002_1 3002_2 3010_0 2005_3 2005_4 2005_5 2013_2 2013_3 "
+                                        "2021_1 1024_4 1032_2 1040_0";
 
-Claim compare(std::string_view claim, const std::string& paper, const std::string& certified,
-              std::string_view difference = "not explained") {
+static Claim compare(std::string_view claim, const std::string& paper, const std::string& certified,
+                     std::string_view difference = "not explained") {
     std::string verdict = say("differs: ", difference);
     if (certified == paper) verdict = "confirmed";
     if (paper == "-") verdict = "not in the paper";
@@ -90,10 +91,9 @@ Claim compare(std::string_view claim, const std::string& paper, const std::strin
     return {std::string(claim), paper, certified, verdict};
 }
 
-/// By class number, the obstruction that a certificate proves. Swaps do not change whether a
-/// problem is minimal (Corollary 2 of the paper): refuses a verdict that contradicts an earlier
-/// one.
-std::vector<const Obstruction*> collect(const Classification& classes, Report& report) {
+/// By class number, what a certificate proves. Swaps do not change whether a problem is minimal:
+/// refuses a verdict that contradicts an earlier one on its swap&label class.
+static std::vector<const Obstruction*> collect(const Classification& classes, Report& report) {
     std::vector<const Obstruction*> of_class(classes.swap_class.size()), of_swap_class(of_class);
     for (FileReport& file : report.files) {
         for (const Verdict& v : file.verdicts) {
@@ -109,54 +109,24 @@ std::vector<const Obstruction*> collect(const Classification& classes, Report& r
     return of_class;
 }
 
-/// What became of a file, in words.
-std::string outcome(const FileReport& file) {
-    if (!file.parsed) return "not a certificate file";
-    return say(file.verdicts.size(), " certificates hold, ", file.refused, " refusals");
-}
-
-/// JSON: null for `-`, a number if the text is one, and a string otherwise.
-std::string value(std::string_view text) {
-    if (text == "-") return "null";
-    if (text.find_first_not_of("0123456789") == text.npos) return std::string(text);
-    std::string json = "\"";
-    for (const char c : text)
-        json.append(c == '"' || c == '\\', '\\') += c;
-    return json + '"';
-}
-
-/// JSON: the array of what `convert` makes of the items.
-template <class Item, class Convert>
-std::string array(const std::vector<Item>& items, const Convert& convert) {
-    std::string json;
-    for (const Item& item : items)
-        json += (json.empty() ? "[\n" : ",\n") + convert(item);
-    return json.empty() ? "[]" : json + "]";
-}
-
-} // namespace
-
 Report summarize(const Classification& classes, std::vector<FileReport> files) {
     Report report{.files = std::move(files)};
     const auto proved = collect(classes, report);
     const bool complete = std::count(proved.begin(), proved.end(), nullptr) == 0;
-    std::vector<Claim> named;
     std::array<std::size_t, table.size()> counts{};
     std::size_t swap_classes = 0;
+    std::vector<Claim> named;
     for (std::size_t n = 0; n < proved.size(); ++n) {
-        Class c = describe(classes.representatives[n]);
-        if (proved[n]) c.obstruction = *proved[n];
-        c.first = classes.swap_class[n] == n;
-        swap_classes += c.first;
+        const Signature& signature = classes.representatives[n];
+        const bool first = classes.swap_class[n] == n;
+        const Class c = describe(signature, proved[n] ? *proved[n] : Obstruction{}, first);
+        swap_classes += first;
         for (std::size_t i = 0; i < counts.size(); ++i)
             counts[i] += table[i].counts(c);
-        if (!c.all_seen || plmp.find(c.name()) == plmp.npos) continue;
-        const std::string problem =
-            say(c.name(), ", class ", n, ": ", notation(classes.representatives[n]));
-        named.push_back(compare(problem, "minimal",
-                                !proved[n]    ? "-"
-                                : c.minimal() ? "minimal"
-                                              : "no"));
+        if (c.plmp_name.empty() || plmp_names.find(c.plmp_name) == plmp_names.npos) continue;
+        const std::string verdict = c.minimal ? "minimal" : "not minimal";
+        named.push_back(compare(say(c.plmp_name, ", class ", n, ": ", notation(signature)),
+                                "minimal", proved[n] ? verdict : "-"));
     }
     report.claims = {compare("balanced signatures", "845161", say(classes.signatures)),
                      compare("label classes", "143494", say(proved.size())),
@@ -173,35 +143,50 @@ Report summarize(const Classification& classes, std::vector<FileReport> files) {
 std::string text(const Report& report) {
     std::ostringstream text;
     for (const FileReport& file : report.files)
-        text << printable(file.name, 4096) << ": " << outcome(file) << '\n';
+        text << printable(file.name, 4096) << ": " << file.verdicts.size() << " certificates hold, "
+             << file.refused << " refused\n";
+    text << '\n';
     const auto write = [&](const Claim& c) {
         text << std::left << std::setw(52) << c.claim << std::right << std::setw(8) << c.paper
              << std::setw(11) << c.certified << "  " << c.verdict << '\n';
     };
-    write({"\nclaim", "paper", "certified", "verdict"});
-    for (const Claim& claim : report.claims)
-        write(claim);
+    write({"claim", "paper", "certified", "verdict"});
+    std::for_each(report.claims.begin(), report.claims.end(), write);
     return text.str();
 }
 
+/// A cell of the table in JSON: a number, null for `-`, or a string.
+static std::string cell(const std::string& text) {
+    const bool number = text.find_first_not_of("0123456789") == text.npos;
+    return text == "-" ? "null" : number ? text : say(std::quoted(text));
+}
+
+/// Adds an object to a JSON array that is still open.
+static void add(std::string& array,
+                const std::vector<std::pair<const char*, std::string>>& members) {
+    array += array == "[" ? "\n{" : ",\n{";
+    for (const auto& [key, value] : members)
+        array += say(&key == &members[0].first ? "" : ", ", std::quoted(key), ": ", value);
+    array += '}';
+}
+
 std::string json(const Report& report) {
-    const auto complaint = [](const Complaint& c) {
-        return say("{\"line\": ", c.line, ", \"reason\": ", value(c.reason), '}');
-    };
-    const auto file = [&](const FileReport& f) {
-        return say("{\"file\": ", value(printable(f.name, 4096)),
-                   ", \"outcome\": ", value(outcome(f)), ", \"certified\": ", f.verdicts.size(),
-                   ", \"refused\": ", f.refused,
-                   ", \"complaints\": ", array(f.complaints, complaint), '}');
-    };
-    const auto claim = [](const Claim& c) {
-        return say("{\"claim\": ", value(c.claim), ", \"paper\": ", value(c.paper),
-                   ", \"certified\": ", value(c.certified), ", \"verdict\": ", value(c.verdict),
-                   '}');
-    };
-    return say("{\"format\": 1, \"status\": ", report.status,
-               ", \"files\": ", array(report.files, file),
-               ", \"claims\": ", array(report.claims, claim), "}\n");
+    std::string files = "[", complaints = "[", claims = "[";
+    for (const FileReport& f : report.files) {
+        const std::string name = say(std::quoted(printable(f.name, 4096)));
+        add(files,
+            {{"file", name}, {"certified", say(f.verdicts.size())}, {"refused", say(f.refused)}});
+        for (const auto& [line, reason] : f.complaints)
+            add(complaints,
+                {{"file", name}, {"line", say(line)}, {"reason", say(std::quoted(reason))}});
+    }
+    for (const auto& [claim, paper, certified, verdict] : report.claims)
+        add(claims, {{"claim", cell(claim)},
+                     {"paper", cell(paper)},
+                     {"certified", cell(certified)},
+                     {"verdict", cell(verdict)}});
+    return say("{\"format\": 1, \"status\": ", report.status, ", \"files\": ", files,
+               "],\n\"complaints\": ", complaints, "],\n\"claims\": ", claims, "]}\n");
 }
 
 std::string complaints(const Report& report) {

@@ -37,11 +37,10 @@ struct Report {
 /// Replays the bytes of a file.
 FileReport replay(const Classification& classes, std::string name, std::string_view bytes);
 
-/// Derives the claims from all files. A count is certified if every class has a certificate that
-/// holds. Refuses verdicts that contradict each other.
+/// Derives the claims. A count is certified if every class has a certificate that holds. Refuses
+/// verdicts that contradict each other.
 Report summarize(const Classification& classes, std::vector<FileReport> files);
 
-/// The report for people and for programs, and what was refused.
 std::string text(const Report& report);
 std::string json(const Report& report);
 std::string complaints(const Report& report);
