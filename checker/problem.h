@@ -16,73 +16,63 @@ inline constexpr std::size_t feature_count = 27, camera_unknowns = 11;
 using Views = unsigned; // a set: 0b001 is view 1, 0b110 are the views 2 and 3
 inline constexpr std::array<Views, 3> view_pairs{0b011, 0b101, 0b110};
 
-/// A point with pins; or, if no view sees the point, a free line, which is its one pin.
+/// A point with pins, or a free line, which is its one pin.
 struct Feature {
     std::string_view notation;
-    Views point = 0, views = 0; // those that see the point; that see anything
-    std::array<Views, 7> pin{}; // those that see each pin
+    bool free_line = false;
+    Views point = 0, views = 0;  // those that see the point; that see anything
+    std::array<Views, 26> pin{}; // those that see each pin
     unsigned pins = 0;
     unsigned equations = 0; // degrees of freedom in the images, rows of the Jacobian
 
-    constexpr unsigned point_unknowns() const { return point == 0 ? 2 : 3; }
+    constexpr unsigned point_unknowns() const { return free_line ? 2 : 3; }
     constexpr unsigned unknowns() const { return point_unknowns() + 2 * pins; } // in space
     constexpr unsigned weight() const { return equations - unknowns(); }
 };
 
+/// The feature of a notation. Assumes that there are no symbols but those of section 1.
 constexpr Feature observe(std::string_view notation) {
     Feature feature{.notation = notation};
     Views view = 1;
+    bool point = false;
     for (const char symbol : notation) {
         if (symbol == '/') view <<= 1;
-        if (symbol == '/' || symbol == '-') continue;
-        feature.views |= view;
+        if (symbol == '(') view = 0; // what no view sees
+        if (symbol == 'P') point = true;
+        const bool line = symbol >= 'a' && symbol <= 'z';
+        if (!line && symbol != 'P') continue;
         const auto pin = static_cast<unsigned>(symbol - 'a');
-        if (symbol != 'P') feature.pins = std::max(feature.pins, pin + 1);
-        (symbol == 'P' ? feature.point : feature.pin[pin]) |= view;
-        feature.equations += symbol != 'P' && (feature.point & view) ? 1 : 2;
+        if (line) feature.pins = std::max(feature.pins, pin + 1);
+        feature.views |= view;
+        (line ? feature.pin[pin] : feature.point) |= view;
+        if (view != 0) feature.equations += line && (feature.point & view) ? 1 : 2;
     }
+    feature.free_line = !point && feature.pins == 1;
     return feature;
 }
 
 inline constexpr std::array<Feature, feature_count> features = [] {
-    constexpr std::array<std::string_view, feature_count> notations{"Pabcdefg/Pabcdefg/Pabcdefg",
-                                                                    "Pabcdef/Pabcdef/Pabcdef",
-                                                                    "Pabcde/Pabcde/Pabcde",
-                                                                    "Pabcd/Pabcd/Pabcd",
-                                                                    "Pabc/Pabc/Pabc",
-                                                                    "Pab/Pab/Pab",
-                                                                    "Pa/Pa/Pa",
-                                                                    "P/P/P",
-                                                                    "a/Pa/Pa",
-                                                                    "Pa/a/Pa",
-                                                                    "Pa/Pa/a",
-                                                                    "a/a/a",
-                                                                    "a/P/Pa",
-                                                                    "a/Pa/P",
-                                                                    "P/a/Pa",
-                                                                    "Pa/a/P",
-                                                                    "P/Pa/a",
-                                                                    "Pa/P/a",
-                                                                    "-/P/P",
-                                                                    "P/-/P",
-                                                                    "P/P/-",
-                                                                    "P/a/a",
-                                                                    "a/P/a",
-                                                                    "a/a/P",
-                                                                    "Pab/b/a",
-                                                                    "b/Pab/a",
-                                                                    "b/a/Pab"};
-    std::array<Feature, feature_count> all;
-    std::transform(notations.begin(), notations.end(), all.begin(), observe);
+    constexpr std::string_view notations =
+        "Pabcdefg/Pabcdefg/Pabcdefg Pabcdef/Pabcdef/Pabcdef Pabcde/Pabcde/Pabcde Pabcd/Pabcd/Pabcd "
+        "Pabc/Pabc/Pabc Pab/Pab/Pab Pa/Pa/Pa P/P/P a/Pa/Pa Pa/a/Pa Pa/Pa/a a/a/a a/P/Pa a/Pa/P "
+        "P/a/Pa Pa/a/P P/Pa/a Pa/P/a -/P/P P/-/P P/P/- P/a/a a/P/a a/a/P Pab/b/a b/Pab/a b/a/Pab ";
+    std::array<Feature, feature_count> all{};
+    std::size_t start = 0;
+    for (Feature& feature : all) {
+        const std::size_t end = notations.find(' ', start);
+        feature = observe(notations.substr(start, end - start));
+        start = end + 1;
+    }
     return all;
 }();
 
-/// The index of the feature that sees the same, up to the names of pins. There must be one: in the
-/// constant expressions below, to look beyond the list is a compile-time error.
-constexpr std::size_t index_of(Views point, const std::array<Views, 7>& pin) {
+/// The index of the feature that sees the same, up to the names of pins; feature_count if there is
+/// none.
+constexpr std::size_t index_of(Views point, const std::array<Views, 26>& pin) {
     std::size_t i = 0;
-    while (features[i].point != point ||
-           !std::is_permutation(pin.begin(), pin.end(), features[i].pin.begin()))
+    while (i < feature_count &&
+           (features[i].point != point ||
+            !std::is_permutation(pin.begin(), pin.end(), features[i].pin.begin())))
         ++i;
     return i;
 }
@@ -98,7 +88,7 @@ inline constexpr std::array<Map, 6> relabelings = [] {
             return (v & 1) << to[0] | (v >> 1 & 1) << to[1] | (v >> 2) << to[2];
         };
         for (std::size_t i = 0; i < feature_count; ++i) {
-            std::array<Views, 7> pin = features[i].pin;
+            std::array<Views, 26> pin = features[i].pin;
             std::transform(pin.begin(), pin.end(), pin.begin(), rename);
             map[index_of(rename(features[i].point), pin)] = i;
         }
@@ -157,16 +147,21 @@ inline void enumerate(Signature& s, std::size_t index, unsigned rest, Classifica
     }
 }
 
+/// The number of the label class of a balanced signature; or of the first one of its swap&label
+/// class.
+inline std::size_t class_of(const Classification& classes, const Signature& s, bool up_to_swaps) {
+    const auto& all = classes.representatives;
+    const auto place =
+        std::lower_bound(all.begin(), all.end(), largest(s, up_to_swaps), std::greater());
+    return static_cast<std::size_t>(place - all.begin());
+}
+
 inline Classification classify() {
     Classification classes;
     Signature signature{};
     enumerate(signature, 0, camera_unknowns, classes);
-    const auto& all = classes.representatives;
-    for (const Signature& s : all) {
-        const auto first =
-            std::lower_bound(all.begin(), all.end(), largest(s, true), std::greater());
-        classes.swap_class.push_back(static_cast<std::size_t>(first - all.begin()));
-    }
+    for (const Signature& s : classes.representatives)
+        classes.swap_class.push_back(class_of(classes, s, true));
     return classes;
 }
 
@@ -211,7 +206,7 @@ inline Obstruction obstruction(const Signature& signature) {
         if (signature[i] == 0) continue;
         if (features[i].pins >= 3) star = features[i].pins;
         if (features[i].pins < 3) seen |= features[i].views;
-        if (features[i].point == 0) lines = signature[i];
+        if (features[i].free_line) lines = signature[i];
     }
     found.star = star == 7 || (star == 6 && lines > 0) || (star >= 3 && seen != 0b111);
     return found;

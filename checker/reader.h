@@ -54,6 +54,7 @@ public:
     /// Whether the line has no more words; after end_line(), whether there are no more lines.
     bool at_end() const { return rest_.empty(); }
     bool comes(std::string_view word) const { return rest_.substr(0, rest_.find(' ')) == word; }
+    std::string_view rest() const { return rest_; } // the words not taken
     /// The next word; empty if there is none.
     std::string_view word() { return cut(rest_); }
 

@@ -31,9 +31,9 @@ static Class describe(const Signature& signature, const Obstruction& obstruction
     std::array<bool, 3> scene{true, true, true}; // each pair of views determines
     for (std::size_t i = 0; i < feature_count; ++i) {
         const Feature& f = features[i];
-        const unsigned point_pins = f.point == 0 ? 0 : f.pins;
+        const unsigned point_pins = f.free_line ? 0 : f.pins;
         if (signature[i] == 0) continue;
-        (f.point == 0 ? lines : points) += signature[i];
+        (f.free_line ? lines : points) += signature[i];
         pins += signature[i] * point_pins;
         equations += signature[i] * f.equations;
         c.most_pins = std::max(c.most_pins, point_pins);
@@ -142,9 +142,14 @@ Report summarize(const Classification& classes, std::vector<FileReport> files) {
 
 std::string text(const Report& report) {
     std::ostringstream text;
-    for (const FileReport& file : report.files)
-        text << printable(file.name, 4096) << ": " << file.verdicts.size() << " certificates hold, "
-             << file.refused << " refused\n";
+    for (const FileReport& file : report.files) {
+        text << printable(file.name, 4096) << ": ";
+        if (!file.verdict.empty())
+            text << "certified " << file.verdict << ": " << printable(file.problem, 4096)
+                 << (file.number.empty() ? "" : ", class ") << file.number << '\n';
+        else
+            text << file.verdicts.size() << " certificates hold, " << file.refused << " refused\n";
+    }
     text << '\n';
     const auto write = [&](const Claim& c) {
         text << std::left << std::setw(52) << c.claim << std::right << std::setw(8) << c.paper
@@ -174,8 +179,11 @@ std::string json(const Report& report) {
     std::string files = "[", complaints = "[", claims = "[";
     for (const FileReport& f : report.files) {
         const std::string name = say(std::quoted(printable(f.name, 4096)));
-        add(files,
-            {{"file", name}, {"certified", say(f.verdicts.size())}, {"refused", say(f.refused)}});
+        add(files, {{"file", name},
+                    {"problem", say(std::quoted(f.problem))},
+                    {"verdict", say(std::quoted(f.verdict))},
+                    {"certified", say(f.verdicts.size())},
+                    {"refused", say(f.refused)}});
         for (const auto& [line, reason] : f.complaints)
             add(complaints,
                 {{"file", name}, {"line", say(line)}, {"reason", say(std::quoted(reason))}});

@@ -15,7 +15,8 @@ struct Verdict {
 
 struct FileReport {
     std::string name{};
-    bool parsed = true; // conforms to section 5; if not, there are no verdicts
+    bool parsed = true; // conforms to FORMAT.md; if not, there are no verdicts
+    std::string problem{}, verdict{}, number{}; // of a problem file: what is certified
     std::vector<Verdict> verdicts{};
     std::size_t refused = 0;
     std::vector<Complaint> complaints{}; // the first refusals; or the violation of section 5

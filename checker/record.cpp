@@ -1,0 +1,105 @@
+#include "checker/record.h"
+
+#include <numeric>
+
+namespace checker {
+
+Cameras read_cameras(Reader& reader, std::size_t pool, unsigned views) {
+    if (pool > 99) reader.fail("pool", "at most 99 pools");
+    reader.take(say("pool ", pool));
+    reader.end_line();
+    // Nothing is seen in the view of a camera that is not there.
+    Cameras cameras{Numbers{}, Numbers{1, 0, 0, 0, 0, 0, 0}};
+    for (unsigned v = 2; v <= views; ++v) {
+        cameras[v - 2] = reader.take(say("camera ", v, " quaternion @ @ @ @ translation @ @ @"));
+        reader.end_line();
+    }
+    return cameras;
+}
+
+std::vector<Numbers> read_vectors(Reader& reader, unsigned pins) {
+    std::vector<Numbers> vectors{reader.take("point @ @ @")};
+    while (vectors.size() <= pins)
+        vectors.push_back(reader.take("pin @ @ @"));
+    reader.end_line();
+    return vectors;
+}
+
+Numbers read_ascending(Reader& reader, std::int64_t largest) {
+    Numbers list;
+    do
+        list.push_back(reader.integer(list.empty() ? 1 : list.back() + 1, largest));
+    while (!reader.at_end() && !reader.comes("columns"));
+    return list;
+}
+
+Residue read_minor(Reader& reader) {
+    const Residue minor{static_cast<std::uint64_t>(reader.integer(1, modulus - 1))};
+    reader.end_line();
+    return minor;
+}
+
+Record read_record(Reader& reader, bool minimal) {
+    Record record{.line = reader.line()};
+    if (!minimal) {
+        record.stated = reader.take("rank # excess # # # star #");
+        reader.end_line();
+        reader.take("delete rows");
+        record.rows = read_ascending(reader, 999'999);
+        reader.take("columns");
+        record.columns = read_ascending(reader, camera_unknowns);
+        reader.end_line();
+        reader.take("minor");
+    }
+    record.minor = read_minor(reader);
+    while (!minimal && record.kernel.size() < camera_unknowns &&
+           (record.kernel.empty() || reader.comes("kernel"))) {
+        reader.take("kernel");
+        for (mpz_class& entry : record.kernel.emplace_back())
+            entry = reader.big_integer();
+        reader.end_line();
+    }
+    return record;
+}
+
+/// Refuses kernel vectors that have not the form of the basis, or do not keep all images.
+static void check_kernel(const Record& record, const std::vector<const Block*>& blocks) {
+    for (std::size_t i = 0; i < record.kernel.size(); ++i) {
+        const Motion& motion = record.kernel[i];
+        const std::string name = say("kernel vector ", i + 1);
+        for (std::size_t j = 0; j < record.columns.size(); ++j)
+            if (sgn(motion[static_cast<std::size_t>(record.columns[j] - 1)]) != (i == j))
+                refuse(name, " must be ", i == j ? "positive" : "zero", " at column ",
+                       record.columns[j]);
+        mpz_class divisor = 0;
+        for (const mpz_class& entry : motion)
+            divisor = gcd(divisor, entry);
+        if (divisor != 1) refuse(name, " has entries with a common divisor");
+        for (const Block* block : blocks)
+            for (const Motion& c : block->conditions)
+                if (std::inner_product(c.begin(), c.end(), motion.begin(), mpz_class(0)) != 0)
+                    refuse(name, " does not keep all images");
+    }
+}
+
+void check_record(const Record& record, const Obstruction& truth,
+                  const std::vector<const Block*>& blocks, const Numbers& absent) {
+    const std::size_t d = truth.deficiency();
+    const auto& [a, b, c] = truth.excess;
+    if (record.stated.empty()
+            ? d > 0
+            : d == 0 || record.stated != Numbers{11 - truth.deficiency(), a, b, c, truth.star})
+        refuse("the class has rank ", 11 - d, ", excess ", a, ' ', b, ' ', c, ", star ",
+               truth.star);
+    if (record.rows.size() != d || record.columns.size() != d || record.kernel.size() != d)
+        refuse("there must be ", d, " deleted rows, deleted columns and kernel vectors");
+    std::size_t rows = 0;
+    for (const Block* block : blocks)
+        rows += block->rows.size();
+    if (d > 0 && record.rows.back() > std::int64_t(rows)) refuse("J has only ", rows, " rows");
+    const Residue value = minor(blocks, record.rows, d > 0 ? record.columns : absent);
+    if (value != record.minor) refuse("the minor is ", value.value, " modulo q");
+    check_kernel(record, blocks);
+}
+
+} // namespace checker
