@@ -46,6 +46,7 @@ TEST_CASE("malformed notation is refused with the column and what was expected")
         {"P/P/P/P", "column 6: found '/'"},
         {"2P/P/P", "column 2: found 'P', expected '*'"},
         {"9999999999999999999*P/P/P", "a multiplicity of at most"},
+        {"0*P/P/P", "a multiplicity of at least 1"},
         {"P/P/P + P/P", "as many views"},
         {"Px/P/", "column 6: found the end"},
         {std::string("P/P\0/P", 6), "the byte 0"},

@@ -8,7 +8,6 @@ namespace plprove {
 namespace {
 
 constexpr int max_views = 3;
-constexpr std::size_t max_features = 1000;
 
 /// A reader of `text` that knows its column, for errors that point at what is wrong.
 class Cursor {
@@ -105,6 +104,7 @@ std::optional<std::size_t> read_multiplicity(Cursor& cursor) {
             cursor.fail("a multiplicity of at most " + std::to_string(max_features));
         cursor.take(cursor.peek());
     }
+    if (count == 0) cursor.fail("a multiplicity of at least 1 before this");
     cursor.skip_blanks();
     if (!cursor.take('*')) cursor.fail("'*' after a multiplicity");
     cursor.skip_blanks();

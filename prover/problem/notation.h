@@ -19,6 +19,9 @@ public:
 /// A sum of local features, each listed as often as it occurs.
 using Problem = std::vector<Feature>;
 
+/// The largest number of features of a problem: readers refuse more.
+inline constexpr std::size_t max_features = 1000;
+
 /// Reads one feature, such as `Pa/Pa/a`. Throws NotationError.
 Feature parse_feature(std::string_view text);
 

@@ -184,9 +184,7 @@ Problem problem_of_number(std::string_view digits, std::size_t column) {
     return problem_of(classes[number]);
 }
 
-} // namespace
-
-Problem parse_spec(std::string_view text) {
+Problem parse_any_spec(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t");
     if (first == std::string_view::npos) fail(1, "expected a problem, such as 5*P/P");
     text = text.substr(0, text.find_last_not_of(" \t") + 1);
@@ -205,6 +203,15 @@ Problem parse_spec(std::string_view text) {
         return problem_of_list(ListReader(list).read());
     }
     return parse_problem(text);
+}
+
+} // namespace
+
+Problem parse_spec(std::string_view text) {
+    Problem problem = parse_any_spec(text);
+    if (problem.size() > max_features)
+        fail(1, "expected at most " + std::to_string(max_features) + " features");
+    return problem;
 }
 
 } // namespace plprove
