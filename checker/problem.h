@@ -10,7 +10,6 @@
 #include <vector>
 
 namespace checker {
-
 inline constexpr std::size_t feature_count = 27, camera_unknowns = 11;
 
 using Views = unsigned; // a set: 0b001 is view 1, 0b110 are the views 2 and 3
@@ -19,13 +18,11 @@ inline constexpr std::array<Views, 3> view_pairs{0b011, 0b101, 0b110};
 /// A point with pins; or, if no view sees the point, a free line, which is its one pin.
 struct Feature {
     std::string_view notation;
-    Views point = 0, views = 0; // those that see the point; that see anything
-    std::array<Views, 7> pin{}; // those that see each pin
-    unsigned pins = 0;
-    unsigned equations = 0; // degrees of freedom in the images, rows of the Jacobian
-
+    Views point = 0, views = 0;       // those that see the point; that see anything
+    std::array<Views, 7> pin{};       // those that see each pin
+    unsigned pins = 0, equations = 0; // the latter: degrees of freedom in the images
     constexpr unsigned point_unknowns() const { return point == 0 ? 2 : 3; }
-    constexpr unsigned unknowns() const { return point_unknowns() + 2 * pins; } // in space
+    constexpr unsigned unknowns() const { return point_unknowns() + 2 * pins; }
     constexpr unsigned weight() const { return equations - unknowns(); }
 };
 
@@ -45,35 +42,16 @@ constexpr Feature observe(std::string_view notation) {
 }
 
 inline constexpr std::array<Feature, feature_count> features = [] {
-    constexpr std::array<std::string_view, feature_count> notations{"Pabcdefg/Pabcdefg/Pabcdefg",
-                                                                    "Pabcdef/Pabcdef/Pabcdef",
-                                                                    "Pabcde/Pabcde/Pabcde",
-                                                                    "Pabcd/Pabcd/Pabcd",
-                                                                    "Pabc/Pabc/Pabc",
-                                                                    "Pab/Pab/Pab",
-                                                                    "Pa/Pa/Pa",
-                                                                    "P/P/P",
-                                                                    "a/Pa/Pa",
-                                                                    "Pa/a/Pa",
-                                                                    "Pa/Pa/a",
-                                                                    "a/a/a",
-                                                                    "a/P/Pa",
-                                                                    "a/Pa/P",
-                                                                    "P/a/Pa",
-                                                                    "Pa/a/P",
-                                                                    "P/Pa/a",
-                                                                    "Pa/P/a",
-                                                                    "-/P/P",
-                                                                    "P/-/P",
-                                                                    "P/P/-",
-                                                                    "P/a/a",
-                                                                    "a/P/a",
-                                                                    "a/a/P",
-                                                                    "Pab/b/a",
-                                                                    "b/Pab/a",
-                                                                    "b/a/Pab"};
+    std::string_view names = "Pabcdefg/Pabcdefg/Pabcdefg Pabcdef/Pabcdef/Pabcdef "
+                             "Pabcde/Pabcde/Pabcde Pabcd/Pabcd/Pabcd Pabc/Pabc/Pabc Pab/Pab/Pab "
+                             "Pa/Pa/Pa P/P/P a/Pa/Pa Pa/a/Pa Pa/Pa/a a/a/a a/P/Pa a/Pa/P P/a/Pa "
+                             "Pa/a/P P/Pa/a Pa/P/a -/P/P P/-/P P/P/- P/a/a a/P/a a/a/P Pab/b/a "
+                             "b/Pab/a b/a/Pab ";
     std::array<Feature, feature_count> all;
-    std::transform(notations.begin(), notations.end(), all.begin(), observe);
+    for (Feature& feature : all) {
+        feature = observe(names.substr(0, names.find(' ')));
+        names.remove_prefix(names.find(' ') + 1);
+    }
     return all;
 }();
 
@@ -87,8 +65,7 @@ constexpr std::size_t index_of(Views point, const std::array<Views, 7>& pin) {
     return i;
 }
 
-/// How the relabelings of the views and all swaps at once act on signatures: t[i] = s[map[i]].
-using Map = std::array<std::size_t, feature_count>;
+using Map = std::array<std::size_t, feature_count>; // takes signatures s to t, t[i] = s[map[i]]
 
 inline constexpr std::array<Map, 6> relabelings = [] {
     std::array<Map, 6> maps{};
@@ -112,15 +89,14 @@ inline constexpr std::array<Map, 6> relabelings = [] {
 inline constexpr Map swaps = [] {
     Map map{};
     for (std::size_t i = 0; i < feature_count; ++i) {
-        const Views point = features[i].point, line = features[i].pin[0];
-        const bool swap = features[i].pins == 1 && point & ~line && line & ~point && point & line;
-        map[i] = swap ? index_of(point, {point ^ line}) : i;
+        const auto& [notation, point, views, pin, pins, equations] = features[i];
+        const bool swap = pins == 1 && point & ~pin[0] && pin[0] & ~point && point & pin[0];
+        map[i] = swap ? index_of(point, {point ^ pin[0]}) : i;
     }
     return map;
 }();
 
-/// The multiplicity of each feature.
-using Signature = std::array<unsigned, feature_count>;
+using Signature = std::array<unsigned, feature_count>; // the multiplicity of each feature
 
 /// The largest signature of the label class or of the swap&label class: swaps commute with
 /// relabelings, and those towards the earlier feature of a pair make a signature larger.
@@ -163,9 +139,9 @@ inline Classification classify() {
     enumerate(signature, 0, camera_unknowns, classes);
     const auto& all = classes.representatives;
     for (const Signature& s : all) {
-        const auto first =
-            std::lower_bound(all.begin(), all.end(), largest(s, true), std::greater());
-        classes.swap_class.push_back(static_cast<std::size_t>(first - all.begin()));
+        const Signature first = largest(s, true);
+        const auto place = std::lower_bound(all.begin(), all.end(), first, std::greater());
+        classes.swap_class.push_back(static_cast<std::size_t>(place - all.begin()));
     }
     return classes;
 }
@@ -194,7 +170,6 @@ inline unsigned shared_points(const Signature& signature, Views pair) {
 struct Obstruction {
     std::array<unsigned, 3> excess{}; // of the pairs 12, 13, 23
     unsigned star = 0;                // S
-
     unsigned epipolar() const { return excess[0] + excess[1] + excess[2]; } // E
     unsigned deficiency() const { return std::max(epipolar(), star); }
     bool minimal() const { return deficiency() == 0; }
@@ -216,5 +191,4 @@ inline Obstruction obstruction(const Signature& signature) {
     found.star = star == 7 || (star == 6 && lines > 0) || (star >= 3 && seen != 0b111);
     return found;
 }
-
 } // namespace checker

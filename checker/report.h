@@ -6,7 +6,6 @@
 #include "checker/reader.h"
 
 namespace checker {
-
 /// What a certificate proves: the obstruction of a class, which is minimal if there is none.
 struct Verdict {
     std::size_t number, line; // of the label class; in the file
@@ -14,13 +13,14 @@ struct Verdict {
 };
 
 struct FileReport {
-    std::string name{};
-    bool parsed = true; // conforms to section 5; if not, there are no verdicts
+    std::string name{};   // printable
+    bool conforms = true; // to section 5; if not, there are no verdicts
     std::vector<Verdict> verdicts{};
     std::size_t refused = 0;
     std::vector<Complaint> complaints{}; // the first refusals; or the violation of section 5
-
-    void refuse(std::size_t line, std::string reason);
+    void refuse(std::size_t line, std::string reason) {
+        if (refused++ < 20) complaints.push_back({line, std::move(reason)});
+    }
 };
 
 /// A line of the table: what the paper says, what the certificates say, and how these compare.
@@ -35,7 +35,7 @@ struct Report {
 };
 
 /// Replays the bytes of a file.
-FileReport replay(const Classification& classes, std::string name, std::string_view bytes);
+FileReport replay(const Classification& classes, std::string_view name, std::string_view bytes);
 
 /// Derives the claims. A count is certified if every class has a certificate that holds. Refuses
 /// verdicts that contradict each other.
@@ -44,5 +44,4 @@ Report summarize(const Classification& classes, std::vector<FileReport> files);
 std::string text(const Report& report);
 std::string json(const Report& report);
 std::string complaints(const Report& report);
-
 } // namespace checker
