@@ -12,9 +12,9 @@
 #include <span>
 
 namespace checker {
-
 /// Why a certificate does not hold; thrown where this is found.
 struct Refused {
+    template <class... Part> explicit Refused(const Part&... parts) : reason(say(parts...)) {}
     std::string reason;
 };
 
@@ -27,27 +27,28 @@ inline Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-inline Rotation rotation(const Numbers& camera) {
-    const mpz_class a = camera[0], b = camera[1], c = camera[2], d = camera[3];
-    if (a == 0 && b == 0 && c == 0 && d == 0) throw Refused{"a quaternion is zero"};
+inline Rotation rotation(std::span<const std::int64_t> quaternion) {
+    const mpz_class a = quaternion[0], b = quaternion[1], c = quaternion[2], d = quaternion[3];
+    if (a == 0 && b == 0 && c == 0 && d == 0) throw Refused("a quaternion is zero");
     return {Vector{a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
             Vector{2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
             Vector{2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}};
 }
 
-/// The rows of a feature: a point (on a free line) and directions; `cameras` 2 and 3, quaternion
-/// and translation. Throws Refused if these violate a requirement of section 2.
-inline Rows jacobian_rows(const Feature& feature, const std::vector<Numbers>& vectors,
-                          const std::array<Numbers, 2>& cameras) {
+/// The rows of a feature. `vectors` are its point (on a free line) and directions, `cameras` the
+/// quaternion and translation of view 2, then of view 3. Throws Refused if these violate section 2.
+inline Rows jacobian_rows(const Feature& feature, std::span<const std::int64_t> vectors,
+                          std::span<const std::int64_t> cameras) {
+    constexpr std::array<std::int64_t, 7> camera_1{1, 0, 0, 0, 0, 0, 0};
     Rows rows;
-    if (cameras[0][4] == 0) throw Refused{"the translation of camera 2 begins with 0"};
+    if (cameras[4] == 0) throw Refused("the translation of camera 2 begins with 0");
     for (std::size_t v = 0; v < 3; ++v) {
-        const Numbers camera = v == 0 ? Numbers{1, 0, 0, 0, 0, 0, 0} : cameras[v - 1];
+        const auto camera =
+            v == 0 ? std::span<const std::int64_t>(camera_1) : cameras.subspan(7 * (v - 1), 7);
         const Rotation turn = rotation(camera);
-        const auto turned = [&](const Numbers& x) {
+        const auto turned = [&](std::span<const std::int64_t> x) {
             Vector y;
-            for (std::size_t i = 0; i < 9; ++i)
-                y[i / 3] += turn[i / 3][i % 3] * x[i % 3];
+            for (std::size_t i = 0; i < 9; ++i) y[i / 3] += turn[i / 3][i % 3] * x[i % 3];
             return y;
         };
         // Adds l·dx = 0, with own unknowns from column 0 on, or l·de = 0; the arm is y or e.
@@ -57,22 +58,21 @@ inline Rows jacobian_rows(const Feature& feature, const std::vector<Numbers>& ve
                 row[first + k] = l[0] * turn[0][k] + l[1] * turn[1][k] + l[2] * turn[2][k];
             if (v == 0) return;
             mpz_class* entry = &row[feature.unknowns() + (v == 1 ? 0 : 5)];
-            for (const mpz_class& x : cross(arm, l))
-                *entry++ = x;
-            for (std::size_t i = v == 1; first == 0 && i < 3; ++i)
-                *entry++ = l[i];
+            for (const mpz_class& x : cross(arm, l)) *entry++ = x;
+            for (std::size_t i = v == 1; first == 0 && i < 3; ++i) *entry++ = l[i];
         };
-        const Vector y = turned(vectors[0]);
+        const Vector y = turned(vectors);
         const Vector x{y[0] + camera[4], y[1] + camera[5], y[2] + camera[6]};
         const bool sees_point = feature.point >> v & 1;
-        if (sees_point && x[2] == 0) throw Refused{"an image of the point has third coordinate 0"};
+        if (sees_point && x[2] == 0) throw Refused("an image of the point has third coordinate 0");
         if (sees_point) equation({0, x[2], -x[1]}, y, 0);
         if (sees_point) equation({-x[2], 0, x[0]}, y, 0);
         for (std::size_t pin = 0; pin < feature.pins; ++pin) {
-            if (vectors[pin + 1][2] == 0) throw Refused{"a direction has third coordinate 0"};
+            const auto direction = vectors.subspan(3 * pin + 3, 3);
+            if (direction[2] == 0) throw Refused("a direction has third coordinate 0");
             if (!(feature.pin[pin] >> v & 1)) continue;
-            const Vector e = turned(vectors[pin + 1]), l = cross(x, e);
-            if (l == Vector{0, 0, 0}) throw Refused{"the image of a line is zero"};
+            const Vector e = turned(direction), l = cross(x, e);
+            if (l == Vector{0, 0, 0}) throw Refused("the image of a line is zero");
             if (!sees_point) equation(l, y, 0);
             equation(l, e, feature.point_unknowns() + 2 * pin);
         }
@@ -91,15 +91,12 @@ struct Block {
 
 /// Eliminates by Bareiss's method: all entries are minors, and the divisions leave no remainder.
 inline Block eliminate(std::size_t unknowns, Rows rows) {
-    const auto residue = [](const mpz_class& x) {
-        return Residue{mpz_fdiv_ui(x.get_mpz_t(), modulus)};
-    };
+    const auto residue = [](auto& x) { return Residue{mpz_fdiv_ui(x.get_mpz_t(), modulus)}; };
     Block block{.unknowns = unknowns, .rows = rows, .factor = {1}};
     mpz_class pivot = 1;
     for (std::size_t c = 0; c < unknowns; ++c) {
         std::size_t place = c;
-        while (place < rows.size() && residue(rows[place][c]) == Residue{})
-            ++place;
+        while (place < rows.size() && residue(rows[place][c]) == Residue{}) ++place;
         if (place >= rows.size()) return {}; // the own columns are dependent modulo q
         if (place != c) block.factor = -block.factor;
         std::swap(rows[c], rows[place]);
@@ -143,8 +140,7 @@ inline Residue minor(const std::vector<const Block*>& blocks, std::span<const st
         // The rows that the elimination used up move past those that earlier blocks have left.
         factor = factor * (filled * block->unknowns % 2 == 0 ? block->factor : -block->factor);
         if (factor == Residue{}) return {};
-        for (const Row& residues : block->residues)
-            m[filled++] = residues;
+        for (const Row& residues : block->residues) m[filled++] = residues;
     }
     for (const std::int64_t c : columns) { // expands by rows with a single 1, in a deleted column
         const auto column = static_cast<std::size_t>(c - 1);
@@ -153,5 +149,4 @@ inline Residue minor(const std::vector<const Block*>& blocks, std::span<const st
     }
     return factor * determinant(m);
 }
-
 } // namespace checker

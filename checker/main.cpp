@@ -7,9 +7,9 @@
 #include <fstream>
 #include <iostream>
 
+using namespace checker;
 static constexpr std::string_view help = R"(usage:
     plcheck classification.plc         derive every count of the classification from certificates
-    plcheck a.plc b.plc                what several files certify together
     plcheck --json classification.plc  the same for a program
     plcheck --version                  the format, and what has to be trusted
 Certificates are as certs/FORMAT.md says; none is believed. Exit status: 0 every certificate holds,
@@ -33,50 +33,40 @@ static int write(std::string_view text, int status) {
     return std::cout ? status : fail("cannot write the report: is the output closed, or full?", 2);
 }
 
-/// Reads a file, but not much more than may be parsed; false if that fails.
-static bool read(const char* path, std::string& bytes) {
-    std::ifstream in(path, std::ios::binary);
-    std::string chunk(1 << 20, '\0');
-    for (bytes.clear(); in && bytes.size() <= checker::largest_file;) {
-        in.read(chunk.data(), std::ssize(chunk));
-        bytes.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
-    }
-    return in.eof() || in.good();
-}
-
 int main(int count, char** values) try {
     std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a failed write
-    bool json = false;
+    bool as_json = false;
     std::vector<const char*> paths;
     for (int i = 1; i < count; ++i) {
         const std::string_view option = values[i];
         if (option == "--help") return write(help, 0);
         if (option == "--version") return write(version, 0);
         if (option == "--json")
-            json = true;
+            as_json = true;
         else if (option.starts_with('-'))
-            return fail("unknown option " + checker::printable(option, 40) + "; see plcheck --help",
-                        3);
+            return fail("unknown option " + printable(option, 40) + ", see --help", 3);
         else
             paths.push_back(values[i]);
     }
-    if (paths.empty()) return fail("no file given; see plcheck --help", 3);
-    const checker::Classification classes = checker::classify();
-    std::vector<checker::FileReport> files;
+    if (paths.empty()) return fail("no file given, see --help", 3);
+    const Classification classes = classify();
+    std::vector<FileReport> files;
     int status = 0;
     for (const char* path : paths) {
-        std::string bytes;
-        if (read(path, bytes))
-            files.push_back(checker::replay(classes, path, bytes));
+        std::ifstream in(path, std::ios::binary);
+        std::string bytes, chunk(1 << 20, '\0');
+        while (in && bytes.size() <= largest_file) { // one chunk more than may be parsed, at most
+            in.read(chunk.data(), std::ssize(chunk));
+            bytes.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
+        }
+        if (in.good() || in.eof())
+            files.push_back(replay(classes, path, bytes));
         else
-            status = fail(checker::say("cannot read ", checker::printable(path, 4096), ": ",
-                                       std::strerror(errno)),
-                          2);
+            status = fail("cannot read " + printable(path, 4096) + ": " + std::strerror(errno), 2);
     }
-    const checker::Report report = checker::summarize(classes, std::move(files));
-    std::cerr << checker::complaints(report);
-    return write(json ? checker::json(report) : checker::text(report),
-                 std::max(status, report.status));
+    const Report report = summarize(classes, std::move(files));
+    std::cerr << complaints(report);
+    return write(as_json ? json(report) : text(report), std::max(status, report.status));
 } catch (const std::bad_alloc&) {
     return fail("out of memory", 2);
 }

@@ -1,5 +1,4 @@
-// Arithmetic modulo q = 2^61 - 1, a prime (Mersenne's ninth), and the determinant behind all
-// minors.
+// Arithmetic modulo the prime q = 2^61 - 1, and the determinant behind every minor.
 #pragma once
 
 #include <array>
@@ -7,13 +6,11 @@
 #include <utility>
 
 namespace checker {
-
 inline constexpr std::uint64_t modulus = (std::uint64_t{1} << 61) - 1;
 __extension__ using Wide = unsigned __int128;
 
 struct Residue {
     std::uint64_t value = 0; // less than q
-
     /// Of x < 2^123: as 2^61 = 1, the bits above the lowest 61 are added to these, twice.
     static constexpr Residue of(Wide x) {
         const Wide once = (x & modulus) + (x >> 61);
@@ -23,7 +20,6 @@ struct Residue {
     constexpr Residue operator-() const { return {value == 0 ? 0 : modulus - value}; }
     constexpr Residue operator*(Residue b) const { return of(Wide{value} * b.value); }
     constexpr bool operator==(const Residue&) const = default;
-
     /// The inverse of this, if it is not 0: its power q - 2, by Fermat.
     constexpr Residue inverse() const {
         Residue power{1}, square = *this;
@@ -39,8 +35,7 @@ inline Residue determinant(std::array<Row, 11> m) {
     Residue product{1}, scale{1}; // rows are scaled on the way, so as to divide only once
     for (std::size_t c = 0; c < 11; ++c) {
         std::size_t place = c;
-        while (place < 11 && m[place][c] == Residue{})
-            ++place;
+        while (place < 11 && m[place][c] == Residue{}) ++place;
         if (place == 11) return {};
         if (place != c) product = -product;
         std::swap(m[c], m[place]);
@@ -56,5 +51,4 @@ inline Residue determinant(std::array<Row, 11> m) {
     }
     return product * scale.inverse();
 }
-
 } // namespace checker

@@ -10,7 +10,6 @@
 #include <vector>
 
 namespace checker {
-
 inline constexpr std::size_t feature_count = 27, camera_unknowns = 11;
 
 using Views = unsigned; // a set: 0b001 is view 1, 0b110 are the views 2 and 3
@@ -18,32 +17,30 @@ inline constexpr std::array<Views, 3> view_pairs{0b011, 0b101, 0b110};
 
 /// A point with pins, or a free line, which is its one pin.
 struct Feature {
-    std::string_view notation;
+    std::string_view notation{};
     bool free_line = false;
-    Views point = 0, views = 0;  // those that see the point; that see anything
-    std::array<Views, 26> pin{}; // those that see each pin
-    unsigned pins = 0;
-    unsigned equations = 0; // degrees of freedom in the images, rows of the Jacobian
-
+    Views point = 0, views = 0;       // those that see the point; that see anything
+    std::array<Views, 26> pin{};      // those that see each pin
+    unsigned pins = 0, equations = 0; // the latter: degrees of freedom in the images
     constexpr unsigned point_unknowns() const { return free_line ? 2 : 3; }
-    constexpr unsigned unknowns() const { return point_unknowns() + 2 * pins; } // in space
+    constexpr unsigned unknowns() const { return point_unknowns() + 2 * pins; }
     constexpr unsigned weight() const { return equations - unknowns(); }
 };
 
-/// The feature of a notation. Assumes that there are no symbols but those of section 1.
+/// The feature of a notation, whose symbols are assumed to be those of section 1.
 constexpr Feature observe(std::string_view notation) {
     Feature feature{.notation = notation};
     Views view = 1;
     bool point = false;
     for (const char symbol : notation) {
-        if (symbol == '/') view <<= 1;
-        if (symbol == '(') view = 0; // what no view sees
-        if (symbol == 'P') point = true;
         const bool line = symbol >= 'a' && symbol <= 'z';
-        if (!line && symbol != 'P') continue;
+        if (symbol == '/') view <<= 1;
+        if (symbol == '(') view = 0; // what no view sees follows
+        if (symbol != 'P' && !line) continue;
+        point |= symbol == 'P';
+        feature.views |= view;
         const auto pin = static_cast<unsigned>(symbol - 'a');
         if (line) feature.pins = std::max(feature.pins, pin + 1);
-        feature.views |= view;
         (line ? feature.pin[pin] : feature.point) |= view;
         if (view != 0) feature.equations += line && (feature.point & view) ? 1 : 2;
     }
@@ -52,22 +49,21 @@ constexpr Feature observe(std::string_view notation) {
 }
 
 inline constexpr std::array<Feature, feature_count> features = [] {
-    constexpr std::string_view notations =
-        "Pabcdefg/Pabcdefg/Pabcdefg Pabcdef/Pabcdef/Pabcdef Pabcde/Pabcde/Pabcde Pabcd/Pabcd/Pabcd "
-        "Pabc/Pabc/Pabc Pab/Pab/Pab Pa/Pa/Pa P/P/P a/Pa/Pa Pa/a/Pa Pa/Pa/a a/a/a a/P/Pa a/Pa/P "
-        "P/a/Pa Pa/a/P P/Pa/a Pa/P/a -/P/P P/-/P P/P/- P/a/a a/P/a a/a/P Pab/b/a b/Pab/a b/a/Pab ";
-    std::array<Feature, feature_count> all{};
-    std::size_t start = 0;
+    std::string_view names = "Pabcdefg/Pabcdefg/Pabcdefg Pabcdef/Pabcdef/Pabcdef "
+                             "Pabcde/Pabcde/Pabcde Pabcd/Pabcd/Pabcd Pabc/Pabc/Pabc Pab/Pab/Pab "
+                             "Pa/Pa/Pa P/P/P a/Pa/Pa Pa/a/Pa Pa/Pa/a a/a/a a/P/Pa a/Pa/P P/a/Pa "
+                             "Pa/a/P P/Pa/a Pa/P/a -/P/P P/-/P P/P/- P/a/a a/P/a a/a/P Pab/b/a "
+                             "b/Pab/a b/a/Pab ";
+    std::array<Feature, feature_count> all;
     for (Feature& feature : all) {
-        const std::size_t end = notations.find(' ', start);
-        feature = observe(notations.substr(start, end - start));
-        start = end + 1;
+        feature = observe(names.substr(0, names.find(' ')));
+        names.remove_prefix(names.find(' ') + 1);
     }
     return all;
 }();
 
-/// The index of the feature that sees the same, up to the names of pins; feature_count if there is
-/// none.
+/// The index of the feature of which the views see the same, up to the names of pins; feature_count
+/// if there is none.
 constexpr std::size_t index_of(Views point, const std::array<Views, 26>& pin) {
     std::size_t i = 0;
     while (i < feature_count &&
@@ -77,8 +73,7 @@ constexpr std::size_t index_of(Views point, const std::array<Views, 26>& pin) {
     return i;
 }
 
-/// How the relabelings of the views and all swaps at once act on signatures: t[i] = s[map[i]].
-using Map = std::array<std::size_t, feature_count>;
+using Map = std::array<std::size_t, feature_count>; // takes signatures s to t, t[i] = s[map[i]]
 
 inline constexpr std::array<Map, 6> relabelings = [] {
     std::array<Map, 6> maps{};
@@ -102,15 +97,14 @@ inline constexpr std::array<Map, 6> relabelings = [] {
 inline constexpr Map swaps = [] {
     Map map{};
     for (std::size_t i = 0; i < feature_count; ++i) {
-        const Views point = features[i].point, line = features[i].pin[0];
-        const bool swap = features[i].pins == 1 && point & ~line && line & ~point && point & line;
-        map[i] = swap ? index_of(point, {point ^ line}) : i;
+        const Views point = features[i].point, pin = features[i].pin[0];
+        const bool swap = features[i].pins == 1 && point & ~pin && pin & ~point && point & pin;
+        map[i] = swap ? index_of(point, {point ^ pin}) : i;
     }
     return map;
 }();
 
-/// The multiplicity of each feature.
-using Signature = std::array<unsigned, feature_count>;
+using Signature = std::array<unsigned, feature_count>; // the multiplicity of each feature
 
 /// The largest signature of the label class or of the swap&label class: swaps commute with
 /// relabelings, and those towards the earlier feature of a pair make a signature larger.
@@ -147,12 +141,12 @@ inline void enumerate(Signature& s, std::size_t index, unsigned rest, Classifica
     }
 }
 
-/// The number of the label class of a balanced signature; or of the first one of its swap&label
+/// The number of the label class of a balanced signature, or of the first one of its swap&label
 /// class.
 inline std::size_t class_of(const Classification& classes, const Signature& s, bool up_to_swaps) {
     const auto& all = classes.representatives;
-    const auto place =
-        std::lower_bound(all.begin(), all.end(), largest(s, up_to_swaps), std::greater());
+    const Signature first = largest(s, up_to_swaps);
+    const auto place = std::lower_bound(all.begin(), all.end(), first, std::greater());
     return static_cast<std::size_t>(place - all.begin());
 }
 
@@ -189,7 +183,6 @@ inline unsigned shared_points(const Signature& signature, Views pair) {
 struct Obstruction {
     std::array<unsigned, 3> excess{}; // of the pairs 12, 13, 23
     unsigned star = 0;                // S
-
     unsigned epipolar() const { return excess[0] + excess[1] + excess[2]; } // E
     unsigned deficiency() const { return std::max(epipolar(), star); }
     bool minimal() const { return deficiency() == 0; }
@@ -211,5 +204,4 @@ inline Obstruction obstruction(const Signature& signature) {
     found.star = star == 7 || (star == 6 && lines > 0) || (star >= 3 && seen != 0b111);
     return found;
 }
-
 } // namespace checker

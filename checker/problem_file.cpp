@@ -18,7 +18,7 @@ struct Step {
 struct Placed {
     std::size_t line = 0;
     Feature feature{};
-    std::vector<Numbers> vectors{};
+    Numbers vectors{};
 };
 
 struct ProblemFile {
@@ -30,7 +30,7 @@ struct ProblemFile {
     std::string verdict{}; // `minimal`, `over-constrained 2`, ...
     std::string_view kind{},
         number; // of the record: its first word; as it is written. No record: empty
-    Cameras cameras{};
+    Numbers cameras{};
     std::vector<Placed> pool{};
     Record record{}; // of a camera-minimal problem: `columns` are columns of J
 };
@@ -60,8 +60,7 @@ static Feature read_feature(const Reader& reader, std::string_view word, unsigne
         reader.fail(word, say("a feature as section 1 spells it, in ", views, " views"));
     for (unsigned v = 0; v < views; ++v) {
         unsigned lines = 0;
-        for (const Views pin : feature.pin)
-            lines += pin >> v & 1;
+        for (const Views pin : feature.pin) lines += pin >> v & 1;
         if (lines > 1 && !(feature.point >> v & 1))
             reader.fail(word, "a view that sees two lines to see their point (Definition 1)");
     }
@@ -109,8 +108,7 @@ static void read_steps(Reader& reader, ProblemFile& file) {
 }
 
 static void read_evidence(Reader& reader, ProblemFile& file) {
-    reader.take(say("modulus ", modulus));
-    reader.end_line();
+    reader.take(say("modulus ", modulus, " $"));
     file.cameras = read_cameras(reader, 1, file.views);
     do {
         Placed placed{.line = reader.line()};
@@ -125,11 +123,9 @@ static void read_evidence(Reader& reader, ProblemFile& file) {
     file.number = reader.word();
     reader.take("1");
     if (file.kind == "camera-minimal") {
-        reader.end_line();
-        reader.take("delete columns");
+        reader.take("$ delete columns");
         file.record.columns = read_ascending(reader, 999'999);
-        reader.end_line();
-        reader.take("minor");
+        reader.take("$ minor");
         file.record.minor = read_minor(reader);
     } else {
         if (file.kind != "minimal" && file.kind != "deficient")
@@ -227,7 +223,7 @@ static Lifted lift(std::vector<Feature> list, unsigned views) {
         const bool known =
             i < feature_count && features[i].pins == f.pins && features[i].free_line == f.free_line;
         if (views == 2 ? f.point != 0b11 || f.pins > 0 : !star && !known)
-            refuse("a rule still applies to ", f.notation);
+            throw Refused("a rule still applies to ", f.notation);
         lifted.weight += star ? f.pins + 3 : features[i].weight();
         lifted.most_pins = std::max(lifted.most_pins, f.pins);
         sorted[star ? 0 : i + 1].push_back(f);
@@ -243,7 +239,7 @@ static Lifted lift(std::vector<Feature> list, unsigned views) {
 static std::vector<Block> blocks_of(const ProblemFile& file, const std::vector<Feature>& expected,
                                     const Numbers& deleted) {
     if (file.pool.size() != expected.size())
-        refuse("the pool must have ", expected.size(), " features");
+        throw Refused("the pool must have ", expected.size(), " features");
     std::vector<Block> blocks;
     std::int64_t column = 0;
     for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -254,8 +250,7 @@ static std::vector<Block> blocks_of(const ProblemFile& file, const std::vector<F
         std::size_t kept = 0;
         for (std::size_t c = 0; c < feature.unknowns(); ++c) {
             if (std::binary_search(deleted.begin(), deleted.end(), ++column)) continue;
-            for (std::vector<mpz_class>& row : rows)
-                std::swap(row[kept], row[c]);
+            for (std::vector<mpz_class>& row : rows) std::swap(row[kept], row[c]);
             ++kept;
         }
         for (std::vector<mpz_class>& row : rows)
@@ -263,7 +258,7 @@ static std::vector<Block> blocks_of(const ProblemFile& file, const std::vector<F
         blocks.push_back(eliminate(kept, std::move(rows)));
     }
     if (!deleted.empty() && deleted.back() > column)
-        refuse("J has only ", column, " columns of its own");
+        throw Refused("J has only ", column, " columns of its own");
     return blocks;
 }
 
@@ -288,31 +283,31 @@ static void check(const ProblemFile& file, const Classification& classes, FileRe
     if (lifted.weight > cameras) verdict = say("over-constrained ", lifted.weight - cameras);
     if (lifted.weight != cameras) kind = "";
     if (file.verdict != verdict) throw Complaint{file.verdict_line, "the verdict is " + verdict};
-    if (file.kind != kind) refuse("this verdict needs ", kind.empty() ? "no evidence" : kind);
+    if (file.kind != kind)
+        throw Refused("this verdict needs ", kind.empty() ? "no evidence" : kind);
 
     if (!kind.empty()) {
         const auto number = class_of(classes, lifted.signature, false);
         const std::string spelled = two || large_star ? "-" : say(number);
-        if (file.number != spelled) refuse("the number of the class is ", spelled);
+        if (file.number != spelled) throw Refused("the number of the class is ", spelled);
         const Numbers absent = two ? Numbers{6, 7, 8, 9, 10, 11} : Numbers{};
         const bool all = kind == "camera-minimal"; // all rows of J, but not all columns
         const Numbers deleted = all ? file.record.columns : Numbers{};
         const std::vector<Block> blocks =
             blocks_of(file, kind == "deficient" ? lifted.features : file.features, deleted);
         std::vector<const Block*> pointers;
-        for (const Block& block : blocks)
-            pointers.push_back(&block);
+        for (const Block& block : blocks) pointers.push_back(&block);
         if (all && deleted.size() != unknowns - equations)
-            refuse("there must be ", unknowns - equations, " deleted columns");
+            throw Refused("there must be ", unknowns - equations, " deleted columns");
         Record record = file.record;
         if (all) record.columns.clear();
         check_record(record, truth, pointers, absent);
         if (spelled != "-") {
             report.verdicts.push_back({number, file.record.line, truth});
-            report.number = spelled;
+            verdict += ", class " + spelled;
         }
     }
-    report.verdict = verdict;
+    report.certified = verdict;
 }
 
 void replay_problem(Reader& reader, const Classification& classes, FileReport& report) {
@@ -321,7 +316,7 @@ void replay_problem(Reader& reader, const Classification& classes, FileReport& r
     read_steps(reader, file);
     if (!reader.at_end()) read_evidence(reader, file);
     if (!reader.at_end()) reader.fail(reader.word(), "the end of the file");
-    report.problem = file.spelling;
+    report.problem = printable(file.spelling, 4096);
     try {
         check(file, classes, report);
     } catch (const Refused& refused) {

@@ -10,14 +10,11 @@
 #include <vector>
 
 namespace checker {
-
+using Numbers = std::vector<std::int64_t>;
 inline constexpr std::size_t largest_file = std::size_t{64} << 20, longest_line = 16384; // bytes
 
-using Numbers = std::vector<std::int64_t>;
-
 /// The parts, written one after the other.
-template <class... Part>
-std::string say(const Part&... parts) {
+template <class... Part> std::string say(const Part&... parts) {
     std::ostringstream text;
     (text << ... << parts);
     return text.str();
@@ -28,8 +25,8 @@ std::string say(const Part&... parts) {
 inline std::string printable(std::string_view text, std::size_t limit) {
     std::string safe;
     for (const char c : text.substr(0, limit)) {
-        const auto digit = [&](int shift) { return "0123456789abcdef"[c >> shift & 15]; };
         const bool plain = c >= ' ' && c <= '~' && c != '\\';
+        const auto digit = [c](int shift) { return "0123456789abcdef"[c >> shift & 15]; };
         safe += plain ? std::string{c} : std::string{'\\', 'x', digit(4), digit(0)};
     }
     return text.size() > limit ? safe + "..." : safe;
@@ -44,21 +41,18 @@ struct Complaint {
 /// A place in a file. Members throw a Complaint if the file is not as they expect.
 class Reader {
 public:
-    /// At the first line.
     explicit Reader(std::string_view bytes) : bytes_(bytes) {
         if (bytes.size() > largest_file) throw Complaint{0, "the file is larger than 64 MiB"};
         end_line();
     }
-
     std::size_t line() const { return line_; }
     /// Whether the line has no more words; after end_line(), whether there are no more lines.
     bool at_end() const { return rest_.empty(); }
     bool comes(std::string_view word) const { return rest_.substr(0, rest_.find(' ')) == word; }
-    std::string_view rest() const { return rest_; } // the words not taken
-    /// The next word; empty if there is none.
-    std::string_view word() { return cut(rest_); }
+    std::string_view rest() const { return rest_; } // the words to come
+    std::string_view word() { return cut(rest_); }  // the next; empty if there is none
 
-    /// Takes these words, where @ stands for a coordinate and # for a count: returns these.
+    /// Takes these words: @ stands for a coordinate, # for a count, $ for the end of the line.
     Numbers take(std::string_view pattern) {
         Numbers numbers;
         while (!pattern.empty()) {
@@ -67,6 +61,8 @@ public:
                 numbers.push_back(integer(-999'999, 999'999));
             else if (expected == "#")
                 numbers.push_back(integer(0, 999'999));
+            else if (expected == "$")
+                end_line();
             else if (const auto found = word(); found != expected)
                 fail(found, say('`', expected, '`'));
         }
@@ -85,8 +81,8 @@ public:
     /// An integer of at most 1000 digits.
     std::string big_integer() {
         const std::string found(word());
-        const bool fits = found.size() <= (found.starts_with('-') ? 1001 : 1000);
-        if (!canonical(found) || !fits) fail(found, "an integer of at most 1000 digits");
+        if (!canonical(found) || found.size() - found.starts_with('-') > 1000)
+            fail(found, "an integer of at most 1000 digits");
         return found;
     }
 
@@ -130,5 +126,4 @@ private:
     std::string_view bytes_, rest_; // the lines after this one; the words not taken
     std::size_t line_ = 0;
 };
-
 } // namespace checker

@@ -3,32 +3,26 @@
 #include <numeric>
 
 namespace checker {
-
-Cameras read_cameras(Reader& reader, std::size_t pool, unsigned views) {
+Numbers read_cameras(Reader& reader, std::size_t pool, unsigned views) {
     if (pool > 99) reader.fail("pool", "at most 99 pools");
-    reader.take(say("pool ", pool));
-    reader.end_line();
-    // Nothing is seen in the view of a camera that is not there.
-    Cameras cameras{Numbers{}, Numbers{1, 0, 0, 0, 0, 0, 0}};
-    for (unsigned v = 2; v <= views; ++v) {
-        cameras[v - 2] = reader.take(say("camera ", v, " quaternion @ @ @ @ translation @ @ @"));
-        reader.end_line();
-    }
+    reader.take(say("pool ", pool, " $"));
+    Numbers cameras = reader.take("camera 2 quaternion @ @ @ @ translation @ @ @ $");
+    const Numbers third = views == 2
+                              ? Numbers{1, 0, 0, 0, 0, 0, 0}
+                              : reader.take("camera 3 quaternion @ @ @ @ translation @ @ @ $");
+    cameras.insert(cameras.end(), third.begin(), third.end());
     return cameras;
 }
 
-std::vector<Numbers> read_vectors(Reader& reader, unsigned pins) {
-    std::vector<Numbers> vectors{reader.take("point @ @ @")};
-    while (vectors.size() <= pins)
-        vectors.push_back(reader.take("pin @ @ @"));
-    reader.end_line();
-    return vectors;
+Numbers read_vectors(Reader& reader, unsigned pins) {
+    std::string vectors = "point @ @ @";
+    for (unsigned pin = 0; pin < pins; ++pin) vectors += " pin @ @ @";
+    return reader.take(vectors + " $");
 }
 
 Numbers read_ascending(Reader& reader, std::int64_t largest) {
     Numbers list;
-    do
-        list.push_back(reader.integer(list.empty() ? 1 : list.back() + 1, largest));
+    do list.push_back(reader.integer(list.empty() ? 1 : list.back() + 1, largest));
     while (!reader.at_end() && !reader.comes("columns"));
     return list;
 }
@@ -42,21 +36,16 @@ Residue read_minor(Reader& reader) {
 Record read_record(Reader& reader, bool minimal) {
     Record record{.line = reader.line()};
     if (!minimal) {
-        record.stated = reader.take("rank # excess # # # star #");
-        reader.end_line();
-        reader.take("delete rows");
+        record.stated = reader.take("rank # excess # # # star # $ delete rows");
         record.rows = read_ascending(reader, 999'999);
         reader.take("columns");
         record.columns = read_ascending(reader, camera_unknowns);
-        reader.end_line();
-        reader.take("minor");
+        reader.take("$ minor");
     }
     record.minor = read_minor(reader);
-    while (!minimal && record.kernel.size() < camera_unknowns &&
-           (record.kernel.empty() || reader.comes("kernel"))) {
+    for (int i = 0; !minimal && i < 11 && (i == 0 || reader.comes("kernel")); ++i) {
         reader.take("kernel");
-        for (mpz_class& entry : record.kernel.emplace_back())
-            entry = reader.big_integer();
+        for (mpz_class& entry : record.kernel.emplace_back()) entry = reader.big_integer();
         reader.end_line();
     }
     return record;
@@ -69,37 +58,31 @@ static void check_kernel(const Record& record, const std::vector<const Block*>& 
         const std::string name = say("kernel vector ", i + 1);
         for (std::size_t j = 0; j < record.columns.size(); ++j)
             if (sgn(motion[static_cast<std::size_t>(record.columns[j] - 1)]) != (i == j))
-                refuse(name, " must be ", i == j ? "positive" : "zero", " at column ",
-                       record.columns[j]);
+                throw Refused(name, " has not the form of a basis at deleted column ", j + 1);
         mpz_class divisor = 0;
-        for (const mpz_class& entry : motion)
-            divisor = gcd(divisor, entry);
-        if (divisor != 1) refuse(name, " has entries with a common divisor");
+        for (const mpz_class& entry : motion) divisor = gcd(divisor, entry);
+        if (divisor != 1) throw Refused(name, " has entries with a common divisor");
         for (const Block* block : blocks)
             for (const Motion& c : block->conditions)
                 if (std::inner_product(c.begin(), c.end(), motion.begin(), mpz_class(0)) != 0)
-                    refuse(name, " does not keep all images");
+                    throw Refused(name, " does not keep all images");
     }
 }
 
 void check_record(const Record& record, const Obstruction& truth,
                   const std::vector<const Block*>& blocks, const Numbers& absent) {
-    const std::size_t d = truth.deficiency();
     const auto& [a, b, c] = truth.excess;
-    if (record.stated.empty()
-            ? d > 0
-            : d == 0 || record.stated != Numbers{11 - truth.deficiency(), a, b, c, truth.star})
-        refuse("the class has rank ", 11 - d, ", excess ", a, ' ', b, ' ', c, ", star ",
-               truth.star);
+    const unsigned d = truth.deficiency();
+    if (record.kernel.empty() ? d > 0 : record.stated != Numbers{11 - d, a, b, c, truth.star})
+        throw Refused("it has rank ", 11 - d, ", excess ", a, ' ', b, ' ', c, ", S ", truth.star);
     if (record.rows.size() != d || record.columns.size() != d || record.kernel.size() != d)
-        refuse("there must be ", d, " deleted rows, deleted columns and kernel vectors");
-    std::size_t rows = 0;
-    for (const Block* block : blocks)
-        rows += block->rows.size();
-    if (d > 0 && record.rows.back() > std::int64_t(rows)) refuse("J has only ", rows, " rows");
+        throw Refused("there must be ", d, " deleted rows, deleted columns and kernel vectors");
+    std::size_t rows = 0; // of J
+    for (const Block* block : blocks) rows += block->rows.size();
+    if (d > 0 && record.rows.back() > std::int64_t(rows))
+        throw Refused("J has only ", rows, " rows");
     const Residue value = minor(blocks, record.rows, d > 0 ? record.columns : absent);
-    if (value != record.minor) refuse("the minor is ", value.value, " modulo q");
+    if (value != record.minor) throw Refused("the minor is ", value.value, " modulo q");
     check_kernel(record, blocks);
 }
-
 } // namespace checker

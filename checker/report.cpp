@@ -2,51 +2,50 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <utility>
 
 namespace checker {
-
-/// What the claims are about: for each line of the table below, whether it counts the class.
+/// What the claims are about. The minimal classes that come first of their swap&label class stand
+/// for the terminal problems.
 struct Class {
-    bool minimal, first;                  // of its swap&label class: one terminal problem for each
+    bool minimal, first, terminal;
     unsigned excess, star;                // E, S
     unsigned most_pins = 0;               // at a point
-    bool five = false, registers = false; // two views share five points; see `describe`
-    std::string plmp_name{};              // if every view sees everything
+    bool five = false, registers = false; // two views share five points; and `determine` the rest
+    std::string name{};                   // in PLMP, if every view sees everything
 };
 
-/// Whether the relative pose of a pair of views determines what a third view needs of a feature:
-/// they see the same lines of it, and if only one sees its point, the other sees a pin.
-static bool determines(Views pair, const Feature& feature) {
-    for (const Views pin : feature.pin)
-        if (std::popcount(pin & pair) == 1) return false;
-    return std::popcount(feature.point & pair) != 1 || (feature.views & pair) == pair;
+/// Whether a pair of views sees the same lines and, of each point that only one of it sees, the
+/// other a pin: so their relative pose determines what is to be registered with the third.
+static bool determine(Views pair, const Signature& signature) {
+    for (std::size_t i = 0; i < feature_count; ++i) {
+        if (signature[i] == 0) continue;
+        for (const Views pin : features[i].pin)
+            if (std::popcount(pin & pair) == 1) return false;
+        if (std::popcount(features[i].point & pair) == 1 && (features[i].views & pair) != pair)
+            return false;
+    }
+    return true;
 }
 
 static Class describe(const Signature& signature, const Obstruction& obstruction, bool first) {
-    Class c{.minimal = obstruction.minimal(),
-            .first = first,
-            .excess = obstruction.epipolar(),
-            .star = obstruction.star};
+    const bool minimal = obstruction.minimal();
+    Class c{minimal, first, minimal && first, obstruction.epipolar(), obstruction.star};
     unsigned points = 0, lines = 0, pins = 0, equations = 0;
-    std::array<bool, 3> scene{true, true, true}; // each pair of views determines
     for (std::size_t i = 0; i < feature_count; ++i) {
-        const Feature& f = features[i];
-        const unsigned point_pins = f.free_line ? 0 : f.pins;
-        if (signature[i] == 0) continue;
-        (f.free_line ? lines : points) += signature[i];
-        pins += signature[i] * point_pins;
-        equations += signature[i] * f.equations;
-        c.most_pins = std::max(c.most_pins, point_pins);
-        for (std::size_t p = 0; p < 3; ++p)
-            scene[p] &= determines(view_pairs[p], f);
+        equations += signature[i] * features[i].equations;
+        (features[i].free_line ? lines : points) += signature[i];
+        if (features[i].free_line || signature[i] == 0) continue;
+        pins += signature[i] * features[i].pins;
+        c.most_pins = std::max(c.most_pins, features[i].pins);
     }
-    for (std::size_t p = 0; p < 3; ++p) {
-        const bool five = shared_points(signature, view_pairs[p]) == 5;
+    if (equations == 6 * (points + lines) + 3 * pins) // the most that there can be
+        c.name = say(points, 0, lines, pins, '_', c.most_pins);
+    for (const Views pair : view_pairs) {
+        const bool five = shared_points(signature, pair) == 5;
         c.five |= five;
-        c.registers |= five && scene[p];
+        c.registers |= five && determine(pair, signature);
     }
-    if (equations == 6 * (points + lines) + 3 * pins) // every view sees everything
-        c.plmp_name = say(points, 0, lines, pins, '_', c.most_pins);
     return c;
 }
 
@@ -58,29 +57,29 @@ struct Count {
     std::string_view difference = "not explained";
 };
 using C = const Class&;
-constexpr std::string_view skipped =
-    "the published script skips its list of re-checked classes (proofs/classification.md, 7)";
-constexpr std::array<Count, 13> table{{
+constexpr std::string_view skipped = "the authors' script skips its list of re-checked classes "
+                                     "(proofs/classification.md, section 7)";
+constexpr std::array<Count, 15> table{{
+    {"label classes", 143494, [](C) { return true; }},
+    {"swap&label classes", 76446, [](C c) { return c.first; }},
     {"label classes, not minimal", 2878, [](C c) { return !c.minimal; }},
     {"label classes, minimal", 140616, [](C c) { return c.minimal; }},
     {"swap&label classes, not minimal", 1871, [](C c) { return c.first && !c.minimal; }},
-    {"terminal camera-minimal", 74575, [](C c) { return c.first && c.minimal; }},
+    {"terminal camera-minimal", 74575, [](C c) { return c.terminal; }},
     {"reduced minimal PL0Ps (no pins)", 51, [](C c) { return c.minimal && c.most_pins == 0; }},
-    {"terminal, at most one pin a point", 9533,
-     [](C c) { return c.first && c.minimal && c.most_pins < 2; }},
+    {"terminal, at most one pin a point", 9533, [](C c) { return c.terminal && c.most_pins < 2; }},
     {"five-point extensions, minimal", 6300, [](C c) { return c.minimal && c.five; }, skipped},
     {"- of these, camera registration", 61, [](C c) { return c.minimal && c.registers; }},
-    {"- terminal camera-minimal", 3648, [](C c) { return c.first && c.minimal && c.five; },
-     skipped},
-    {"minimal, complete visibility", 12, [](C c) { return c.minimal && !c.plmp_name.empty(); }},
-    {"not minimal by E > 0", 0, [](C c) { return c.excess > 0; }},
-    {"not minimal by S = 1 alone", 0, [](C c) { return c.star > c.excess; }},
-    {"not minimal by both", 0, [](C c) { return c.excess > 0 && c.star > 0; }},
+    {"- terminal camera-minimal", 3648, [](C c) { return c.terminal && c.five; }, skipped},
+    {"minimal, complete visibility", 12, [](C c) { return c.minimal && !c.name.empty(); }},
+    {"not minimal: epipolar excess, E > 0", 0, [](C c) { return c.excess > 0; }},
+    {"not minimal: a star alone, S = 1, E = 0", 0, [](C c) { return c.star > c.excess; }},
+    {"not minimal: both, S = 1, E > 0", 0, [](C c) { return c.excess > 0 && c.star > 0; }},
 }};
 
 /// The problems that PLMP and the paper name.
-constexpr std::string_view plmp_names = "3002_1 3002_2 3010_0 2005_3 2005_4 2005_5 2013_2 2013_3 "
-                                        "2021_1 1024_4 1032_2 1040_0";
+constexpr std::string_view plmp = "3002_1 3002_2 3010_0 2005_3 2005_4 2005_5 2013_2 2013_3 "
+                                  "2021_1 1024_4 1032_2 1040_0";
 
 static Claim compare(std::string_view claim, const std::string& paper, const std::string& certified,
                      std::string_view difference = "not explained") {
@@ -104,7 +103,7 @@ static std::vector<const Obstruction*> collect(const Classification& classes, Re
             else
                 file.refuse(v.line, say("class ", v.number, " contradicts its swap&label class"));
         }
-        report.status = std::max(report.status, !file.parsed ? 2 : file.refused > 0 ? 1 : 0);
+        report.status = std::max(report.status, !file.conforms ? 2 : file.refused > 0 ? 1 : 0);
     }
     return of_class;
 }
@@ -114,27 +113,22 @@ Report summarize(const Classification& classes, std::vector<FileReport> files) {
     const auto proved = collect(classes, report);
     const bool complete = std::count(proved.begin(), proved.end(), nullptr) == 0;
     std::array<std::size_t, table.size()> counts{};
-    std::size_t swap_classes = 0;
     std::vector<Claim> named;
     for (std::size_t n = 0; n < proved.size(); ++n) {
         const Signature& signature = classes.representatives[n];
-        const bool first = classes.swap_class[n] == n;
-        const Class c = describe(signature, proved[n] ? *proved[n] : Obstruction{}, first);
-        swap_classes += first;
-        for (std::size_t i = 0; i < counts.size(); ++i)
-            counts[i] += table[i].counts(c);
-        if (c.plmp_name.empty() || plmp_names.find(c.plmp_name) == plmp_names.npos) continue;
+        const Obstruction obstruction = proved[n] ? *proved[n] : Obstruction{};
+        const Class c = describe(signature, obstruction, classes.swap_class[n] == n);
+        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += table[i].counts(c);
+        if (c.name.empty() || plmp.find(c.name) == plmp.npos) continue;
+        const std::string problem = say(c.name, ", class ", n, ": ", notation(signature));
         const std::string verdict = c.minimal ? "minimal" : "not minimal";
-        named.push_back(compare(say(c.plmp_name, ", class ", n, ": ", notation(signature)),
-                                "minimal", proved[n] ? verdict : "-"));
+        named.push_back(compare(problem, "minimal", proved[n] ? verdict : "-"));
     }
-    report.claims = {compare("balanced signatures", "845161", say(classes.signatures)),
-                     compare("label classes", "143494", say(proved.size())),
-                     compare("swap&label classes", "76446", say(swap_classes))};
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const auto& [claim, paper, unused, difference] = table[i];
-        report.claims.push_back(compare(claim, paper == 0 ? "-" : say(paper),
-                                        complete ? say(counts[i]) : "-", difference));
+    report.claims = {compare("balanced signatures", "845161", say(classes.signatures))};
+    for (std::size_t i = 0; i < counts.size(); ++i) { // the first two are by enumeration alone
+        const std::string certified = i < 2 || complete ? say(counts[i]) : "-";
+        const std::string paper = table[i].paper == 0 ? "-" : say(table[i].paper);
+        report.claims.push_back(compare(table[i].claim, paper, certified, table[i].difference));
     }
     report.claims.insert(report.claims.end(), named.begin(), named.end());
     return report;
@@ -143,21 +137,21 @@ Report summarize(const Classification& classes, std::vector<FileReport> files) {
 std::string text(const Report& report) {
     std::ostringstream text;
     for (const FileReport& file : report.files) {
-        text << printable(file.name, 4096) << ": ";
-        if (!file.verdict.empty())
-            text << "certified " << file.verdict << ": " << printable(file.problem, 4096)
-                 << (file.number.empty() ? "" : ", class ") << file.number << '\n';
+        text << file.name << ": ";
+        if (file.certified.empty())
+            text << file.verdicts.size() << " certificates hold, "
+                 << (file.conforms ? say(file.refused, " refused\n") : "not a certificate file\n");
         else
-            text << file.verdicts.size() << " certificates hold, " << file.refused << " refused\n";
+            text << "certified " << file.certified << ": " << file.problem << '\n';
     }
-    text << '\n';
     const auto write = [&](const Claim& c) {
-        text << std::left << std::setw(52) << c.claim << std::right << std::setw(8) << c.paper
-             << std::setw(11) << c.certified << "  " << c.verdict << '\n';
+        text << std::left << '\n'
+             << std::setw(52) << c.claim << std::right << std::setw(8) << c.paper << std::setw(11)
+             << c.certified << "  " << c.verdict;
     };
     write({"claim", "paper", "certified", "verdict"});
     std::for_each(report.claims.begin(), report.claims.end(), write);
-    return text.str();
+    return text.str() + '\n';
 }
 
 /// A cell of the table in JSON: a number, null for `-`, or a string.
@@ -166,47 +160,40 @@ static std::string cell(const std::string& text) {
     return text == "-" ? "null" : number ? text : say(std::quoted(text));
 }
 
-/// Adds an object to a JSON array that is still open.
-static void add(std::string& array,
-                const std::vector<std::pair<const char*, std::string>>& members) {
-    array += array == "[" ? "\n{" : ",\n{";
-    for (const auto& [key, value] : members)
-        array += say(&key == &members[0].first ? "" : ", ", std::quoted(key), ": ", value);
-    array += '}';
-}
-
 std::string json(const Report& report) {
-    std::string files = "[", complaints = "[", claims = "[";
-    for (const FileReport& f : report.files) {
-        const std::string name = say(std::quoted(printable(f.name, 4096)));
-        add(files, {{"file", name},
-                    {"problem", say(std::quoted(f.problem))},
-                    {"verdict", say(std::quoted(f.verdict))},
-                    {"certified", say(f.verdicts.size())},
-                    {"refused", say(f.refused)}});
-        for (const auto& [line, reason] : f.complaints)
-            add(complaints,
-                {{"file", name}, {"line", say(line)}, {"reason", say(std::quoted(reason))}});
+    std::ostringstream json;
+    json << "{\"format\": 1, \"status\": " << report.status << ", \"files\": [";
+    const char* comma = "\n";
+    for (const FileReport& file : report.files) {
+        json << std::exchange(comma, ",\n") << "{\"file\": " << std::quoted(file.name)
+             << ", \"conforms\": " << (file.conforms ? "true" : "false")
+             << ", \"problem\": " << std::quoted(file.problem)
+             << ", \"verdict\": " << std::quoted(file.certified)
+             << ", \"certified\": " << file.verdicts.size() << ", \"refused\": " << file.refused
+             << ", \"complaints\": [";
+        const char* inner = "\n";
+        for (const auto& [line, reason] : file.complaints)
+            json << std::exchange(inner, ",\n") << "  {\"line\": " << line
+                 << ", \"reason\": " << std::quoted(reason) << '}';
+        json << "]}";
     }
+    comma = "],\n\"claims\": [\n";
     for (const auto& [claim, paper, certified, verdict] : report.claims)
-        add(claims, {{"claim", cell(claim)},
-                     {"paper", cell(paper)},
-                     {"certified", cell(certified)},
-                     {"verdict", cell(verdict)}});
-    return say("{\"format\": 1, \"status\": ", report.status, ", \"files\": ", files,
-               "],\n\"complaints\": ", complaints, "],\n\"claims\": ", claims, "]}\n");
+        json << std::exchange(comma, ",\n") << "{\"claim\": " << std::quoted(claim)
+             << ", \"paper\": " << cell(paper) << ", \"certified\": " << cell(certified)
+             << ", \"verdict\": " << std::quoted(verdict) << '}';
+    return json.str() + "]}\n";
 }
 
 std::string complaints(const Report& report) {
-    std::string text;
+    std::ostringstream text;
     for (const FileReport& file : report.files) {
-        const std::string name = printable(file.name, 4096);
+        const char* what = file.conforms ? ": refused: " : ": does not conform to FORMAT.md: ";
         for (const auto& [line, reason] : file.complaints)
-            text += say(name, ':', line, file.parsed ? ": refused: " : ": syntax: ", reason, '\n');
+            text << file.name << ':' << line << what << reason << '\n';
         if (file.refused > file.complaints.size())
-            text += say(name, ": ", file.refused - file.complaints.size(), " more refusals\n");
+            text << file.name << ": " << file.refused - file.complaints.size() << " more refused\n";
     }
-    return text;
+    return text.str();
 }
-
 } // namespace checker

@@ -1,12 +1,11 @@
 // What the checker makes of certificate files: bytes go in, a report comes out. Files are replayed
-// as FORMAT.md, section 6, says, and every count is derived from the certificates that hold.
+// as FORMAT.md, sections 6 and 7, says, and counts are derived from the certificates that hold.
 #pragma once
 
 #include "checker/problem.h"
 #include "checker/reader.h"
 
 namespace checker {
-
 /// What a certificate proves: the obstruction of a class, which is minimal if there is none.
 struct Verdict {
     std::size_t number, line; // of the label class; in the file
@@ -14,14 +13,15 @@ struct Verdict {
 };
 
 struct FileReport {
-    std::string name{};
-    bool parsed = true; // conforms to FORMAT.md; if not, there are no verdicts
-    std::string problem{}, verdict{}, number{}; // of a problem file: what is certified
+    std::string name{};                 // printable
+    bool conforms = true;               // to sections 5 and 7; if not, nothing is certified
+    std::string problem{}, certified{}; // of a problem file that holds: its verdict, in words
     std::vector<Verdict> verdicts{};
     std::size_t refused = 0;
     std::vector<Complaint> complaints{}; // the first refusals; or the violation of section 5
-
-    void refuse(std::size_t line, std::string reason);
+    void refuse(std::size_t line, std::string reason) {
+        if (refused++ < 20) complaints.push_back({line, std::move(reason)});
+    }
 };
 
 /// A line of the table: what the paper says, what the certificates say, and how these compare.
@@ -36,7 +36,7 @@ struct Report {
 };
 
 /// Replays the bytes of a file.
-FileReport replay(const Classification& classes, std::string name, std::string_view bytes);
+FileReport replay(const Classification& classes, std::string_view name, std::string_view bytes);
 
 /// Derives the claims. A count is certified if every class has a certificate that holds. Refuses
 /// verdicts that contradict each other.
@@ -45,5 +45,4 @@ Report summarize(const Classification& classes, std::vector<FileReport> files);
 std::string text(const Report& report);
 std::string json(const Report& report);
 std::string complaints(const Report& report);
-
 } // namespace checker

@@ -86,7 +86,7 @@ End Representatives.
 (** ** Relabeling *)
 Definition perms := Eval vm_compute in [seq [seq index_of (relabel_feature g (ft i)) | i <- iota 0 27] | g <- view_perms].
 Lemma permsE : perms = [seq [seq index_of (relabel_feature g (ft i)) | i <- iota 0 27] | g <- view_perms].
-Proof. by vm_compute. Qed.
+Proof. vm_cast_no_check (erefl perms). Qed.
 
 Definition act (s : seq nat) (pi : seq nat) := [seq nth 0 s j | j <- pi].
 Definition label_orbit s := map (act s) perms.
@@ -136,8 +136,8 @@ Proof. by case/mapP => pi pin ->; rewrite size_map perm_size. Qed.
 
 Lemma label_equiv_orbit s t : balanced s -> balanced t -> label_equiv s t <-> label_orbit s =i label_orbit t.
 Proof.
-move=> _ /andP[/eqP st _]; rewrite label_equivE; split=> [h u|h]; first by rewrite (label_orbit_same h).
-by rewrite h label_orbit_self.
+move=> _ /andP[/eqP st _]; split=> [/label_equivE h u|h]; first by rewrite (label_orbit_same h).
+by apply/label_equivE; rewrite h label_orbit_self.
 Qed.
 
 (** Totals are permuted along. *)
@@ -187,10 +187,25 @@ Proof. by case/mapP => pi pin -> u; rewrite merge_orbit_merge merge_orbit_act. Q
 Lemma merge_orbit_size s t : t \in merge_orbit s -> size t = 27.
 Proof. by case/mapP => pi pin ->. Qed.
 
+Lemma nth_swap i s k : i < 27 -> k < 27 -> nth 0 (swap i s) k = nth 0 s k - (k == i) + (k == nth 0 mates i).
+Proof. by move=> i27 k27; rewrite /swap matesE // nth_mkseq. Qed.
+
+Lemma merge_ext s t : (forall k, k < 27 -> nth 0 s k = nth 0 t k) -> merge s = merge t.
+Proof. by move=> e; rewrite /merge !e. Qed.
+
+Lemma mates_fixed i : i < 27 -> i \notin [:: 12; 13; 14; 15; 16; 17] -> nth 0 mates i = i.
+Proof.
+move=> i27 ni; have h : all (fun i => (i \notin [:: 12; 13; 14; 15; 16; 17]) ==> (nth 0 mates i == i)) (iota 0 27) by [].
+by have := allP h i; rewrite mem_iota i27 ni => /(_ isT) /eqP.
+Qed.
+
 Lemma merge_swap i s : i < 27 -> 0 < nth 0 s i -> merge (swap i s) = merge s.
 Proof.
-rewrite /swap => i27; rewrite matesE //.
-by do 27?[case: i i27 => [|i] i27]; rewrite // => pos; rewrite /merge /=; do ?congr cons; rewrite //=; lia.
+move=> i27; case: (boolP (i \in [:: 12; 13; 14; 15; 16; 17])) => [|ni pos]; last first.
+  apply: merge_ext => k k27; rewrite nth_swap // mates_fixed //.
+  by case: eqP => [->|_] /=; rewrite ?subn0 ?addn0 // subnK.
+rewrite !inE /merge; do 5?[case/orP]; move/eqP=> e; move: i27; rewrite {}e => i27 pos;
+  by rewrite !(nth_swap _ i27) //= ?subn0 ?addn0; do 27?[congr cons]; rewrite //; lia.
 Qed.
 
 Lemma swap_equiv_orbit s t : swap_equiv s t -> merge_orbit s =i merge_orbit t.
@@ -201,3 +216,49 @@ elim=> {s t} [s t|s i i27 pos|s t _ IH|s t u _ IH1 _ IH2] w.
 - by rewrite IH.
 - by rewrite IH1 IH2.
 Qed.
+
+(** Conversely, swaps merge: move the copies of b to its mate a one by one. *)
+Definition collect a b (s : seq nat) := [seq if k == a then nth 0 s a + nth 0 s b else if k == b then 0 else nth 0 s k | k <- iota 0 27].
+
+Lemma swap_equiv_refl s : size s = 27 -> swap_equiv s s.
+Proof. by move=> ss; apply/sw_label/label_equivE/label_orbit_self. Qed.
+
+Lemma collect_equiv a b s : a < 27 -> b < 27 -> a != b -> nth 0 mates b = a -> size s = 27 -> swap_equiv s (collect a b s).
+Proof.
+move=> a27 b27 ab ba; move e: (nth 0 s b) => n; elim: n s e => [|n IH] s e ss.
+  have -> : collect a b s = s; last exact: swap_equiv_refl.
+  rewrite -{2}(mkseq_nth 0 s) ss; apply/eq_in_map => k _.
+  by case: eqP => [->|_]; [rewrite e addn0 | case: eqP => [->|]].
+have pos : 0 < nth 0 s b by rewrite e.
+apply: sw_trans (sw_swap b27 pos) _.
+have -> : collect a b s = collect a b (swap b s).
+  apply/eq_in_map => k; rewrite mem_iota => k27.
+  rewrite !nth_swap // ba !eqxx [b == a]eq_sym (negbTE ab).
+  case: eqP => [_|/eqP ka]; first by rewrite e; lia.
+  by case: eqP => [//|/eqP kb]; rewrite subn0 addn0.
+apply: IH; last by rewrite size_mkseq.
+by rewrite nth_swap // ba eqxx [b == a]eq_sym (negbTE ab) e subn1 addn0.
+Qed.
+
+Lemma merge_equiv s : size s = 27 -> swap_equiv s (merge s).
+Proof.
+move=> ss.
+have -> : merge s = collect 16 17 (collect 14 15 (collect 12 13 s)) by [].
+apply: sw_trans (collect_equiv _ _ _ _ ss) _ => //.
+by apply: sw_trans (collect_equiv _ _ _ _ _) (collect_equiv _ _ _ _ _).
+Qed.
+
+Lemma swap_equivE s t : balanced s -> balanced t -> swap_equiv s t <-> merge_orbit s =i merge_orbit t.
+Proof.
+move=> /andP[/eqP ss _] /andP[/eqP st _]; split; first exact: swap_equiv_orbit.
+move=> e; have : merge t \in merge_orbit s.
+  by rewrite e /merge_orbit -{1}(act_id st) (map_f (fun pi => merge (act t pi))).
+case/mapP => pi pin et.
+apply: sw_trans (sw_label (_ : label_equiv s (act s pi))) _; first by apply/label_equivE/map_f.
+apply: sw_trans (merge_equiv _) _; first by rewrite size_map perm_size.
+by rewrite -et; apply/sw_sym/merge_equiv.
+Qed.
+
+(** ** Totals under merging *)
+Lemma total_merge s h : h 12 = h 13 -> h 14 = h 15 -> h 16 = h 17 -> total (merge s) h = total s h.
+Proof. by move=> h1 h2 h3; rewrite /total /merge /= h1 h2 h3; lia. Qed.
