@@ -19,6 +19,7 @@ static Pool read_pool(Reader& reader, std::size_t number, FileReport& report) {
         while (i < feature_count && features[i].notation != name) ++i;
         if (i == feature_count) reader.fail(name, "a feature, in the order of the table");
         const Numbers vectors = read_vectors(reader, features[i].pins);
+        if (!pool.holds) continue; // one fault of a pool is enough
         try {
             Rows rows = jacobian_rows(features[i], vectors, cameras);
             if (pool.instances[i]++ < camera_unknowns / features[i].weight())
