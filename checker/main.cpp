@@ -10,7 +10,10 @@
 using namespace checker;
 static constexpr std::string_view help = R"(usage:
     plcheck classification.plc         derive every count of the classification from certificates
+    plcheck problem.plc                replay the verdict on one problem
     plcheck --json classification.plc  the same for a program
+    plcheck --errata classification.plc
+                                       each count that differs from the paper, with a witness
     plcheck --version                  the format, and what has to be trusted
 Certificates are as certs/FORMAT.md says; none is believed. Exit status: 0 every certificate holds,
 1 one is refused, 2 a file cannot be read or parsed, or the report not be written, 3 usage.
@@ -35,14 +38,16 @@ static int write(std::string_view text, int status) {
 
 int main(int count, char** values) try {
     std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a failed write
-    bool as_json = false;
+    std::string (*print)(const Report&) = text;
     std::vector<const char*> paths;
     for (int i = 1; i < count; ++i) {
         const std::string_view option = values[i];
         if (option == "--help") return write(help, 0);
         if (option == "--version") return write(version, 0);
         if (option == "--json")
-            as_json = true;
+            print = json;
+        else if (option == "--errata")
+            print = errata;
         else if (option.starts_with('-'))
             return fail("unknown option " + printable(option, 40) + ", see --help", 3);
         else
@@ -66,7 +71,7 @@ int main(int count, char** values) try {
     }
     const Report report = summarize(classes, std::move(files));
     std::cerr << complaints(report);
-    return write(as_json ? json(report) : text(report), std::max(status, report.status));
+    return write(print(report), std::max(status, report.status));
 } catch (const std::bad_alloc&) {
     return fail("out of memory", 2);
 }

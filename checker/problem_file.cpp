@@ -1,39 +1,11 @@
 // Problem files (FORMAT.md, section 7): the certificate of the verdict on any problem in two or
-// three views. First the whole file is read, then everything in it is checked in order.
+// three views. The file is checked as it is read; what it should say next is derived before.
 #include "checker/record.h"
 
 #include <optional>
 
 namespace checker {
-
-/// A line `reduce`; without a result the feature is removed.
-struct Step {
-    std::size_t line = 0;
-    std::size_t position = 0; // from 1
-    std::string_view rule{};
-    std::optional<Feature> result{};
-};
-
-/// A feature with its coordinates.
-struct Placed {
-    std::size_t line = 0;
-    Feature feature{};
-    Numbers vectors{};
-};
-
-struct ProblemFile {
-    std::string_view spelling{};
-    unsigned views = 0;
-    std::vector<Feature> features{};
-    std::vector<Step> steps{};
-    std::size_t verdict_line = 0;
-    std::string verdict{}; // `minimal`, `over-constrained 2`, ...
-    std::string_view kind{},
-        number; // of the record: its first word; as it is written. No record: empty
-    Numbers cameras{};
-    std::vector<Placed> pool{};
-    Record record{}; // of a camera-minimal problem: `columns` are columns of J
-};
+using Features = std::vector<Feature>;
 
 /// How section 1 spells a feature in so many views.
 static std::string spell(const Feature& feature, unsigned views) {
@@ -67,11 +39,10 @@ static Feature read_feature(const Reader& reader, std::string_view word, unsigne
     return feature;
 }
 
-static void read_problem(Reader& reader, ProblemFile& file) {
-    reader.take("problem");
-    file.spelling = reader.rest();
-    for (bool first = true; first || !reader.at_end(); first = false) {
-        if (!first) reader.take("+");
+static Features read_problem(Reader& reader, unsigned& views) {
+    Features list;
+    do {
+        if (!list.empty()) reader.take("+");
         std::string_view word = reader.word();
         std::size_t count = 1;
         if (const std::size_t star = word.find('*'); star != word.npos) {
@@ -80,59 +51,14 @@ static void read_problem(Reader& reader, ProblemFile& file) {
                 reader.fail(word, "a multiplicity from 2 to 1000 before `*`");
             word.remove_prefix(star + 1);
         }
-        const Feature feature = read_feature(reader, word, file.views);
-        if (!first && file.features.back().notation == word)
+        const Feature feature = read_feature(reader, word, views);
+        if (!list.empty() && list.back().notation == word)
             reader.fail(word, "equal neighbours with a multiplicity");
-        if (file.features.size() + count > 1000) reader.fail(word, "at most 1000 features");
-        file.features.insert(file.features.end(), count, feature);
-    }
+        list.insert(list.end(), count, feature);
+        if (list.size() > 1000) reader.fail(word, "at most 1000 features");
+    } while (!reader.at_end());
     reader.end_line();
-}
-
-static void read_steps(Reader& reader, ProblemFile& file) {
-    while (reader.comes("reduce")) {
-        Step step{.line = reader.line()};
-        reader.take("reduce");
-        step.position = static_cast<std::size_t>(reader.integer(1, 1000));
-        step.rule = reader.word();
-        const std::string_view result = reader.word();
-        if (result != "nothing") step.result = read_feature(reader, result, file.views);
-        reader.end_line();
-        file.steps.push_back(step);
-    }
-    file.verdict_line = reader.line();
-    reader.take("verdict");
-    file.verdict = reader.word();
-    if (!reader.at_end()) file.verdict += say(' ', reader.integer(1, 999'999));
-    reader.end_line();
-}
-
-static void read_evidence(Reader& reader, ProblemFile& file) {
-    reader.take(say("modulus ", modulus, " $"));
-    file.cameras = read_cameras(reader, 1, file.views);
-    do {
-        Placed placed{.line = reader.line()};
-        reader.take("feature");
-        placed.feature = read_feature(reader, reader.word(), file.views);
-        placed.vectors = read_vectors(reader, placed.feature.pins);
-        file.pool.push_back(std::move(placed));
-        if (file.pool.size() > 1000) reader.fail("feature", "at most 1000 features in a pool");
-    } while (reader.comes("feature"));
-    const std::size_t line = reader.line();
-    file.kind = reader.word();
-    file.number = reader.word();
-    reader.take("1");
-    if (file.kind == "camera-minimal") {
-        reader.take("$ delete columns");
-        file.record.columns = read_ascending(reader, 999'999);
-        reader.take("$ minor");
-        file.record.minor = read_minor(reader);
-    } else {
-        if (file.kind != "minimal" && file.kind != "deficient")
-            reader.fail(file.kind, "`minimal`, `camera-minimal` or `deficient`");
-        file.record = read_record(reader, file.kind == "minimal");
-    }
-    file.record.line = line;
+    return list;
 }
 
 /// Whether two features differ at most by their spelling.
@@ -140,7 +66,7 @@ static bool same(const Feature& a, const Feature& b) {
     return a.free_line == b.free_line && a.pins == b.pins && a.point == b.point && a.pin == b.pin;
 }
 
-/// Whether the result of a step is this feature without one of its pins, of which `fits` holds.
+/// Whether the result is this feature without one of its pins, of which `fits` holds.
 template <class Fits>
 static bool forgets_pin(const Feature& feature, const std::optional<Feature>& result, Fits fits) {
     for (unsigned i = 0; i < feature.pins && !feature.free_line && result; ++i) {
@@ -153,67 +79,67 @@ static bool forgets_pin(const Feature& feature, const std::optional<Feature>& re
     return false;
 }
 
-/// Whether the rule of a step applies to the feature with this result: the table of section 7.
-static bool applies(const Step& step, const Feature& f, unsigned views) {
-    const auto gone = !step.result;
+/// Whether the rule turns the feature into the result, or into nothing: the table of section 7.
+static bool applies(std::string_view rule, const Feature& f, const std::optional<Feature>& result,
+                    unsigned views) {
     const int seen = std::popcount(f.pin[0]), points = std::popcount(f.point);
+    const auto unseen = [&](Views pin) { return pin == 0; };
     const auto once = [&](Views pin) { return std::popcount(pin) == 1 && !(pin & ~f.point); };
     const auto twice = [&](Views pin) { return std::popcount(pin) == 2 && !(pin & ~f.point); };
-    Feature line = f; // the pin by itself
-    line.free_line = true;
-    line.point = 0;
-    const bool leaves_line = f.pins == 1 && step.result && same(line, *step.result);
+    const auto alone = [&](Views pin) { return (pin & ~f.point) != 0; };
     const auto end = f.pin.begin() + f.pins;
-    if (step.rule == "unseen-line" && f.free_line) return gone && seen == 0;
-    if (step.rule == "free-line") return gone && f.free_line && (seen == 1 || seen == 2);
-    if (f.free_line) return false;
-    if (step.rule == "unseen-line")
-        return forgets_pin(f, step.result, [](Views pin) { return pin == 0; });
-    if (step.rule == "pin-seen-once") return forgets_pin(f, step.result, once);
-    if (step.rule == "pin-seen-twice") return forgets_pin(f, step.result, twice);
-    if (step.rule == "unseen-point")
-        return points == 0 && f.pins > 0 && std::count(f.pin.begin(), end, 0U) == 0 &&
+    const Feature pin{{}, true, 0, f.pin[0], f.pin, f.pins}; // by itself, if it is the only one
+    const bool gone = !result, leaves_line = f.pins == 1 && result && same(pin, *result);
+    if (f.free_line)
+        return gone && (rule == "unseen-line" ? seen == 0 : rule == "free-line" && seen % 3 > 0);
+    if (rule == "unseen-line") return forgets_pin(f, result, unseen);
+    if (rule == "pin-seen-once") return forgets_pin(f, result, once);
+    if (rule == "pin-seen-twice") return forgets_pin(f, result, twice);
+    if (rule == "unseen-point")
+        return points == 0 && f.pins > 0 && std::none_of(f.pin.begin(), end, unseen) &&
                (f.pins == 1 ? leaves_line : gone);
-    if (step.rule == "bare-point") return gone && f.pins == 0 && points <= 1;
-    if (step.rule == "point-on-line")
-        return views == 3 && points == 1 && f.pin[0] == 0b111 && leaves_line;
-    if (step.rule != "point-and-pin" || !gone || points == 0) return false;
+    if (rule == "bare-point") return gone && f.pins == 0 && points <= 1;
+    if (rule == "point-on-line") return views == 3 && points == 1 && seen == 3 && leaves_line;
+    if (rule != "point-and-pin" || !gone || points == 0) return false;
     if (views == 3) return points == 1 && f.pins == 1 && std::popcount(f.pin[0] & ~f.point) == 1;
-    return std::any_of(f.pin.begin(), end, [&](Views pin) { return pin & ~f.point; }) &&
-           std::none_of(f.pin.begin(), end,
-                        [&](Views pin) { return pin == 0 || once(pin) || twice(pin); });
+    return std::any_of(f.pin.begin(), end, alone) &&
+           std::none_of(f.pin.begin(), end, [&](Views p) { return p == 0 || once(p) || twice(p); });
 }
 
-/// The features left by the steps.
-static std::vector<Feature> reduced(const ProblemFile& file) {
-    std::vector<Feature> list = file.features;
-    for (const Step& step : file.steps) {
-        if (step.position > list.size())
-            throw Complaint{step.line, say("there is no feature ", step.position)};
-        const auto place = list.begin() + std::int64_t(step.position - 1);
-        if (!applies(step, *place, file.views))
-            throw Complaint{step.line, say("this rule does not do that to ", place->notation)};
-        if (step.result)
-            *place = *step.result;
+/// Takes the steps, and applies them to the list.
+static void reduce(Reader& reader, Features& list, unsigned views) {
+    while (reader.comes("reduce")) {
+        reader.take("reduce");
+        const auto position = static_cast<std::size_t>(reader.integer(1, 1000));
+        const std::string_view rule = reader.word(), word = reader.word();
+        std::optional<Feature> result;
+        if (word != "nothing") result = read_feature(reader, word, views);
+        if (position > list.size()) throw Refused("there is no feature ", position);
+        const auto place = list.begin() + std::int64_t(position - 1);
+        if (!applies(rule, *place, result, views))
+            throw Refused("this is no rule for ", place->notation);
+        if (result)
+            *place = *result;
         else
             list.erase(place);
+        reader.end_line();
     }
-    return list;
 }
 
 /// A problem that is reduced and lifted, and what section 7 derives from it.
 struct Lifted {
-    std::vector<Feature> features{}; // in order
-    unsigned weight = 0, most_pins = 0;
-    Signature signature{};
+    Features features{}; // in order
+    unsigned weight = 0;
+    bool large_star = false; // a point with 8 pins or more
+    Signature signature{};   // of the other features
 };
 
 /// Lifts a problem; refuses one that is not reduced. By Theorems 3 and 5 of the paper (proofs/
 /// problems.md), features to which no rule applies are, lifted, the 27, and stars that all see; in
 /// two views, points that both see.
-static Lifted lift(std::vector<Feature> list, unsigned views) {
+static Lifted lift(Features list, unsigned views) {
     Lifted lifted;
-    std::array<std::vector<Feature>, feature_count + 1> sorted{}; // from 1; large stars first
+    std::array<Features, feature_count + 1> sorted{}; // large stars first
     for (Feature& f : list) {
         for (Views& pin : f.pin) // the first view that sees the point fixes a dangling pin
             if (std::popcount(pin) == 1 && !f.free_line) pin |= f.point & -f.point;
@@ -224,106 +150,116 @@ static Lifted lift(std::vector<Feature> list, unsigned views) {
             i < feature_count && features[i].pins == f.pins && features[i].free_line == f.free_line;
         if (views == 2 ? f.point != 0b11 || f.pins > 0 : !star && !known)
             throw Refused("a rule still applies to ", f.notation);
+        if (!star) f.equations = features[i].equations; // more, if it was lifted
         lifted.weight += star ? f.pins + 3 : features[i].weight();
-        lifted.most_pins = std::max(lifted.most_pins, f.pins);
         sorted[star ? 0 : i + 1].push_back(f);
+        lifted.large_star |= star;
         if (!star) ++lifted.signature[i];
     }
-    for (const std::vector<Feature>& some : sorted)
+    for (const Features& some : sorted)
         lifted.features.insert(lifted.features.end(), some.begin(), some.end());
     return lifted;
 }
 
-/// The blocks of the pool, whose features must be these. Of the columns of J, all blocks together,
-/// leaves out those listed.
-static std::vector<Block> blocks_of(const ProblemFile& file, const std::vector<Feature>& expected,
-                                    const Numbers& deleted) {
-    if (file.pool.size() != expected.size())
-        throw Refused("the pool must have ", expected.size(), " features");
+/// Takes the features of the pool, which must be these: their rows of J.
+static std::vector<Rows> read_pool(Reader& reader, const Features& problem, unsigned views) {
+    const Numbers cameras = read_cameras(reader, 1, views);
+    std::vector<Rows> rows;
+    for (const Feature& feature : problem) {
+        const std::string spelling = spell(feature, views);
+        if (!reader.comes("feature")) throw Refused("the pool lacks the feature ", spelling);
+        reader.take("feature");
+        if (reader.word() != spelling) throw Refused("the feature must be ", spelling);
+        rows.push_back(jacobian_rows(feature, read_vectors(reader, feature.pins), cameras));
+    }
+    if (reader.comes("feature")) throw Refused("the problem has no more features");
+    return rows;
+}
+
+/// The blocks of features with these rows of J, without some of their own columns, which are
+/// numbered from 1 in J.
+static std::vector<Block> blocks_without(const Numbers& deleted, const Features& problem,
+                                         std::vector<Rows> all) {
     std::vector<Block> blocks;
     std::int64_t column = 0;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        const auto& [line, feature, vectors] = file.pool[i];
-        if (!same(feature, expected[i]))
-            throw Complaint{line, "the feature must be " + spell(expected[i], file.views)};
-        Rows rows = jacobian_rows(feature, vectors, file.cameras);
-        std::size_t kept = 0;
-        for (std::size_t c = 0; c < feature.unknowns(); ++c) {
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+        const unsigned unknowns = problem[i].unknowns();
+        std::size_t kept = 0; // columns, which move to the front
+        for (std::size_t c = 0; c < unknowns; ++c) {
             if (std::binary_search(deleted.begin(), deleted.end(), ++column)) continue;
-            for (std::vector<mpz_class>& row : rows) std::swap(row[kept], row[c]);
+            for (auto& row : all[i]) std::swap(row[kept], row[c]);
             ++kept;
         }
-        for (std::vector<mpz_class>& row : rows)
-            row.erase(row.begin() + std::int64_t(kept), row.begin() + feature.unknowns());
-        blocks.push_back(eliminate(kept, std::move(rows)));
+        for (auto& row : all[i])
+            row.erase(row.begin() + std::int64_t(kept), row.begin() + unknowns);
+        blocks.push_back(eliminate(kept, std::move(all[i])));
     }
     if (!deleted.empty() && deleted.back() > column)
-        throw Refused("J has only ", column, " columns of its own");
+        throw Refused("J has ", column, " own columns");
     return blocks;
 }
 
-/// Checks the file; what it proves goes into the report.
-static void check(const ProblemFile& file, const Classification& classes, FileReport& report) {
-    const bool two = file.views == 2;
-    const Lifted lifted = lift(reduced(file), file.views);
-    const unsigned cameras = two ? 5 : 11; // unknowns
-    std::size_t unknowns = cameras, equations = 0;
-    for (const Feature& f : file.features) {
-        unknowns += f.unknowns();
-        equations += f.equations;
+/// Takes the rest of the file, the evidence: for the features whose rank it is about.
+static void check_evidence(Reader& reader, const std::string& kind, const std::string& number,
+                           const Obstruction& truth, const Features& problem, unsigned views) {
+    reader.take(say("modulus ", modulus, " $"));
+    const std::vector<Rows> rows = read_pool(reader, problem, views);
+    if (!reader.comes(kind)) throw Refused("the evidence must be ", kind);
+    reader.take(kind);
+    if (reader.word() != number) throw Refused("the number of the class is ", number);
+    reader.take("1");
+    Numbers deleted; // columns that are none of the cameras'
+    if (kind == "camera-minimal") {
+        reader.take("$ delete columns");
+        deleted = read_ascending(reader, 999'999);
+        reader.take("$ minor");
     }
-    const bool large_star = !two && lifted.most_pins > 7;
-    Obstruction truth = two ? Obstruction{} : obstruction(lifted.signature);
-    if (large_star) truth.star = 2;
-    std::string kind = !truth.minimal()        ? "deficient"
-                       : unknowns == equations ? "minimal"
-                                               : "camera-minimal";
-    std::string verdict = truth.minimal() ? kind : "obstructed";
-    if (lifted.weight < cameras) verdict = say("under-constrained ", cameras - lifted.weight);
-    if (lifted.weight > cameras) verdict = say("over-constrained ", lifted.weight - cameras);
-    if (lifted.weight != cameras) kind = "";
-    if (file.verdict != verdict) throw Complaint{file.verdict_line, "the verdict is " + verdict};
-    if (file.kind != kind)
-        throw Refused("this verdict needs ", kind.empty() ? "no evidence" : kind);
-
-    if (!kind.empty()) {
-        const auto number = class_of(classes, lifted.signature, false);
-        const std::string spelled = two || large_star ? "-" : say(number);
-        if (file.number != spelled) throw Refused("the number of the class is ", spelled);
-        const Numbers absent = two ? Numbers{6, 7, 8, 9, 10, 11} : Numbers{};
-        const bool all = kind == "camera-minimal"; // all rows of J, but not all columns
-        const Numbers deleted = all ? file.record.columns : Numbers{};
-        const std::vector<Block> blocks =
-            blocks_of(file, kind == "deficient" ? lifted.features : file.features, deleted);
-        std::vector<const Block*> pointers;
-        for (const Block& block : blocks) pointers.push_back(&block);
-        if (all && deleted.size() != unknowns - equations)
-            throw Refused("there must be ", unknowns - equations, " deleted columns");
-        Record record = file.record;
-        if (all) record.columns.clear();
-        check_record(record, truth, pointers, absent);
-        if (spelled != "-") {
-            report.verdicts.push_back({number, file.record.line, truth});
-            verdict += ", class " + spelled;
-        }
-    }
-    report.certified = verdict;
-}
-
-void replay_problem(Reader& reader, const Classification& classes, FileReport& report) {
-    ProblemFile file;
-    read_problem(reader, file);
-    read_steps(reader, file);
-    if (!reader.at_end()) read_evidence(reader, file);
+    const Record record = read_record(reader, kind != "deficient");
     if (!reader.at_end()) reader.fail(reader.word(), "the end of the file");
-    report.problem = printable(file.spelling, 4096);
-    try {
-        check(file, classes, report);
-    } catch (const Refused& refused) {
-        report.refuse(std::max(file.record.line, file.verdict_line), refused.reason);
-    } catch (const Complaint& complaint) {
-        report.refuse(complaint.line, complaint.reason);
-    }
+    std::int64_t excess = views == 2 ? 5 : 11; // of the columns of J over its rows
+    for (const Feature& f : problem) excess += std::int64_t(f.unknowns()) - f.equations;
+    if (std::ssize(deleted) != excess) throw Refused("there must be ", excess, " deleted columns");
+    const std::vector<Block> blocks = blocks_without(deleted, problem, rows);
+    std::vector<const Block*> pointers;
+    for (const Block& block : blocks) pointers.push_back(&block);
+    check_record(record, truth, pointers, views == 2 ? Numbers{6, 7, 8, 9, 10, 11} : Numbers{});
 }
 
+void replay_problem(Reader& reader, const Classification& classes, FileReport& report) try {
+    reader.take("problem");
+    report.problem = printable(reader.rest(), 4096);
+    unsigned views = 0;
+    const Features given = read_problem(reader, views);
+    Features list = given;
+    reduce(reader, list, views);
+    const Lifted lifted = lift(list, views);
+
+    unsigned columns = views == 2 ? 5 : 11, rows = 0; // of J; so far the columns of the cameras
+    const std::int64_t missing = std::int64_t(columns) - lifted.weight;
+    for (const Feature& f : given) columns += f.unknowns(), rows += f.equations;
+    Obstruction truth = views == 2 ? Obstruction{} : obstruction(lifted.signature);
+    if (lifted.large_star) truth.star = 2;
+    const std::string number =
+        views == 2 || lifted.large_star ? "-" : say(class_of(classes, lifted.signature, false));
+    const std::string kind = !truth.minimal()  ? "deficient"
+                             : columns == rows ? "minimal"
+                                               : "camera-minimal";
+    const std::string verdict = missing > 0       ? say("under-constrained ", missing)
+                                : missing < 0     ? say("over-constrained ", -missing)
+                                : truth.minimal() ? kind
+                                                  : "obstructed";
+    reader.take("verdict");
+    if (reader.rest() != verdict) throw Refused("the verdict is ", verdict);
+    reader.take(verdict + " $");
+    const std::size_t line = reader.line();
+    if (missing == 0)
+        check_evidence(reader, kind, number, truth, truth.minimal() ? given : lifted.features,
+                       views);
+    else if (!reader.at_end())
+        reader.fail(reader.word(), "the end of the file: a dimension count needs no evidence");
+    report.certified = verdict + (missing == 0 && number != "-" ? ", class " + number : "");
+    if (missing == 0 && number != "-") report.verdicts.push_back({std::stoul(number), line, truth});
+} catch (const Refused& refused) {
+    report.refuse(reader.line(), refused.reason);
+}
 } // namespace checker

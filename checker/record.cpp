@@ -27,12 +27,6 @@ Numbers read_ascending(Reader& reader, std::int64_t largest) {
     return list;
 }
 
-Residue read_minor(Reader& reader) {
-    const Residue minor{static_cast<std::uint64_t>(reader.integer(1, modulus - 1))};
-    reader.end_line();
-    return minor;
-}
-
 Record read_record(Reader& reader, bool minimal) {
     Record record{.line = reader.line()};
     if (!minimal) {
@@ -42,7 +36,8 @@ Record read_record(Reader& reader, bool minimal) {
         record.columns = read_ascending(reader, camera_unknowns);
         reader.take("$ minor");
     }
-    record.minor = read_minor(reader);
+    record.minor.value = static_cast<std::uint64_t>(reader.integer(1, modulus - 1));
+    reader.end_line();
     for (int i = 0; !minimal && i < 11 && (i == 0 || reader.comes("kernel")); ++i) {
         reader.take("kernel");
         for (mpz_class& entry : record.kernel.emplace_back()) entry = reader.big_integer();

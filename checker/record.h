@@ -24,9 +24,8 @@ struct Record {
     std::vector<Motion> kernel{};
 };
 
-/// Takes what follows the pool of a record.
+/// Takes what follows the pool of a record; of a `minimal` one, that is the minor.
 Record read_record(Reader& reader, bool minimal);
-Residue read_minor(Reader& reader);
 
 /// Throws Refused unless the record holds for the balanced problem of these blocks, with this
 /// obstruction. `absent` are the camera columns that it lacks, in two views.

@@ -43,6 +43,7 @@ FileReport replay(const Classification& classes, std::string_view name, std::str
 Report summarize(const Classification& classes, std::vector<FileReport> files);
 
 std::string text(const Report& report);
+std::string errata(const Report& report); // each count that differs from the paper, with a witness
 std::string json(const Report& report);
 std::string complaints(const Report& report);
 } // namespace checker

@@ -65,6 +65,7 @@ TEST_CASE("the certificate of a verdict proves it to the checker") {
              {"3*P/P/P + P/P/a", "certified camera-minimal"},
              {"6*P/P/- + 5*P/-/P", "certified obstructed"},
              {"Pabcdefgh/Pabcdefgh/Pabcdefgh", "certified obstructed"},
+             {"P/b/a + 10*P/P/-", "certified obstructed, class 130461"},
              {"4*Pabc/Pab/P", "certified over-constrained 1"},
              {"5*P/P + a/b", "certified camera-minimal"}}) {
         CAPTURE(spec);
