@@ -105,6 +105,20 @@ Proof. by vm_compute. Qed.
 Lemma perms_perm : all (fun pi => perm_eq pi (iota 0 27)) perms.
 Proof. by vm_compute. Qed.
 Lemma perms_id : head [::] perms = iota 0 27. Proof. by []. Qed.
+Lemma perms_head : head [::] perms \in perms. Proof. exact: mem_head. Qed.
+
+Definition merge (s : seq nat) := let x := nth 0 s in
+  [:: x 0; x 1; x 2; x 3; x 4; x 5; x 6; x 7; x 8; x 9; x 10; x 11; x 12 + x 13; 0; x 14 + x 15; 0; x 16 + x 17; 0;
+      x 18; x 19; x 20; x 21; x 22; x 23; x 24; x 25; x 26].
+Definition merge_orbit s := [seq merge (act s pi) | pi <- perms].
+
+Lemma merge_act s pi : pi \in perms -> merge (act (merge s) pi) = merge (act s pi).
+Proof.
+rewrite !inE => h; do 5?[case/orP: h => h]; move/eqP: h => ->; rewrite /act /merge /=;
+  by rewrite ?addn0 ?add0n; do ?congr cons; rewrite // addnC.
+Qed.
+
+Local Opaque perms.
 
 Lemma perm_bound pi j : pi \in perms -> j \in pi -> j < 27.
 Proof. by move/(allP perms_perm)/perm_mem => -> ; rewrite mem_iota. Qed.
@@ -129,15 +143,15 @@ Lemma act_id s : size s = 27 -> act s (iota 0 27) = s.
 Proof. by move=> ss; rewrite -{2}(mkseq_nth 0 s) ss. Qed.
 
 Lemma label_orbit_self s : size s = 27 -> s \in label_orbit s.
-Proof. by move=> ss; rewrite -{1}(act_id ss) map_f. Qed.
+Proof. by move=> ss; rewrite -{1}(act_id ss); apply: map_f; rewrite -perms_id; exact: perms_head. Qed.
 
 Lemma label_orbit_size s t : t \in label_orbit s -> size t = 27.
 Proof. by case/mapP => pi pin ->; rewrite size_map perm_size. Qed.
 
 Lemma label_equiv_orbit s t : balanced s -> balanced t -> label_equiv s t <-> label_orbit s =i label_orbit t.
 Proof.
-move=> _ /andP[/eqP st _]; split=> [/label_equivE h u|h]; first by rewrite (label_orbit_same h).
-by apply/label_equivE; rewrite h label_orbit_self.
+move=> _ /andP[/eqP st _]; split=> [/label_equivE h u|h]; first exact: (esym (label_orbit_same h u)).
+by apply/label_equivE; rewrite (h t) label_orbit_self.
 Qed.
 
 (** Totals are permuted along. *)
@@ -158,16 +172,6 @@ move=> i27; have -> : mates = [seq index_of (swap_feature (ft i)) | i <- iota 0 
 by rewrite (nth_map 0) ?size_iota // nth_iota.
 Qed.
 
-Definition merge (s : seq nat) := let x := nth 0 s in
-  [:: x 0; x 1; x 2; x 3; x 4; x 5; x 6; x 7; x 8; x 9; x 10; x 11; x 12 + x 13; 0; x 14 + x 15; 0; x 16 + x 17; 0;
-      x 18; x 19; x 20; x 21; x 22; x 23; x 24; x 25; x 26].
-Definition merge_orbit s := [seq merge (act s pi) | pi <- perms].
-
-Lemma merge_act s pi : pi \in perms -> merge (act (merge s) pi) = merge (act s pi).
-Proof.
-rewrite !inE => h; do 5?[case/orP: h => h]; move/eqP: h => ->; rewrite /act /merge /=;
-  by rewrite ?addn0 ?add0n; do ?congr cons; rewrite // addnC.
-Qed.
 
 Lemma merge_orbit_merge s : merge_orbit (merge s) = merge_orbit s.
 Proof. by apply/eq_in_map => pi; exact: merge_act. Qed.
@@ -177,12 +181,15 @@ Proof.
 move=> pin u; rewrite /merge_orbit.
 have -> : [seq merge (act (act s pi) pi') | pi' <- perms] = map (merge \o act s) [seq act pi pi' | pi' <- perms].
   by rewrite -map_comp; apply/eq_in_map => pi' p2; rewrite /= act_act.
-rewrite (perm_mem (perm_map _ (allP perms_group _ pin))).
-by rewrite (eq_map (g := fun pi' => merge (act s pi'))).
+exact: (perm_mem (perm_map (merge \o act s) (allP perms_group _ pin)) u).
 Qed.
 
 Lemma merge_orbit_same s t : t \in merge_orbit s -> merge_orbit t =i merge_orbit s.
-Proof. by case/mapP => pi pin -> u; rewrite merge_orbit_merge merge_orbit_act. Qed.
+Proof.
+case/mapP => pi pin -> u.
+have -> : merge_orbit (merge (act s pi)) = merge_orbit (act s pi) := merge_orbit_merge (act s pi).
+exact: (merge_orbit_act s pin u).
+Qed.
 
 Lemma merge_orbit_size s t : t \in merge_orbit s -> size t = 27.
 Proof. by case/mapP => pi pin ->. Qed.
@@ -210,11 +217,14 @@ Qed.
 
 Lemma swap_equiv_orbit s t : swap_equiv s t -> merge_orbit s =i merge_orbit t.
 Proof.
-elim=> {s t} [s t|s i i27 pos|s t _ IH|s t u _ IH1 _ IH2] w.
-- by move/label_equivE/mapP => [pi pin ->]; rewrite merge_orbit_act.
-- by rewrite -[merge_orbit (swap i s)]merge_orbit_merge merge_swap // merge_orbit_merge.
-- by rewrite IH.
-- by rewrite IH1 IH2.
+elim=> {s t} [s t h|s i i27 pos|s t _ IH|s t u _ IH1 _ IH2] w.
+- by case/mapP: (proj1 (label_equivE s t) h) => pi pin ->; exact: (esym (merge_orbit_act s pin w)).
+- have e : merge_orbit (swap i s) = merge_orbit s.
+    transitivity (merge_orbit (merge (swap i s))); first exact: (esym (merge_orbit_merge (swap i s))).
+    by rewrite (merge_swap i27 pos); exact: merge_orbit_merge.
+  by rewrite e.
+- exact: (esym (IH w)).
+- exact: (etrans (IH1 w) (IH2 w)).
 Qed.
 
 (** Conversely, swaps merge: move the copies of b to its mate a one by one. *)
@@ -230,7 +240,7 @@ move=> a27 b27 ab ba; move e: (nth 0 s b) => n; elim: n s e => [|n IH] s e ss.
   rewrite -{2}(mkseq_nth 0 s) ss; apply/eq_in_map => k _.
   by case: eqP => [->|_]; [rewrite e addn0 | case: eqP => [->|]].
 have pos : 0 < nth 0 s b by rewrite e.
-apply: sw_trans (sw_swap b27 pos) _.
+apply: (@sw_trans _ _ _ (@sw_swap s b b27 pos)).
 have -> : collect a b s = collect a b (swap b s).
   apply/eq_in_map => k; rewrite mem_iota => k27.
   rewrite !nth_swap // ba !eqxx [b == a]eq_sym (negbTE ab).
@@ -243,20 +253,23 @@ Qed.
 Lemma merge_equiv s : size s = 27 -> swap_equiv s (merge s).
 Proof.
 move=> ss.
-have -> : merge s = collect 16 17 (collect 14 15 (collect 12 13 s)) by [].
-apply: sw_trans (collect_equiv _ _ _ _ ss) _ => //.
-by apply: sw_trans (collect_equiv _ _ _ _ _) (collect_equiv _ _ _ _ _).
+have h12 : swap_equiv s (collect 12 13 s) by apply: collect_equiv.
+have h14 : swap_equiv (collect 12 13 s) (collect 14 15 (collect 12 13 s)) by apply: collect_equiv.
+have h16 u : size u = 27 -> swap_equiv u (collect 16 17 u) by move=> su; apply: collect_equiv.
+have h := @sw_trans _ _ _ h12 (@sw_trans _ _ _ h14 (h16 (collect 14 15 (collect 12 13 s)) erefl)).
+by have -> : merge s = collect 16 17 (collect 14 15 (collect 12 13 s)) by [].
 Qed.
 
 Lemma swap_equivE s t : balanced s -> balanced t -> swap_equiv s t <-> merge_orbit s =i merge_orbit t.
 Proof.
 move=> /andP[/eqP ss _] /andP[/eqP st _]; split; first exact: swap_equiv_orbit.
 move=> e; have : merge t \in merge_orbit s.
-  by rewrite e /merge_orbit -{1}(act_id st) (map_f (fun pi => merge (act t pi))).
+  rewrite (e _) /merge_orbit -{1}(act_id st); apply: (map_f (fun pi => merge (act t pi))); rewrite -perms_id; exact: perms_head.
 case/mapP => pi pin et.
-apply: sw_trans (sw_label (_ : label_equiv s (act s pi))) _; first by apply/label_equivE/map_f.
-apply: sw_trans (merge_equiv _) _; first by rewrite size_map perm_size.
-by rewrite -et; apply/sw_sym/merge_equiv.
+have h1 : swap_equiv s (act s pi) by apply: sw_label; apply/label_equivE; exact: map_f.
+have h2 : swap_equiv (act s pi) (merge (act s pi)) by apply: merge_equiv; rewrite size_map perm_size.
+have h3 : swap_equiv (merge (act s pi)) t by rewrite -et; apply: sw_sym; exact: merge_equiv.
+exact: (@sw_trans _ _ _ h1 (@sw_trans _ _ _ h2 h3)).
 Qed.
 
 (** ** Totals under merging *)

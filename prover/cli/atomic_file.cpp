@@ -66,7 +66,9 @@ private:
 /// process is killed.
 class TemporaryFile {
 public:
-    explicit TemporaryFile(const fs::path& target) : target_(target), file_(open(), target_) {}
+    /// `path` is what messages call the target.
+    TemporaryFile(const fs::path& target, const fs::path& path)
+        : target_(target), path_(path), file_(open(), path) {}
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile() {
@@ -75,7 +77,7 @@ public:
 
     void write(std::string_view content) {
         file_.write(content);
-        if (::fsync(file_.descriptor()) < 0) fail(errno, target_);
+        if (::fsync(file_.descriptor()) < 0) fail(errno, path_);
     }
 
     void move_to_target() {
@@ -105,7 +107,7 @@ private:
         if (::linkat(AT_FDCWD, link_to(file_.descriptor()).c_str(), AT_FDCWD, name.c_str(),
                      AT_SYMLINK_FOLLOW) == 0)
             return true;
-        if (errno != EEXIST) fail(errno, target_);
+        if (errno != EEXIST) fail(errno, path_);
         return false;
     }
 
@@ -113,10 +115,10 @@ private:
     void replace_target() {
         if (name_.empty()) {
             std::string name = unused_name(target_);
-            if (!link(name)) fail(errno, target_);
+            if (!link(name)) fail(errno, path_);
             name_ = std::move(name);
         }
-        if (::rename(name_.c_str(), target_.c_str()) < 0) fail(errno, target_);
+        if (::rename(name_.c_str(), target_.c_str()) < 0) fail(errno, path_);
         name_.clear();
     }
 
@@ -129,6 +131,7 @@ private:
     }
 
     fs::path target_;
+    const fs::path& path_;
     std::string name_; // before file_, which may be given one when it is opened
     OpenFile file_;
 };
@@ -142,7 +145,7 @@ void write_atomically(const fs::path& path, std::string_view content) {
         OpenFile device(::open(path.c_str(), O_WRONLY | O_CLOEXEC), path);
         return device.write(content);
     }
-    TemporaryFile file(fs::exists(status) ? fs::canonical(path) : path);
+    TemporaryFile file(fs::exists(status) ? fs::canonical(path) : path, path);
     file.write(content);
     file.move_to_target();
 }

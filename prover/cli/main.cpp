@@ -1,5 +1,6 @@
 // plprove: finds certificates and writes them. What a certificate proves is decided by plcheck, not
 // here.
+#include "prover/bundle/bundle.h"
 #include "prover/catalogue/commands.h"
 #include "prover/classification/archive.h"
 #include "prover/classification/problem_certificate.h"
@@ -163,6 +164,25 @@ Command export_command(CLI::App& program) {
             }};
 }
 
+Command archive_command(CLI::App& program) {
+    struct Request {
+        std::string source = ".";
+        std::string path = "point-line-certificates.tar.zst";
+    };
+    auto request = std::make_shared<Request>();
+    CLI::App* app = program.add_subcommand(
+        "archive", "Bundle certificates, proofs and the checker's sources, for an archive");
+    app->add_option("-o,--output", request->path,
+                    "the .tar.zst file to write, - for standard output")
+        ->capture_default_str();
+    app->add_option("--source", request->source, "the project's source folder")
+        ->capture_default_str();
+    return {app, [request] {
+                deliver(request->path, tar_zst(bundle(request->source), bundle_folder));
+                return 0;
+            }};
+}
+
 int run(int argc, char** argv) {
     CLI::App program("Finds certificates for point-line minimal problems; plcheck checks them.",
                      "plprove");
@@ -175,9 +195,13 @@ int run(int argc, char** argv) {
                    "Exit status: 0 done, 1 failure, 2 bad input, 3 usage.");
     program.set_version_flag("--version", "plprove 1.0.0, certificate format 1");
     program.require_subcommand(1);
-    const Command commands[] = {problem_command(program),           show_command(program),
-                                add_list_command(program, deliver), certify_command(program),
-                                classification_command(program),    export_command(program)};
+    const Command commands[] = {problem_command(program),
+                                show_command(program),
+                                add_list_command(program, deliver),
+                                certify_command(program),
+                                classification_command(program),
+                                export_command(program),
+                                archive_command(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

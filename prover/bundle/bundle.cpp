@@ -1,0 +1,124 @@
+#include "prover/bundle/bundle.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <openssl/evp.h>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace plprove {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files of a folder, and of the folders in it, whose names end like this.
+struct Selection {
+    const char* folder;
+    std::vector<std::string> endings;
+};
+
+const Selection selections[] = {
+    {"certs", {".plc", ".md", ".csv", "SHA256SUMS"}},
+    {"checker", {".cpp", ".h", "CMakeLists.txt"}},
+    {"proofs", {".md", ".v", ".awk", "Makefile", "_CoqProject"}},
+};
+
+constexpr const char* single_files[] = {"CITATION.cff", "LICENSE"};
+
+constexpr const char* landmarks[] = {"certs/FORMAT.md", "certs/SHA256SUMS", "checker/main.cpp"};
+
+constexpr const char* readme = R"(Certificates for the classification of point-line minimal problems
+
+certs/     the certificates; FORMAT.md specifies them, enough to write another checker
+checker/   the sources of plcheck, which believes nothing and replays every certificate
+proofs/    why a certificate that passes implies its claim
+
+With a C++20 compiler and GMP (https://gmplib.org), in this folder:
+
+    c++ -std=c++20 -O2 -I. checker/*.cpp -lgmpxx -lgmp -o plcheck
+    ./plcheck certs/*.plc
+
+The first line builds the checker, the second prints what the certificates prove and exits with 0
+if all of them hold. SHA256SUMS has the SHA-256 digest of every other file here
+(sha256sum --check SHA256SUMS).
+)";
+
+std::string read(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::string content{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream) throw std::runtime_error("cannot read " + path.string());
+    return content;
+}
+
+std::string sha256(const std::string& content) {
+    unsigned char digest[EVP_MAX_MD_SIZE];
+    std::size_t size = 0;
+    if (EVP_Q_digest(nullptr, "SHA256", nullptr, content.data(), content.size(), digest, &size) !=
+        1)
+        throw std::runtime_error("SHA-256 is not available");
+    constexpr const char* digits = "0123456789abcdef";
+    std::string text;
+    for (std::size_t i = 0; i < size; ++i) {
+        text += digits[digest[i] >> 4];
+        text += digits[digest[i] & 15];
+    }
+    return text;
+}
+
+void require_project(const fs::path& source) {
+    for (const char* landmark : landmarks)
+        if (!fs::is_regular_file(source / landmark))
+            throw std::runtime_error(source.string() +
+                                     " is not the project's source folder, it has no " + landmark +
+                                     "; --source names another folder");
+}
+
+void add_selection(Files& files, const fs::path& source, const Selection& selection) {
+    for (const auto& entry : fs::recursive_directory_iterator(source / selection.folder)) {
+        const std::string path = entry.path().lexically_relative(source).generic_string();
+        const auto ends_path = [&](const std::string& ending) { return path.ends_with(ending); };
+        if (entry.is_regular_file() && std::ranges::any_of(selection.endings, ends_path))
+            files[path] = read(entry.path());
+    }
+}
+
+/// Requires that certs/SHA256SUMS has the digest of every certificate file, and no other.
+void check_digests(const Files& files) {
+    Files digests;
+    std::istringstream lines(files.at("certs/SHA256SUMS"));
+    for (std::string digest, name; lines >> digest >> name;)
+        digests["certs/" + name] = digest;
+    for (const auto& [path, digest] : digests)
+        if (!files.contains(path))
+            throw std::runtime_error("certs/SHA256SUMS names " + path + ", which is not there");
+    for (const auto& [path, content] : files)
+        if (path.ends_with(".plc") && digests[path] != sha256(content))
+            throw std::runtime_error(path + " is not the file whose digest is in certs/SHA256SUMS");
+}
+
+std::string sums(const Files& files) {
+    std::string text;
+    for (const auto& [path, content] : files)
+        text += sha256(content) + "  " + path + '\n';
+    return text;
+}
+
+} // namespace
+
+Files bundle(const fs::path& source) {
+    require_project(source);
+    Files files;
+    for (const Selection& selection : selections)
+        add_selection(files, source, selection);
+    for (const char* name : single_files)
+        files[name] = read(source / name);
+    check_digests(files);
+    files["README"] = readme;
+    files["SHA256SUMS"] = sums(files);
+    return files;
+}
+
+} // namespace plprove
