@@ -1,11 +1,13 @@
-// Speed, each figure beside that of a peer in the same run: the minor of a class in the checker against
-// FLINT's determinant of the same matrix; certifying and checking classes against FLINT's determinant of
-// their whole Jacobians.
+// Speed, each figure beside that of a peer in the same run: the minor of a class in the checker
+// against FLINT's determinant of the same matrix; certifying and checking classes against FLINT's
+// determinant of their whole Jacobians.
 #include "checker/modular.h"
+#include "checker/report.h"
 #include "prover/classification/archive.h"
 
 #include <benchmark/benchmark.h>
-#include <iostream>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 namespace {
@@ -69,16 +71,17 @@ void count_items(benchmark::State& state, std::size_t items) {
 }
 
 void checker_minor(benchmark::State& state) {
-    std::vector<checker::Matrix<checker::Residue>> matrices;
+    using Matrix = std::array<checker::Row, camera_dimension>;
+    std::vector<Matrix> matrices;
     for (const ResidueMatrix& stack : sample().stacks) {
-        auto& matrix = matrices.emplace_back(
-            checker::Matrix<checker::Residue>{camera_dimension, camera_dimension});
+        Matrix& matrix = matrices.emplace_back();
         for (int i = 0; i < camera_dimension; ++i)
             for (int j = 0; j < camera_dimension; ++j)
-                matrix[static_cast<std::size_t>(i)][j] = stack.at(i, j);
+                matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].value =
+                    stack.at(i, j);
     }
     for (auto _ : state)
-        for (const auto& matrix : matrices)
+        for (const Matrix& matrix : matrices)
             benchmark::DoNotOptimize(checker::determinant(matrix));
     count_items(state, matrices.size());
 }
@@ -104,6 +107,26 @@ void flint_whole_jacobian(benchmark::State& state) {
     count_items(state, sample().wholes.size());
 }
 
+void prove_classification(benchmark::State& state) {
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            write(certify_classification(label_classes(), [](std::size_t) {})));
+    count_items(state, label_classes().size());
+}
+
+void check_classification(benchmark::State& state) {
+    std::ifstream stream(CERTS_DIR "/classification.plc", std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    for (auto _ : state) {
+        const checker::Classification classes = checker::classify();
+        std::vector<checker::FileReport> reports{checker::replay(classes, "archive", bytes)};
+        benchmark::DoNotOptimize(checker::summarize(classes, std::move(reports)));
+    }
+    count_items(state, label_classes().size());
+}
+
+BENCHMARK(prove_classification)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(check_classification)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(checker_minor);
 BENCHMARK(flint_minor);
 BENCHMARK(prover_minor);
@@ -111,25 +134,28 @@ BENCHMARK(flint_whole_jacobian);
 
 /// The usual table, and then the ratios.
 class RatioReporter : public benchmark::ConsoleReporter {
-  public:
+public:
     void ReportRuns(const std::vector<Run>& runs) override {
         ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs)
-            cpu_[run.benchmark_name()] = run.GetAdjustedCPUTime();
+            if (const auto rate = run.counters.find("items_per_second"); rate != run.counters.end())
+                per_second_[run.run_name.function_name] = rate->second;
     }
     void Finalize() override {
         ratio("checker_minor", "flint_minor");
         ratio("prover_minor", "flint_whole_jacobian");
+        ratio("prove_classification", "flint_whole_jacobian");
+        ratio("check_classification", "flint_whole_jacobian");
     }
 
-  private:
+private:
     void ratio(const std::string& ours, const std::string& peer) {
-        if (!cpu_.contains(ours) || !cpu_.contains(peer)) return;
-        GetOutputStream() << "ratio " << ours << " / " << peer << ": " << cpu_[ours] / cpu_[peer]
-                          << '\n';
+        if (!per_second_.contains(ours) || !per_second_.contains(peer)) return;
+        GetOutputStream() << "time of " << ours << " / " << peer
+                          << ", per class: " << per_second_[peer] / per_second_[ours] << '\n';
     }
 
-    std::map<std::string, double> cpu_;
+    std::map<std::string, double> per_second_;
 };
 
 } // namespace
