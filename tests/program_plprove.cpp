@@ -61,3 +61,17 @@ TEST_CASE("a failed write leaves the old file and nothing else") {
     CHECK(read_file(path) == "old");
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
+
+TEST_CASE("the README shows the table as plcheck prints it, and the checker's true size") {
+    const std::string readme = read_file(std::string(SOURCE_DIR) + "/README.md");
+    const Outcome outcome = run(plcheck + " " + committed);
+    CHECK(outcome.status == 0);
+    const std::size_t table = outcome.out.find("claim ");
+    REQUIRE(table != std::string::npos);
+    CHECK(readme.find(outcome.out.substr(table)) != std::string::npos);
+    const Outcome lines =
+        run("cat " SOURCE_DIR "/checker/*.h " SOURCE_DIR "/checker/*.cpp | wc -l");
+    const int count = std::stoi(lines.out);
+    CHECK(count <= 1400);
+    CHECK(readme.find(std::to_string(count) + " lines of C++") != std::string::npos);
+}
