@@ -1,0 +1,2 @@
+From PL1P Require Import Main.
+Print Assumptions main_theorem.
