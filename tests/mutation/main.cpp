@@ -1,0 +1,335 @@
+// Soundness by mutation: the checker refuses a changed file, or what it then certifies is true, as
+// the referee finds by other means. Prints who refused what.
+//   mutation_tests [MUTANTS [SEED]]
+#include "checker/report.h"
+#include "prover/classification/problem_certificate.h"
+#include "tests/mutation/mutants.h"
+#include "tests/mutation/referee.h"
+#include "tests/mutation/short_archive.h"
+#include "tests/random_problems.h"
+
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <unordered_map>
+
+namespace {
+
+using mutation::File;
+using mutation::Random;
+
+/// A valid file, and the classes that it is about; none for a problem file.
+struct Base {
+    std::string text;
+    checker::Classification classes{};
+    std::vector<plprove::Signature> signatures{};
+};
+
+struct Tally {
+    std::size_t mutants = 0, refused = 0, accepted = 0;
+};
+
+struct Table {
+    std::map<std::string, Tally> by_mutator;
+    std::map<std::string, std::size_t> by_reason;
+    std::map<std::string, std::size_t> strict; ///< refused although the referee finds a proof
+    std::size_t verdicts = 0;                  ///< of records, each found true by the referee
+    std::vector<std::string> unsound;
+};
+
+plprove::Signature signature(const checker::Signature& counts) {
+    plprove::Signature result{};
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = static_cast<std::uint8_t>(counts[i]);
+    return result;
+}
+
+std::vector<Base> classification_bases(const checker::Classification& all) {
+    std::ifstream stream(CERTS_DIR "/classification.plc", std::ios::binary);
+    const std::string archive{std::istreambuf_iterator<char>(stream), {}};
+    std::vector<Base> bases;
+    constexpr std::size_t classes_in_a_file = 3;
+    for (std::size_t first = 0; first < short_classes.size(); first += classes_in_a_file) {
+        const auto numbers =
+            std::span(short_classes)
+                .subspan(first, std::min(classes_in_a_file, short_classes.size() - first));
+        Base base{shorten(archive, all, numbers), classification_of(all, numbers)};
+        for (const auto& counts : base.classes.representatives)
+            base.signatures.push_back(signature(counts));
+        bases.push_back(std::move(base));
+    }
+    return bases;
+}
+
+/// Certificates of every verdict, in two and three views, with and without reductions.
+std::vector<Base> problem_bases() {
+    std::vector<plprove::Problem> problems;
+    for (const char* text :
+         {"3*P/P/P + a/a/a", "2*Pa/Pa/Pa + P/P/P", "3*P/P/P + P/P/a", "5*P/P", "3*P/P/P", "6*P/P/P",
+          "Pabcdefgh/Pabcdefgh/Pabcdefgh", "-/P/P + 4*P/P/P + Pa/P/P + a/a/-",
+          "Pabcdefg/Pabcdefg/Pabcdefg + P/P/-", "5*P/P + P/a(b)", "4*P/P + Pa/Pa + a/a + P/-",
+          "Pabc/Pabc/Pabc + 5*P/P/-", "6*P/P/- + 5*-/P/P",
+          "3*P/P/P + P/P/a + Pa/Pa/P + P/a/- + a/-/a",
+          "Pa/-/P(b) + 3*P/P/P + a/a/a + -/-/-(P) + a/a/-(P) + a/b/-", "3*P/P/P + P/a/- + a/a/a(P)",
+          "Pabcdef/Pabcdef/Pabcdef + P/a/a + a/-/- + P/-/-"})
+        problems.push_back(plprove::parse_problem(text));
+    for (const std::size_t number : short_classes)
+        problems.push_back(plprove::problem_of(plprove::label_classes()[number]));
+    plprove::RandomProblems random(17);
+    for (int added = 0; added < 24; ++added)
+        problems.push_back(random.around_a_class(added / 5));
+    std::vector<Base> bases;
+    for (const plprove::Problem& problem : problems)
+        bases.push_back({write(plprove::certify_problem(problem))});
+    return bases;
+}
+
+/// A reason without what varies: numbers and quotations.
+std::string kind_of(const std::string& reason, bool conforms) {
+    std::string kind;
+    bool quoted = false;
+    const std::size_t expected = reason.find(", expected ");
+    for (const char c : expected == reason.npos ? reason : reason.substr(expected + 2)) {
+        if (c == '`' && expected == reason.npos) quoted = !quoted;
+        if (quoted || c == '`') continue;
+        const bool digit =
+            (c >= '0' && c <= '9') || (c == '-' && !kind.empty() && kind.back() == ' ');
+        if (!digit)
+            kind += c;
+        else if (kind.empty() || kind.back() != 'N')
+            kind += 'N';
+    }
+    for (const char* stop :
+         {"the feature must be", "this is no rule for", "the pool lacks the feature",
+          "a rule still applies to", "its pool has too few", "the verdict is",
+          "class N: its pool has too few", "the number of the class is"})
+        if (kind.starts_with(stop)) kind = stop;
+    return (conforms ? "refused: " : "syntax: ") + kind;
+}
+
+/// Gives records the minors that they should have, so that other checks have to refuse.
+std::string with_true_minors(const std::string& text, const Base& base) {
+    File file = mutation::split(text);
+    const referee::Text lines = referee::split(text);
+    for (std::size_t i = 0; i < lines.lines.size(); ++i) {
+        const auto& words = lines.lines[i];
+        const bool minimal = words[0] == "minimal";
+        if (!minimal && words[0] != "deficient" && words[0] != "camera-minimal") continue;
+        std::optional<plprove::Signature> of_class;
+        if (!base.signatures.empty()) {
+            const std::size_t number = words.size() > 1
+                                           ? std::strtoul(words[1].c_str(), nullptr, 10)
+                                           : base.signatures.size();
+            if (number >= base.signatures.size()) continue;
+            of_class = base.signatures[number];
+        }
+        const auto minor = referee::true_minor(lines, i, of_class);
+        const std::size_t line = lines.numbers[i] - 1 + (minimal ? 0 : 2);
+        if (minor && line < file.size()) file[line].back() = std::to_string(*minor);
+    }
+    return mutation::join(file);
+}
+
+class Trial {
+public:
+    Trial(const checker::Classification& all, Table& table) : all_(all), table_(table) {}
+
+    void mutate(const std::vector<Base>& bases, std::size_t mutants, std::uint64_t seed) {
+        Random random(seed);
+        for (std::size_t done = 0, tried = 0; done < mutants; ++tried) {
+            const Base& base = bases[random.below(bases.size())];
+            const File other = mutation::split(bases[random.below(bases.size())].text);
+            const auto& mutator = mutation::mutators()[tried % mutation::mutators().size()];
+            File file = mutation::split(base.text);
+            mutator.apply(file, other, random);
+            if (mutation::join(file) == base.text) continue; // it does not apply here
+            if (random.below(8) == 0)                        // and a second change
+                mutation::mutators()[random.below(mutation::mutators().size())].apply(file, other,
+                                                                                      random);
+            std::string text = mutation::join(file);
+            if (random.below(2) == 0) text = with_true_minors(text, base);
+            if (text == base.text) continue;
+            try_one(base, std::string(mutator.name), text);
+            ++done;
+        }
+    }
+
+    void try_one(const Base& base, const std::string& mutator, const std::string& text) {
+        Tally& tally = table_.by_mutator[mutator];
+        ++tally.mutants;
+        const bool problem = base.signatures.empty();
+        const checker::FileReport report =
+            checker::replay(problem ? all_ : base.classes, "mutant", text);
+        const referee::Text lines = referee::split(text);
+        for (const checker::Verdict& verdict : report.verdicts)
+            if (!problem) believe(lines, verdict, base, text);
+        const bool accepted = report.conforms && report.refused == 0;
+        ++(accepted ? tally.accepted : tally.refused);
+        if (accepted && !problem && report.verdicts.size() != base.signatures.size())
+            table_.unsound.push_back("a class without a certificate\n" + text);
+        if (!accepted) ++table_.by_reason[kind_of(report.complaints[0].reason, report.conforms)];
+        if (!problem) return;
+        const auto objection = referee::objection_to_problem(lines);
+        if (accepted && objection) table_.unsound.push_back(*objection + "\n" + text);
+        if (accepted != !report.certified.empty())
+            table_.unsound.push_back("accepted, but nothing certified, or the reverse\n" + text);
+        if (!accepted && !objection) {
+            const std::string kind = kind_of(report.complaints[0].reason, report.conforms);
+            if (++table_.strict[kind] == 1 && report.conforms)
+                std::cout << "refused although proved: " << report.complaints[0].reason << '\n'
+                          << text;
+        }
+    }
+
+private:
+    /// Examines the certificate of a class that the checker has believed. Most are unchanged: what
+    /// the referee has found before is remembered.
+    void believe(const referee::Text& lines, const checker::Verdict& verdict, const Base& base,
+                 const std::string& text) {
+        ++table_.verdicts;
+        std::string key = std::to_string(verdict.number) + "\n";
+        bool wanted = true;
+        for (std::size_t i = 0; i < lines.lines.size(); ++i) {
+            const std::string& first = lines.lines[i][0];
+            if (first == "minimal" || first == "deficient")
+                wanted = lines.numbers[i] == verdict.line;
+            if (!wanted) continue;
+            for (const std::string& word : lines.lines[i])
+                key += word + " ";
+            key += "\n";
+        }
+        const auto [place, is_new] = found_.try_emplace(key, true);
+        if (is_new)
+            place->second =
+                !referee::objection_to_record(lines, verdict.line, base.signatures[verdict.number]);
+        if (place->second) return;
+        table_.unsound.push_back(
+            referee::objection_to_record(lines, verdict.line, base.signatures[verdict.number])
+                .value_or("") +
+            "\n" + text);
+    }
+
+    const checker::Classification& all_;
+    Table& table_;
+    std::unordered_map<std::string, bool> found_;
+};
+
+void print(const std::string& title, const Table& table) {
+    Tally sum;
+    std::cout << title << "\n\n"
+              << std::left << std::setw(26) << "  mutation" << std::right << std::setw(9)
+              << "mutants" << std::setw(9) << "refused" << std::setw(20) << "accepted and true"
+              << '\n';
+    const auto line = [](const std::string& name, const Tally& t) {
+        std::cout << "  " << std::left << std::setw(24) << name << std::right << std::setw(9)
+                  << t.mutants << std::setw(9) << t.refused << std::setw(20) << t.accepted << '\n';
+    };
+    for (const auto& [name, tally] : table.by_mutator) {
+        line(name, tally);
+        sum.mutants += tally.mutants;
+        sum.refused += tally.refused;
+        sum.accepted += tally.accepted;
+    }
+    line("all", sum);
+    if (table.verdicts > 0)
+        std::cout << "  " << table.verdicts << " certificates of classes held in these files\n";
+    std::vector<std::pair<std::size_t, std::string>> reasons;
+    for (const auto& [reason, count] : table.by_reason)
+        reasons.emplace_back(count, reason);
+    std::sort(reasons.rbegin(), reasons.rend());
+    std::cout << "\n  first reason of refusal\n";
+    for (const auto& [count, reason] : reasons)
+        std::cout << std::setw(9) << count << "  " << reason << '\n';
+    if (!table.strict.empty()) std::cout << "\n  refused although the referee finds a proof\n";
+    for (const auto& [reason, count] : table.strict)
+        std::cout << std::setw(9) << count << "  " << reason << '\n';
+    std::cout << '\n';
+}
+
+/// 0 if every base is accepted and no mutant that is accepted proves something false.
+int run(const std::string& title, const checker::Classification& all,
+        const std::vector<Base>& bases, std::size_t mutants, std::uint64_t seed) {
+    Table untouched;
+    Trial first(all, untouched);
+    for (const Base& base : bases)
+        first.try_one(base, "none",
+                      "plcert 1 " +
+                          std::string(base.signatures.empty() ? "problem\n# the same\n"
+                                                              : "classification\n# the same\n") +
+                          base.text.substr(base.text.find('\n') + 1));
+    Table table;
+    Trial(all, table).mutate(bases, mutants, seed);
+    print(title, table);
+    const std::size_t good = untouched.by_mutator["none"].accepted;
+    std::cout << "  " << good << " of " << bases.size() << " files are accepted as they are; "
+              << table.unsound.size() << " mutants are accepted although they prove nothing\n\n";
+    for (const Table* some : {&untouched, &table})
+        for (const std::string& file : some->unsound)
+            std::cout << "UNSOUND: " << file << '\n';
+    return good == bases.size() && untouched.unsound.empty() && table.unsound.empty() ? 0 : 1;
+}
+
+/// A record of the archive with a number changed so that it proves nothing: a minor, or what is
+/// stated of an obstruction.
+std::string spoilt(const std::string& line, Random& random) {
+    File file = mutation::split(line);
+    auto& words = file[0];
+    const bool minimal = words[0] == "minimal";
+    std::string& word = minimal ? words[3] : words[std::array{4, 6, 7, 8, 10}[random.below(5)]];
+    const std::uint64_t value = std::stoull(word);
+    word = std::to_string(minimal ? value ^ (std::uint64_t{1} << random.below(60)) : value + 1);
+    return minimal && (word == "0" || word == std::to_string(plprove::modulus))
+               ? spoilt(line, random)
+               : mutation::join(file);
+}
+
+/// Spoils one certificate in seventy of the whole archive, and expects that just these are refused.
+int run_archive(const checker::Classification& all, std::size_t times, std::uint64_t seed) {
+    std::ifstream stream(CERTS_DIR "/classification.plc", std::ios::binary);
+    const std::string archive{std::istreambuf_iterator<char>(stream), {}};
+    Random random(seed);
+    std::size_t spoilt_records = 0;
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < times; ++i) {
+        std::vector<bool> expected(all.representatives.size(), true);
+        std::string text;
+        std::istringstream lines(archive);
+        for (std::string line; std::getline(lines, line);) {
+            const bool deficient = line.starts_with("deficient ");
+            if ((!deficient && !line.starts_with("minimal ")) ||
+                random.below(deficient ? 7 : 70) != 0) {
+                text += line + "\n";
+                continue;
+            }
+            expected[std::stoul(line.substr(line.find(' ')))] = false;
+            text += spoilt(line + "\n", random);
+            ++spoilt_records;
+        }
+        std::vector<bool> certified(expected.size(), false);
+        for (const checker::Verdict& verdict : checker::replay(all, "spoilt", text).verdicts)
+            certified[verdict.number] = true;
+        for (std::size_t n = 0; n < expected.size(); ++n)
+            wrong += expected[n] != certified[n];
+    }
+    std::cout << "The whole archive: " << spoilt_records << " certificates spoilt in " << times
+              << " files, of which "
+              << (wrong == 0 ? "just these are refused" : "OTHERS ARE REFUSED") << "\n\n";
+    return wrong == 0 && spoilt_records > 0 ? 0 : 1;
+}
+
+} // namespace
+
+int main(int count, char** values) {
+    const std::size_t mutants = count > 1 ? std::stoul(values[1]) : 6000;
+    const std::uint64_t seed = count > 2 ? std::stoul(values[2]) : 1;
+    const checker::Classification all = checker::classify();
+    const int classification = run("Classification files of few classes", all,
+                                   classification_bases(all), mutants / 2, seed);
+    const int archive = run_archive(all, 1 + mutants / 10'000, seed);
+    return classification | archive |
+           run("Problem files", all, problem_bases(), mutants - mutants / 2, seed);
+}

@@ -1,0 +1,436 @@
+#include "tests/mutation/mutants.h"
+
+#include <algorithm>
+#include <functional>
+#include <gmpxx.h>
+
+namespace mutation {
+
+namespace {
+
+constexpr std::string_view digits = "0123456789";
+
+bool is_number(std::string_view word) {
+    if (word.starts_with('-')) word.remove_prefix(1);
+    return !word.empty() && word.find_first_not_of(digits) == word.npos;
+}
+
+/// 0 for what is not a number: an earlier change may have spoilt it.
+mpz_class value_of(const std::string& word) {
+    return is_number(word) ? mpz_class(word) : mpz_class(0);
+}
+
+bool is_feature(std::string_view word) {
+    return word.find('/') != word.npos;
+}
+
+using Words = std::vector<std::string>;
+using Wanted = std::function<bool(const Words&, std::size_t)>; // of a line, a word in it
+
+/// Where a wanted word stands.
+std::vector<std::string*> find(File& file, const Wanted& wanted) {
+    std::vector<std::string*> found;
+    for (Words& words : file)
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (wanted(words, i)) found.push_back(&words[i]);
+    return found;
+}
+
+/// Lines that begin with one of these words.
+std::vector<std::size_t> lines_of(const File& file, std::initializer_list<std::string_view> first) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < file.size(); ++i)
+        if (std::ranges::find(first, file[i][0]) != first.end()) found.push_back(i);
+    return found;
+}
+
+template <class Range>
+auto& any_of(Range& range, Random& random) {
+    return range[random.below(range.size())];
+}
+
+/// Changes some wanted word.
+template <class Change>
+void change(File& file, Random& random, const Wanted& wanted, Change change) {
+    const auto found = find(file, wanted);
+    if (!found.empty()) change(*any_of(found, random));
+}
+
+bool number(const Words& words, std::size_t i) {
+    return is_number(words[i]);
+}
+
+/// A coordinate of a camera, point or pin.
+bool coordinate(const Words& words, std::size_t i) {
+    return is_number(words[i]) && (words[0] == "feature" || (words[0] == "camera" && i > 2));
+}
+
+Wanted number_in(std::initializer_list<std::string_view> first) {
+    return [first = std::vector<std::string_view>(first)](const Words& words, std::size_t i) {
+        return is_number(words[i]) && std::ranges::find(first, words[0]) != first.end();
+    };
+}
+
+void add(std::string& word, long amount) {
+    word = mpz_class(value_of(word) + amount).get_str();
+}
+
+void step(std::string& word, Random& random) {
+    add(word, random.below(2) == 0 ? 1 : -1);
+}
+
+void negate(std::string& word) {
+    word = mpz_class(-value_of(word)).get_str();
+}
+
+void digit(File& file, const File&, Random& random) {
+    change(file, random, number, [&](std::string& word) {
+        const std::size_t place = random.below(word.size());
+        word[place] = digits[random.below(10)];
+    });
+}
+
+void sign(File& file, const File&, Random& random) {
+    change(file, random, number, negate);
+}
+
+void by_one(File& file, const File&, Random& random) {
+    change(file, random, number, [&](std::string& word) { step(word, random); });
+}
+
+void coordinates(File& file, const File&, Random& random) {
+    change(file, random, coordinate, [&](std::string& word) {
+        if (random.below(4) == 0)
+            word = std::to_string(random.below(1'999'999)), add(word, -999'999);
+        else
+            word = std::to_string(random.below(19)), add(word, -9);
+    });
+}
+
+/// A point, a direction or a quaternion times -1, 0 or 2: projectively the same, or nothing.
+void scaled_vector(File& file, const File&, Random& random) {
+    const auto lines = lines_of(file, {"camera", "feature"});
+    if (lines.empty()) return;
+    Words& words = file[any_of(lines, random)];
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i + 3 < words.size(); ++i)
+        if (!is_number(words[i]) && is_number(words[i + 1])) starts.push_back(i + 1);
+    if (starts.empty()) return;
+    const long factor = std::array{-1L, 0L, 2L}[random.below(3)];
+    for (std::size_t i = any_of(starts, random); i < words.size() && is_number(words[i]); ++i)
+        words[i] = mpz_class(value_of(words[i]) * factor).get_str();
+}
+
+void indices(File& file, const File&, Random& random) {
+    change(file, random, number_in({"delete", "pool", "reduce", "camera", "minimal", "deficient"}),
+           [&](std::string& word) { word = std::to_string(random.below(40)); });
+}
+
+void deleted_lines(File& file, const File&, Random& random) {
+    const auto lines = lines_of(file, {"delete"});
+    if (lines.empty()) return;
+    Words& words = file[any_of(lines, random)];
+    const std::size_t place = 2 + random.below(words.size() - 2);
+    const auto at = words.begin() + static_cast<std::ptrdiff_t>(place);
+    switch (random.below(3)) {
+    case 0:
+        words.erase(at);
+        return;
+    case 1:
+        words.insert(at, std::to_string(1 + random.below(30)));
+        return;
+    default:
+        if (is_number(*at)) step(*at, random);
+    }
+}
+
+void minor(File& file, const File& other, Random& random) {
+    const Wanted wanted = [](const Words& words, std::size_t i) {
+        return i + 1 == words.size() && (words[0] == "minimal" || words[0] == "minor");
+    };
+    File copy = other;
+    const auto others = find(copy, wanted);
+    change(file, random, wanted, [&](std::string& word) {
+        if (!is_number(word)) return;
+        const mpz_class q("2305843009213693951");
+        const mpz_class value(word);
+        switch (random.below(5)) {
+        case 0:
+            word = mpz_class(q - value).get_str();
+            return;
+        case 1:
+            word = mpz_class(q + value).get_str();
+            return;
+        case 2:
+            word = mpz_class(value - q).get_str();
+            return;
+        case 3:
+            word = "0";
+            return;
+        default:
+            if (!others.empty()) word = *any_of(others, random);
+        }
+    });
+}
+
+void kernel(File& file, const File& other, Random& random) {
+    const auto lines = lines_of(file, {"kernel"});
+    if (lines.empty()) return;
+    Words& words = file[any_of(lines, random)];
+    const auto others = lines_of(other, {"kernel"});
+    switch (random.below(6)) {
+    case 0: // the same motion, but not primitive
+        for (std::size_t i = 1; i < words.size(); ++i)
+            words[i] = mpz_class(2 * value_of(words[i])).get_str();
+        return;
+    case 1: // ... but negative
+        std::for_each(words.begin() + 1, words.end(), negate);
+        return;
+    case 2: // nothing moves
+        std::fill(words.begin() + 1, words.end(), "0");
+        return;
+    case 3:
+        if (!others.empty()) words = other[any_of(others, random)];
+        return;
+    case 4: { // another motion of the space, if the other one is in it
+        const Words& second = file[any_of(lines, random)];
+        for (std::size_t i = 1; i < std::min(words.size(), second.size()); ++i)
+            words[i] = mpz_class(value_of(words[i]) + value_of(second[i])).get_str();
+        return;
+    }
+    default:
+        step(words[1 + random.below(words.size() - 1)], random);
+    }
+}
+
+void remove_line(File& file, const File&, Random& random) {
+    file.erase(file.begin() + static_cast<std::ptrdiff_t>(random.below(file.size())));
+}
+
+void repeat_line(File& file, const File&, Random& random) {
+    const std::size_t line = random.below(file.size());
+    const Words copy = file[line];
+    const std::size_t target = random.below(2) == 0 ? line : random.below(file.size() + 1);
+    file.insert(file.begin() + static_cast<std::ptrdiff_t>(target), copy);
+}
+
+void swap_lines(File& file, const File&, Random& random) {
+    std::swap(any_of(file, random), any_of(file, random));
+}
+
+/// Two placed features trade places, or coordinates.
+void swap_features(File& file, const File&, Random& random) {
+    const auto lines = lines_of(file, {"feature"});
+    if (lines.empty()) return;
+    Words& a = file[any_of(lines, random)];
+    Words& b = file[any_of(lines, random)];
+    if (random.below(2) == 0) std::swap(a[1], b[1]);
+    std::swap(a, b);
+}
+
+void swap_words(File& file, const File&, Random& random) {
+    Words& words = any_of(file, random);
+    std::swap(any_of(words, random), any_of(words, random));
+}
+
+void remove_word(File& file, const File&, Random& random) {
+    Words& words = any_of(file, random);
+    if (words.size() > 1)
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(random.below(words.size())));
+}
+
+void repeat_word(File& file, const File&, Random& random) {
+    Words& words = any_of(file, random);
+    const std::size_t place = random.below(words.size());
+    const std::string copy = words[place];
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(place), copy);
+}
+
+void foreign_word(File& file, const File& other, Random& random) {
+    Words& words = any_of(file, random);
+    any_of(words, random) = any_of(any_of(other, random), random);
+}
+
+void foreign_line(File& file, const File& other, Random& random) {
+    const std::size_t line = random.below(file.size());
+    const auto alike = lines_of(other, {file[line][0]});
+    if (!alike.empty()) file[line] = other[any_of(alike, random)];
+}
+
+/// The head of this file, the tail of the other, cut at lines that begin alike.
+void splice(File& file, const File& other, Random& random) {
+    const std::size_t line = random.below(file.size());
+    const auto alike = lines_of(other, {file[line][0]});
+    if (alike.empty()) return;
+    file.resize(line);
+    const std::size_t from = any_of(alike, random);
+    file.insert(file.end(), other.begin() + static_cast<std::ptrdiff_t>(from), other.end());
+}
+
+/// The certificate under another problem's name.
+void foreign_problem(File& file, const File& other, Random&) {
+    if (file[0].back() != "problem" || other.size() < 2) return;
+    file[1] = other[1];
+}
+
+/// A symbol of a feature changed, in the name of the problem, a step or the pool.
+void feature_symbol(File& file, const File&, Random& random) {
+    const std::string_view symbols = "Pab-/c(";
+    change(
+        file, random, [](const Words& words, std::size_t i) { return is_feature(words[i]); },
+        [&](std::string& word) {
+            const std::size_t place = random.below(word.size());
+            if (random.below(3) == 0)
+                word.erase(place, 1);
+            else if (random.below(2) == 0)
+                word.insert(place, 1, symbols[random.below(symbols.size())]);
+            else
+                word[place] = symbols[random.below(symbols.size())];
+        });
+}
+
+/// The same feature changed everywhere: a consistent lie.
+void feature_everywhere(File& file, const File& other, Random& random) {
+    const Wanted wanted = [](const Words& words, std::size_t i) { return is_feature(words[i]); };
+    const auto found = find(file, wanted);
+    File copy = other;
+    const auto others = find(copy, wanted);
+    if (found.empty() || others.empty()) return;
+    const auto name = [](const std::string& word) { return word.substr(word.find('*') + 1); };
+    const std::string from = name(*any_of(found, random));
+    const std::string to = name(*any_of(others, random));
+    for (std::string* word : found)
+        if (const std::size_t at = word->find(from);
+            at != word->npos && at + from.size() == word->size())
+            word->replace(at, from.size(), to);
+}
+
+void multiplicity(File& file, const File&, Random& random) {
+    if (file.size() < 2 || file[1][0] != "problem") return;
+    std::string& word = any_of(file[1], random);
+    if (!is_feature(word)) return;
+    const std::size_t star = word.find('*');
+    word = std::to_string(random.below(7)) + "*" + word.substr(star == word.npos ? 0 : star + 1);
+}
+
+void verdict(File& file, const File&, Random& random) {
+    static const std::vector<std::string> names{"minimal",          "camera-minimal",
+                                                "obstructed",       "under-constrained",
+                                                "over-constrained", "deficient"};
+    change(
+        file, random,
+        [](const Words& words, std::size_t i) {
+            return (words[0] == "verdict" && i == 1) ||
+                   std::ranges::find(names, words[i]) != names.end();
+        },
+        [&](std::string& word) { word = any_of(names, random); });
+}
+
+/// Verdict and evidence renamed together.
+void both_verdicts(File& file, const File&, Random& random) {
+    const bool camera = random.below(2) == 0;
+    for (Words& words : file)
+        for (std::string& word : words)
+            if (word == "minimal" || word == "camera-minimal")
+                word = camera ? "camera-minimal" : "minimal";
+}
+
+void steps(File& file, const File& other, Random& random) {
+    static const std::vector<std::string> rules{"unseen-line",    "free-line",    "pin-seen-once",
+                                                "pin-seen-twice", "unseen-point", "bare-point",
+                                                "point-on-line",  "point-and-pin"};
+    const auto lines = lines_of(file, {"reduce"});
+    const auto others = lines_of(other, {"reduce"});
+    const std::size_t kind = random.below(6);
+    if (kind == 0 || lines.empty()) { // one more
+        const auto verdicts = lines_of(file, {"verdict"});
+        if (verdicts.empty()) return;
+        Words step{"reduce", std::to_string(1 + random.below(5)), any_of(rules, random), "nothing"};
+        if (!others.empty() && random.below(2) == 0) step = other[any_of(others, random)];
+        file.insert(file.begin() + static_cast<std::ptrdiff_t>(verdicts[0]), step);
+        return;
+    }
+    Words& words = file[any_of(lines, random)];
+    if (kind == 1)
+        words[2] = any_of(rules, random);
+    else if (kind == 2 && is_number(words[1]))
+        step(words[1], random);
+    else if (kind == 3)
+        words.back() = "nothing";
+    else if (kind == 4)
+        file.erase(file.begin() + static_cast<std::ptrdiff_t>(any_of(lines, random)));
+    else
+        std::swap(words, file[any_of(lines, random)]);
+}
+
+void comment(File& file, const File&, Random& random) {
+    file.insert(file.begin() + static_cast<std::ptrdiff_t>(random.below(file.size() + 1)),
+                {"#", "a", "comment"});
+}
+
+void byte(File& file, const File&, Random& random) {
+    std::string& word = any_of(any_of(file, random), random);
+    if (word.empty()) return;
+    word[random.below(word.size())] = static_cast<char>(random.below(256));
+}
+
+constexpr std::array all{Mutator{"digit", digit},
+                         Mutator{"sign", sign},
+                         Mutator{"plus or minus 1", by_one},
+                         Mutator{"coordinate", coordinates},
+                         Mutator{"scaled vector", scaled_vector},
+                         Mutator{"index", indices},
+                         Mutator{"deleted rows, columns", deleted_lines},
+                         Mutator{"minor", minor},
+                         Mutator{"kernel", kernel},
+                         Mutator{"line missing", remove_line},
+                         Mutator{"line repeated", repeat_line},
+                         Mutator{"lines swapped", swap_lines},
+                         Mutator{"features swapped", swap_features},
+                         Mutator{"words swapped", swap_words},
+                         Mutator{"word missing", remove_word},
+                         Mutator{"word repeated", repeat_word},
+                         Mutator{"word of another file", foreign_word},
+                         Mutator{"line of another file", foreign_line},
+                         Mutator{"splice of two files", splice},
+                         Mutator{"another problem's name", foreign_problem},
+                         Mutator{"symbol of a feature", feature_symbol},
+                         Mutator{"feature everywhere", feature_everywhere},
+                         Mutator{"multiplicity", multiplicity},
+                         Mutator{"verdict", verdict},
+                         Mutator{"verdict and evidence", both_verdicts},
+                         Mutator{"reduction step", steps},
+                         Mutator{"comment", comment},
+                         Mutator{"byte", byte}};
+
+} // namespace
+
+File split(std::string_view text) {
+    File file;
+    while (!text.empty()) {
+        std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        Words& words = file.emplace_back();
+        while (!line.empty()) {
+            words.emplace_back(line.substr(0, line.find(' ')));
+            line.remove_prefix(std::min(words.back().size() + 1, line.size()));
+        }
+    }
+    return file;
+}
+
+std::string join(const File& file) {
+    std::string text;
+    for (const Words& words : file) {
+        for (std::size_t i = 0; i < words.size(); ++i)
+            (text += i == 0 ? "" : " ") += words[i];
+        text += '\n';
+    }
+    return text;
+}
+
+std::span<const Mutator> mutators() {
+    return all;
+}
+
+} // namespace mutation
