@@ -1,4 +1,5 @@
-// plprove problem, show and export of scripts, and plcheck on the certificates of verdicts, as users run them.
+// plprove problem, show and export of scripts, and plcheck on the certificates of verdicts, as
+// users run them.
 #include "tests/program.h"
 
 #include <doctest/doctest.h>
@@ -23,9 +24,8 @@ bool contains(const std::string& text, const std::string& part) {
 } // namespace
 
 TEST_CASE("a minimal problem is found in the catalogue, however it is named") {
-    for (const char* spec :
-         {"2*Pa/Pa/Pa + P/P/P", "#2394", "2394",
-          "{{0,1},{{{1,1},{1,1,1}},{{1,1},{1,1,1}},{{1,1},{1,1,1}}}}"}) {
+    for (const char* spec : {"2*Pa/Pa/Pa + P/P/P", "#2394", "2394",
+                             "{{0,1},{{{1,1},{1,1,1}},{{1,1},{1,1,1}},{{1,1},{1,1,1}}}}"}) {
         const auto report = decide(spec);
         CHECK(report["verdict"] == "minimal");
         CHECK(report["number"] == 2394);

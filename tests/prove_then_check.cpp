@@ -1,5 +1,5 @@
-// What the prover writes, the checker accepts, for random problems of every kind: two programs that share no
-// source agree on verdicts, numbers, ranks and minors.
+// What the prover writes, the checker accepts, for random problems of every kind: two programs that
+// share no source agree on verdicts, numbers, ranks and minors.
 #include "checker/report.h"
 #include "prover/classification/problem_certificate.h"
 #include "tests/random_problems.h"
@@ -48,8 +48,8 @@ TEST_CASE("the checker accepts the certificates of random problems of every kind
             problem.push_back(random.feature(views, 9));
         ++verdicts[agree(problem)];
     }
-    for (const char* verdict : {"minimal", "camera-minimal", "obstructed", "under-constrained",
-                                "over-constrained"})
+    for (const char* verdict :
+         {"minimal", "camera-minimal", "obstructed", "under-constrained", "over-constrained"})
         CHECK(verdicts[verdict] > 0);
 }
 
@@ -60,11 +60,10 @@ TEST_CASE("both programs enumerate the same classes, swap classes and obstructio
         const checker::Signature& other = classes().representatives[number];
         const Obstruction ours = obstruction(problem_of(signature));
         const checker::Obstruction theirs = checker::obstruction(other);
-        const bool same =
-            std::ranges::equal(signature, other) &&
-            class_number(label_classes(), swap_representative(signature)) ==
-                classes().swap_class[number] &&
-            static_cast<unsigned>(ours.deficiency()) == theirs.deficiency();
+        const bool same = std::ranges::equal(signature, other) &&
+                          class_number(label_classes(), swap_representative(signature)) ==
+                              classes().swap_class[number] &&
+                          static_cast<unsigned>(ours.deficiency()) == theirs.deficiency();
         if (!same) FAIL(number);
     }
 }

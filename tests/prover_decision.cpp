@@ -30,10 +30,7 @@ Ranks generic_ranks(const Problem& problem, std::uint64_t seed) {
     std::vector<FeatureBlock> blocks;
     for (const Feature& feature : problem)
         blocks.push_back(feature_block(random_placement(feature, cameras, integers), cameras));
-    std::vector<const FeatureBlock*> pointers;
-    for (const FeatureBlock& block : blocks)
-        pointers.push_back(&block);
-    const ResidueMatrix whole = jacobian(pointers);
+    const ResidueMatrix whole = jacobian(pointers(blocks));
     const int own_columns = whole.columns() - blocks.front().cameras;
     ResidueMatrix own(whole.rows(), own_columns);
     for (int i = 0; i < own.rows(); ++i)

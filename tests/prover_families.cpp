@@ -1,4 +1,4 @@
-// Families of problems: the paper's counts, and those that NOTES of the literature predict.
+// Families of problems: the paper's counts, and those that follow from the definitions.
 #include "prover/classification/families.h"
 
 #include <doctest/doctest.h>

@@ -9,14 +9,6 @@ using namespace plprove;
 
 namespace {
 
-template <class T>
-std::vector<const T*> pointers(const std::vector<T>& values) {
-    std::vector<const T*> result;
-    for (const T& value : values)
-        result.push_back(&value);
-    return result;
-}
-
 std::vector<FeatureBlock> blocks_of(const Signature& signature, const Pool& pool) {
     std::vector<FeatureBlock> blocks;
     for (std::size_t i = 0; i < feature_count; ++i)

@@ -107,10 +107,7 @@ std::array<slong, 2> ranks(const Problem& problem) {
         } while (defect(placed, cameras));
         blocks.push_back(feature_block(placed, cameras));
     }
-    std::vector<const FeatureBlock*> pointers;
-    for (const FeatureBlock& block : blocks)
-        pointers.push_back(&block);
-    const ResidueMatrix j = jacobian(pointers);
+    const ResidueMatrix j = jacobian(pointers(blocks));
     ResidueMatrix own(j.rows(), count(problem).feature_unknowns);
     for (int row = 0; row < own.rows(); ++row)
         for (int column = 0; column < own.columns(); ++column)

@@ -155,12 +155,9 @@ TEST_CASE("ball arithmetic over the integers certifies that determinants do not 
         for (std::size_t i = 0; i < feature_count; ++i)
             for (std::size_t copy = 0; copy < classes[number][i]; ++copy)
                 blocks.push_back(feature_block(pool.instances[i][copy], pool.cameras));
-        std::vector<const FeatureBlock*> pointers;
-        for (const FeatureBlock& block : blocks)
-            pointers.push_back(&block);
         if (obstruction(problem_of(classes[number])).deficiency() > 0) continue;
         // Entries are below 2^60, so that the residue nearest to zero is the integer itself.
-        const ResidueMatrix whole = jacobian(pointers);
+        const ResidueMatrix whole = jacobian(pointers(blocks));
         arb_mat_t matrix;
         arb_mat_init(matrix, whole.rows(), whole.columns());
         for (int i = 0; i < whole.rows(); ++i)

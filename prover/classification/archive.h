@@ -26,7 +26,7 @@ using Progress = std::function<void(std::size_t done)>;
 
 /// Certifies the given label classes (all of them: label_classes()), numbered in order. A class
 /// whose minor vanishes in one pool is tried in the next. Throws std::runtime_error where the pools
-/// are used up, which would refute NOTES section 4.
+/// are used up: then a class has a smaller generic rank than its obstruction explains.
 Archive certify_classification(const std::vector<Signature>& classes, const Progress& progress);
 
 /// The text of the archive (certs/FORMAT.md, section 5, "classification").

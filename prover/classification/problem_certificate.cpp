@@ -8,14 +8,6 @@ namespace plprove {
 
 namespace {
 
-template <class T>
-std::vector<const T*> pointers(const std::vector<T>& values) {
-    std::vector<const T*> result;
-    for (const T& value : values)
-        result.push_back(&value);
-    return result;
-}
-
 /// The certificate of the balanced problem with these blocks, or nothing where they are in special
 /// position.
 Evidence certify_balanced(const Problem& problem, const std::vector<FeatureBlock>& blocks) {

@@ -1,4 +1,4 @@
-// The linearised incidence equations of placed features (NOTES of certs/FORMAT.md, section 3): the
+// The linearised incidence equations of placed features (certs/FORMAT.md, section 3): the
 // Jacobian of the joint camera map in integer entries, block by block.
 //
 // A problem's Jacobian J consists of one block of rows per feature; a block involves only the
@@ -13,6 +13,15 @@
 #include <span>
 
 namespace plprove {
+
+/// Addresses of the elements of `values`, to pass some blocks or camera parts in a certain order.
+template <class T>
+std::vector<const T*> pointers(const std::vector<T>& values) {
+    std::vector<const T*> result;
+    for (const T& value : values)
+        result.push_back(&value);
+    return result;
+}
 
 /// The rows of J that belong to one feature: `rows` x (`own` + `cameras`), exact, row by row.
 struct FeatureBlock {

@@ -24,14 +24,6 @@ struct Sample {
     std::vector<ResidueMatrix> wholes; ///< J, modulo q
 };
 
-template <class T>
-std::vector<const T*> pointers(const std::vector<T>& values) {
-    std::vector<const T*> result;
-    for (const T& value : values)
-        result.push_back(&value);
-    return result;
-}
-
 ResidueMatrix stack(const std::vector<CameraPart>& parts) {
     ResidueMatrix result(camera_dimension, camera_dimension);
     int row = 0;
