@@ -75,3 +75,9 @@ TEST_CASE("the README shows the table as plcheck prints it, and the checker's tr
     CHECK(count <= 1400);
     CHECK(readme.find(std::to_string(count) + " lines of C++") != std::string::npos);
 }
+
+TEST_CASE("the configuration of the Coq proof is that of the committed archive") {
+    CHECK(run("cd " SOURCE_DIR "/proofs/coq && LC_ALL=C awk -f pool.awk " + committed +
+              " | cmp - Pool.v")
+              .status == 0);
+}
