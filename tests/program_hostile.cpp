@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace {
@@ -271,4 +272,18 @@ TEST_CASE("hostile problem files are refused on their line") {
         {"plcert 1 problem\n", 0},
     });
     refused_bytes(start + "P/-/-\n" + steps + "verdict under-constrained 11\n", 1, "");
+}
+
+TEST_CASE("what is quoted from hostile files and names keeps JSON valid") {
+    const TemporaryFolder folder;
+    const std::string name = (folder / "a\"b\\c\n\x1b\xff").string();
+    write_file(name, "plcert 1 problem\nproblem \"\\\x01\n");
+    const Outcome outcome = run(plcheck + " --json '" + name + "'");
+    CHECK(outcome.status == 2);
+    CHECK(fit_for_a_terminal(outcome.out));
+    const auto report = nlohmann::json::parse(outcome.out);
+    CHECK(report.at("status") == 2);
+    const auto& complaints = report.at("files").at(0).at("complaints");
+    CHECK(complaints.size() == 1);
+    CHECK(complaints.at(0).at("line") == 2);
 }
