@@ -289,10 +289,11 @@ TEST_CASE("a file beyond the user's limit is reported, and the old file stays") 
 TEST_CASE("a read-only folder is reported, and the old file stays") {
     const TemporaryFolder folder;
     const std::string path = folder.path().string();
-    const auto outcome = run_with_mounts(
-        "mount -t tmpfs none " + path + " && echo old >" + path + "/file && mount -o remount,ro " +
-        path + " && cd " + path + " && for name in file new; do " + plprove +
-        " certify 2394 -o $name; echo status $?; done; cat file; ls -A");
+    const auto outcome =
+        run_with_mounts("mount -t tmpfs none " + path + " && echo old >" + path +
+                        "/file && mount -o remount,bind,ro " + path + " && cd " + path +
+                        " && for name in file new; do " + plprove +
+                        " certify 2394 -o $name; echo status $?; done; cat file; ls -A");
     if (!outcome) return;
     CHECK(outcome->out == "status 1\nstatus 1\nold\nfile\n");
     CHECK(outcome->err == "plprove: cannot write file: Read-only file system\n"
