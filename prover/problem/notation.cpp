@@ -66,9 +66,12 @@ Sight read_unseen(Cursor& cursor) {
     Sight unseen;
     unseen.point = cursor.take('P');
     while (cursor.peek() >= 'a' && cursor.peek() <= 'z') {
-        unseen.pins |= 1U << (cursor.peek() - 'a');
+        const std::uint32_t pin = 1U << (cursor.peek() - 'a');
+        if (unseen.pins >= pin) cursor.fail("the unseen lines in alphabetical order, each once");
+        unseen.pins |= pin;
         cursor.take(cursor.peek());
     }
+    if (unseen == Sight{}) cursor.fail("what no view sees: 'P', or the letters of lines");
     if (!cursor.take(')')) cursor.fail("')' after what no view sees");
     return unseen;
 }
@@ -80,7 +83,10 @@ Feature read_feature(Cursor& cursor) {
     while (feature.views() < max_views && cursor.take('/'));
     if (feature.views() < 2) cursor.fail("'/' and what the next view sees");
     Sight somewhere = read_unseen(cursor);
+    const Sight unseen = somewhere;
     for (const Sight& sight : feature.sights) {
+        if ((sight.point && unseen.point) || (sight.pins & unseen.pins) != 0)
+            cursor.fail("in parentheses only what no view sees, in the feature that ends here");
         somewhere.point = somewhere.point || sight.point;
         somewhere.pins |= sight.pins;
     }

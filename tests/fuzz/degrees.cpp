@@ -7,6 +7,9 @@
 
 using namespace plprove;
 
+// Enumerated before the clock of the fuzzer runs.
+static const std::size_t number_of_classes = label_classes().size();
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string_view text(reinterpret_cast<const char*>(data), size);
     std::vector<std::string_view> lines;
@@ -24,8 +27,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     require(records.size() <= lines.size(), "more records than lines");
     for (const DegreeRecord& record : records)
-        require(record.number < label_classes().size() && record.degree > 0 &&
-                    !record.source.empty() && !name(record.status).empty(),
+        require(record.number < number_of_classes && record.degree > 0 && !record.source.empty() &&
+                    !name(record.status).empty(),
                 "a record out of range");
     const DegreeTable table(std::move(records), label_classes());
     for (const DegreeRecord& record : table.records()) {

@@ -15,6 +15,9 @@ std::size_t size(const Feature& feature) {
     return static_cast<std::size_t>(2 * feature.lines) + feature.has_point;
 }
 
+// Enumerated before the clock of the fuzzer runs.
+const std::size_t number_of_classes = label_classes().size();
+
 void check(const Problem& problem) {
     require(!problem.empty() && problem.size() <= max_features, "an impossible size");
     require(std::ranges::all_of(
@@ -35,6 +38,7 @@ void check(const Problem& problem) {
         require(!reduce_once(feature), "a rule applies to a reduced problem");
     for (const Feature& feature : decision.lifted)
         require(!reduce_once(feature) && lifted(feature) == feature, "a lifted feature is not");
+    require(!decision.classes || decision.classes->label < number_of_classes, "no such class");
     require(!reasons(decision).empty(), "a verdict without a reason");
 
     // (Which view fixes a dangling pin depends on their order, so the label class may differ.)
