@@ -71,7 +71,8 @@ Sight read_unseen(Cursor& cursor) {
         unseen.pins |= pin;
         cursor.take(cursor.peek());
     }
-    if (unseen == Sight{}) cursor.fail("what no view sees: 'P', or the letters of lines");
+    if (unseen == Sight{} && cursor.peek() == ')')
+        cursor.fail("what no view sees: 'P', or the letters of lines");
     if (!cursor.take(')')) cursor.fail("')' after what no view sees");
     return unseen;
 }
