@@ -229,3 +229,30 @@ TEST_CASE("the evidence of a problem in two views is refused if anything in it i
     CHECK(outcome(five_points + "minimal - 1 48372612341760\n").starts_with("syntax, 13: "));
     CHECK(outcome(five_points + "# a comment\n") == "holds");
 }
+
+TEST_CASE(
+    "of a camera-minimal problem, as many own columns of J are deleted as there are too many") {
+    const std::string open = R"(problem 3*P/P/P + P/P/a
+verdict camera-minimal
+modulus 2305843009213693951
+pool 1
+camera 2 quaternion 0 0 1 0 translation 3 -2 -3
+camera 3 quaternion 1 0 -1 -1 translation -3 -1 -3
+feature P/P/P point 0 3 1
+feature P/P/P point -2 1 -1
+feature P/P/P point 0 2 -2
+feature P/P/a point 2 -2 3 pin 0 -3 -1
+camera-minimal 6723 1
+delete columns 14
+minor 988780599077191710
+)";
+    CHECK(outcome(open) == "holds");
+    CHECK(contains(outcome(with(open, "columns 14", "columns 13")), "the minor is"));
+    CHECK(contains(outcome(with(open, "columns 14", "columns 15")), "own columns"));
+    CHECK(contains(outcome(with(open, "columns 14", "columns 25")), "own columns"));
+    CHECK(contains(outcome(with(open, "columns 14", "columns 13 14")), "deleted columns"));
+    CHECK(contains(outcome(with(open, "columns 14", "columns 1 2 3 14")), "deleted columns"));
+    CHECK(outcome(with(open, "columns 14", "columns 14 13")).starts_with("syntax, 13: "));
+    CHECK(outcome(with(open, "delete columns 14\n", "")).starts_with("syntax, 13: "));
+    CHECK(contains(outcome(with(open, "6723", "6722")), "the number of the class is 6723"));
+}
