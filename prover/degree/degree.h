@@ -1,0 +1,74 @@
+// Camera-degrees: how many complex camera solutions a minimal problem has for generic images, found
+// by monodromy, and certificates that there are at least that many (certs/FORMAT.md, section 9).
+#pragma once
+
+#include "prover/problem/signature.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace plprove {
+
+struct DegreeOptions {
+    int target = 0;          ///< stop once so many solutions are found; 0: go on until complete
+    std::uint64_t seed = 0;  ///< another seed, another sequence of random images and charts
+    bool certificate = true; ///< also track the solutions to integer images
+};
+
+/// What one view sees of a feature: integer vectors as in FORMAT.md, section 9.
+struct ViewImage {
+    std::optional<std::array<int, 3>> point;
+    std::vector<std::array<int, 3>> lines; ///< `toward` if there is a point, else `line`
+};
+
+/// The images of one feature, with one entry per view (empty where it sees nothing).
+struct FeatureImage {
+    Feature feature;
+    std::vector<ViewImage> views;
+};
+
+/// A starting value for the checker: values / 2^bits; 11 of a real solution, 22 of a pair.
+struct ApproximateSolution {
+    bool real = false;
+    int bits = 0;
+    std::vector<std::int64_t> values;
+};
+
+/// Evidence that no solution is missing: so many edges permuted the solutions found, and every
+/// trace test left a relative residual below 10^trace_exponent.
+struct CompletenessEvidence {
+    int edges = 0;
+    int trace_exponent = 0;
+};
+
+struct DegreeCertificate {
+    std::size_t number = 0; ///< of the label class
+    std::optional<CompletenessEvidence> evidence;
+    std::vector<FeatureImage> images;
+    std::vector<ApproximateSolution> solutions;
+
+    /// How many solutions it shows: pairs count twice.
+    int degree() const;
+};
+
+/// What came of tracking one class. `degree` is the number of solutions found, a lower bound that
+/// only plcheck certifies; it is complete if there is evidence that it is exact.
+struct DegreeRun {
+    std::size_t number = 0;
+    int degree = 0;
+    std::optional<CompletenessEvidence> evidence;
+    std::uint64_t tracks = 0;  ///< paths followed
+    std::uint64_t retried = 0; ///< of these, followed again with tighter settings or more digits
+    std::uint64_t failed = 0;  ///< of these, lost for good
+    std::vector<std::string> notes; ///< why it is not complete, which edges are no bijections, ...
+    std::optional<DegreeCertificate> certificate;
+
+    bool complete() const { return evidence.has_value(); }
+};
+
+/// The same run for the same class and options on any machine. Assumes that the class is minimal.
+DegreeRun compute_degree(std::size_t number, const DegreeOptions& options);
+
+} // namespace plprove
