@@ -180,7 +180,8 @@ TEST_CASE("every degree on file is in the database with its own status") {
     CHECK(table == file);
     CHECK(database.ask("SELECT count(*) FROM classes AS c WHERE degree IS NOT NULL AND NOT EXISTS "
                        "(SELECT * FROM degrees AS d WHERE d.number = c.degree_of AND d.degree = "
-                       "c.degree AND d.status = c.degree_status AND d.source = c.degree_source)",
+                       "c.degree AND d.bound = c.degree_bound AND d.status = c.degree_status AND "
+                       "d.source = c.degree_source)",
                        ",", false) == "0\n");
 }
 
@@ -254,6 +255,11 @@ TEST_CASE("every filter of list means its condition in SQL") {
          "lines_in_1 * lines_in_2 * lines_in_3 = 0 AND lines_in_1 + lines_in_2 + lines_in_3 = 3 "
          "AND max(lines_in_1, lines_in_2, lines_in_3) = 2"},
         {"--degree 300..", "degree >= 300"},
+        {"--degree ..299", "degree <= 299 AND degree_bound = 'exact'"},
+        {"--degree 312", "degree = 312 AND degree_bound = 'exact'"},
+        {"--degree-bound exact", "degree_bound = 'exact'"},
+        {"--degree-bound at-least", "degree_bound = 'at-least'"},
+        {"--degree-certified 300..", "degree_certified >= 300"},
         {"--degree-status claimed", "degree_status = 'claimed'"},
         {"--degree-status certified", "degree_status = 'certified'"},
     };
@@ -283,7 +289,7 @@ TEST_CASE("list prints numbers, problems or the columns of the export") {
 TEST_CASE("wrong filters and exports without a file are refused as usage") {
     for (const char* arguments :
          {"list --points x", "list --points 5..2", "list --points", "list --obstruction E",
-          "list --points-in-views 1,2", "list --format xml", "list --not-minimal --terminal",
+          "list --points-in-views 1,2", "list --degree-bound about", "list --format xml", "list --not-minimal --terminal",
           "list --minimal --not-minimal", "list nonsense", "export", "export a.db b.db"}) {
         CAPTURE(arguments);
         const Outcome outcome = run(plprove_program + " " + arguments);

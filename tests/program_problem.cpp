@@ -31,7 +31,9 @@ TEST_CASE("a minimal problem is found in the catalogue, however it is named") {
         CHECK(report["number"] == 2394);
         CHECK(report["families"]["plmp"] == "3002_1");
         CHECK(report["degree"]["value"] == 312);
-        CHECK(report["degree"]["status"] == "claimed");
+        CHECK(report["degree"]["bound"] == "exact");
+        CHECK(report["degrees"].back()["status"] == "claimed");
+        CHECK(report["degrees"].front() == report["degree"]);
     }
 }
 

@@ -180,12 +180,24 @@ TEST_CASE("counts agree with one another and with the excesses") {
 TEST_CASE("the degrees on file are of minimal classes, and reach all with the same equations") {
     const std::vector<DegreeRecord> degrees = parse_degrees(degree_lines());
     CHECK(!degrees.empty());
+    std::map<std::size_t, int> exact; // computed ones, by constraint class
     for (const DegreeRecord& record : degrees) {
         CAPTURE(record.number);
-        CHECK(all()[record.number].minimal());
-        REQUIRE(all()[record.number].degree);
-        CHECK(all()[record.number].degree->status >= record.status);
+        const Entry& entry = all()[record.number];
+        CHECK(entry.minimal());
+        REQUIRE(entry.degree);
+        CHECK((entry.degree->status != DegreeStatus::claimed ||
+               record.status == DegreeStatus::claimed));
+        if (record.status == DegreeStatus::certified)
+            CHECK(entry.certified_degree.value_or(0) >= record.degree);
+        if (record.status == DegreeStatus::evidence && record.bound == DegreeBound::exact)
+            CHECK(exact.try_emplace(entry.constraint_class, record.degree).first->second ==
+                  record.degree);
     }
+    for (const DegreeRecord& record : degrees)
+        if (const auto found = exact.find(all()[record.number].constraint_class);
+            found != exact.end() && record.bound == DegreeBound::at_least)
+            CHECK(record.degree <= found->second);
     const auto swapped = signature_of(parse_problem("3*P/P/P + Pa/P/a"));
     REQUIRE(swapped);
     const std::size_t number = class_number(label_classes(), swap_representative(*swapped));
@@ -196,41 +208,90 @@ TEST_CASE("the degrees on file are of minimal classes, and reach all with the sa
     CHECK(minimal_only);
 }
 
-TEST_CASE("the strongest record on file wins, and certified is never made up") {
-    const std::vector<Signature> classes = label_classes();
-    const DegreeTable table(
-        {{2394, 311, DegreeStatus::claimed, "x"}, {2394, 312, DegreeStatus::evidence, "y"}},
-        classes);
+TEST_CASE("of several records the most telling comes first, and claims come last") {
+    const DegreeRecord claim{2394, 311, DegreeBound::exact, DegreeStatus::claimed, "claim"};
+    const DegreeRecord exact{2394, 312, DegreeBound::exact, DegreeStatus::evidence, "exact"};
+    const DegreeRecord bound{2394, 300, DegreeBound::at_least, DegreeStatus::evidence, "bound"};
+    const DegreeRecord certified{2394, 290, DegreeBound::at_least, DegreeStatus::certified,
+                                 "certified"};
     const std::size_t constraint = all()[2394].constraint_class;
-    REQUIRE(table.find(2394, constraint));
-    CHECK(table.find(2394, constraint)->degree == 312);
-    CHECK(table.find(2394, constraint)->status == DegreeStatus::evidence);
-    CHECK(!table.find(0, all()[0].constraint_class));
+    const auto sources = [&](std::vector<DegreeRecord> records) {
+        std::string text;
+        for (const DegreeRecord& record :
+             DegreeTable(std::move(records), label_classes()).find(2394, constraint))
+            text += record.source + ' ';
+        return text;
+    };
+    CHECK(sources({claim, certified, exact}) == "exact certified claim ");
+    CHECK(sources({bound, claim, certified}) == "certified bound claim ");
+    CHECK(sources({}).empty());
+    CHECK(DegreeTable({exact}, label_classes()).find(0, all()[0].constraint_class).empty());
+    std::vector<Entry> entries = catalogue({claim, certified, exact});
+    CHECK(entries[2394].degree->degree == 312);
+    CHECK(entries[2394].certified_degree == 290);
+}
+
+TEST_CASE("a lower bound is in a range of degrees only if the degree surely is") {
+    Entry entry;
+    entry.degree = {2394, 300, DegreeBound::at_least, DegreeStatus::evidence, "x"};
+    Filter filter;
+    const auto in = [&](const char* range) {
+        filter.degree = parse_range(range);
+        return matches(filter, entry);
+    };
+    CHECK(in("300.."));
+    CHECK(in("200.."));
+    CHECK(!in("301.."));
+    CHECK(!in("300"));
+    CHECK(!in("..400"));
+    entry.degree->bound = DegreeBound::exact;
+    CHECK(in("300"));
+    CHECK(in("..400"));
+}
+
+TEST_CASE("degrees are read back as they are written") {
+    const std::vector<DegreeRecord> degrees = parse_degrees(degree_lines());
+    const std::string text = write_degrees(degrees, "a remark\n\nof three lines");
+    CHECK(text.starts_with("# a remark\n#\n# of three lines\nnumber,degree,"));
+    std::vector<std::string_view> lines;
+    for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(lines.back().size() + 1))
+        lines.push_back(rest.substr(0, rest.find('\n')));
+    CHECK(write_degrees(parse_degrees(lines), "a remark\n\nof three lines") == text);
 }
 
 TEST_CASE("a malformed file of degrees is refused with its line") {
-    const std::string_view head = "number,degree,status,source";
-    CHECK(read({"# note", head, "5,80,claimed,somebody"}).size() == 1);
+    const std::string_view head = "number,degree,bound,status,source";
+    CHECK(read({"# note", head, "5,80,exact,claimed,somebody"}).size() == 1);
+    CHECK(read({head, "5,80,exact,claimed,x", "5,80,at-least,certified,y"}).size() == 2);
     CHECK(read({head}).empty());
     struct Wrong {
         std::string_view line;
         const char* reason;
     };
     const Wrong list[] = {
-        {"5,80,claimed", "line 2"},      {"5,80,proved,x", "certified, evidence or claimed"},
-        {"5,0,claimed,x", "positive"},   {"143494,8,claimed,x", "143493"},
-        {"-1,8,claimed,x", "143493"},    {"5,8x,claimed,x", "positive"},
-        {"5,8,claimed,", "source"},      {"5,8,claimed,a,b", "four fields"},
-        {"5,8,claimed,\"a\"", "quotes"}, {"5,99999999999,claimed,x", "positive"},
+        {"5,80,exact,claimed", "line 2"},
+        {"5,80,claimed,x", "five fields"},
+        {"5,80,exact,proved,x", "certified, evidence or claimed"},
+        {"5,80,about,claimed,x", "exact or at-least"},
+        {"5,80,exact,certified,x", "lower bounds"},
+        {"5,0,exact,claimed,x", "positive"},
+        {"143494,8,exact,claimed,x", "143493"},
+        {"-1,8,exact,claimed,x", "143493"},
+        {"5,8x,exact,claimed,x", "positive"},
+        {"5,8,exact,claimed,", "source"},
+        {"5,8,exact,claimed,a,b", "five fields"},
+        {"5,8,exact,claimed,\"a\"", "quotes"},
+        {"5,99999999999,exact,claimed,x", "positive"},
     };
     for (const Wrong& wrong : list) {
         CAPTURE(wrong.line);
         CHECK_THROWS_WITH_AS(read({head, wrong.line}), doctest::Contains(wrong.reason),
                              std::runtime_error);
     }
-    CHECK_THROWS_WITH_AS(read({head, "5,8,claimed,x", "5,9,claimed,y"}), doctest::Contains("above"),
+    CHECK_THROWS_WITH_AS(read({head, "5,8,exact,claimed,x", "5,9,exact,claimed,y"}),
+                         doctest::Contains("above"), std::runtime_error);
+    CHECK_THROWS_WITH_AS(read({"5,8,exact,claimed,x"}), doctest::Contains("line 1"),
                          std::runtime_error);
-    CHECK_THROWS_WITH_AS(read({"5,8,claimed,x"}), doctest::Contains("line 1"), std::runtime_error);
 }
 
 TEST_CASE("ranges and view counts are read or refused whole") {

@@ -26,6 +26,13 @@ Families families_of(const Signature& signature, bool minimal) {
     return result;
 }
 
+void add_degrees(Entry& entry, const std::vector<DegreeRecord>& degrees) {
+    if (!degrees.empty()) entry.degree = degrees.front();
+    for (const DegreeRecord& record : degrees)
+        if (record.status == DegreeStatus::certified)
+            entry.certified_degree = std::max(entry.certified_degree.value_or(0), record.degree);
+}
+
 Entry entry_of(std::size_t number, const std::vector<Signature>& classes,
                const DegreeTable& degrees) {
     Entry entry;
@@ -36,7 +43,7 @@ Entry entry_of(std::size_t number, const std::vector<Signature>& classes,
     entry.constraint_class = class_number(classes, constraint_representative(entry.signature));
     entry.counts = counts(entry.signature);
     entry.families = families_of(entry.signature, entry.minimal());
-    if (entry.minimal()) entry.degree = degrees.find(number, entry.constraint_class);
+    if (entry.minimal()) add_degrees(entry, degrees.find(number, entry.constraint_class));
     return entry;
 }
 

@@ -38,7 +38,9 @@ struct Entry {
     /// Of a class that is not minimal only pl0p and at_most_one_pin: the other families consist of
     /// minimal problems.
     Families families;
-    std::optional<DegreeRecord> degree; ///< of a minimal class; the record may be of another class
+    /// Of a minimal class, the most telling record; it may be of another class.
+    std::optional<DegreeRecord> degree;
+    std::optional<int> certified_degree; ///< a lower bound; likewise
 
     bool minimal() const { return obstruction.deficiency() == 0; }
     int rank() const { return camera_dimension - obstruction.deficiency(); }

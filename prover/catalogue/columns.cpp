@@ -121,9 +121,14 @@ const Column table[] = {
     {"trifocal", flag, false,
      "minimal, and its terminal problem is one of the 66 linear in the trifocal tensor",
      [](const Entry& e) { return flag_value(e.families.trifocal_linear); }},
-    {"degree", integer, true, "the degree on file, whatever its status",
+    {"degree", integer, true, "the degree on file, or the lower bound, whatever its status",
      [](const Entry& e) {
          return of_degree(e, [](const DegreeRecord& d) -> Value { return d.degree; });
+     }},
+    {"degree_bound", text, true, "exact, or at-least for a lower bound",
+     [](const Entry& e) {
+         return of_degree(
+             e, [](const DegreeRecord& d) -> Value { return std::string(name(d.bound)); });
      }},
     {"degree_status", text, true, "certified, evidence or claimed",
      [](const Entry& e) {
@@ -139,6 +144,12 @@ const Column table[] = {
      [](const Entry& e) {
          return of_degree(e, [](const DegreeRecord& d) -> Value { return d.source; });
      }},
+    {"degree_certified", integer, true,
+     "how many solutions certificates show at least, whatever the degree above",
+     [](const Entry& e) -> Value {
+         if (!e.certified_degree) return std::monostate{};
+         return *e.certified_degree;
+     }},
 };
 
 constexpr Remark about[] = {
@@ -150,6 +161,8 @@ constexpr Remark about[] = {
                  "certs/classification.plc holds a certificate for each class: check it with "
                  "plcheck certs/classification.plc"},
     {"families", "plmp, five_point, registration and trifocal hold for minimal classes only"},
+    {"degree: exact, at-least",
+     "a degree, or a lower bound on it; certificates prove lower bounds"},
     {"degree: certified", "follows from certificates that plcheck replays"},
     {"degree: evidence", "computed by this project; completeness is not proved"},
     {"degree: claimed", "stated by others; neither computed nor proved here"},

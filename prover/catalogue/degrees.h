@@ -1,10 +1,10 @@
 // The degrees on file (certs/degrees.csv), embedded in the program at build time, each with its
-// status. What is certified, what is evidence and what is only claimed are never mixed.
+// status. What is certified, what is evidence and what is only claimed are never mixed, nor is a
+// degree with a lower bound.
 #pragma once
 
 #include "prover/problem/signature.h"
 
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,21 +19,34 @@ enum class DegreeStatus { claimed, evidence, certified };
 
 std::string_view name(DegreeStatus status);
 
-/// One line of certs/degrees.csv: the degree of a label class, as the source has it.
+/// at_least: there are at least so many solutions; exact: there are so many.
+enum class DegreeBound { at_least, exact };
+
+std::string_view name(DegreeBound bound);
+
+/// One line of certs/degrees.csv: the degree of a label class, or a lower bound on it, as the
+/// source has it.
 struct DegreeRecord {
     std::size_t number = 0;
     int degree = 0;
+    DegreeBound bound = DegreeBound::exact;
     DegreeStatus status = DegreeStatus::claimed;
     std::string source;
 };
+
+/// `at least 300`, or `312`.
+std::string in_words(const DegreeRecord& record);
 
 /// The lines of certs/degrees.csv as it was when the program was built.
 std::span<const std::string_view> degree_lines();
 
 /// Reads the lines of such a file: comments (#), the line of column names, one record a line.
 /// Throws std::runtime_error with the number of the line that is wrong, which includes a number and
-/// status given twice.
+/// status given twice, and a certified degree that is no lower bound: certificates prove no more.
 std::vector<DegreeRecord> parse_degrees(std::span<const std::string_view> lines);
+
+/// The inverse of parse_degrees, but for comments: `remark` is written as comments, in lines.
+std::string write_degrees(std::span<const DegreeRecord> records, std::string_view remark);
 
 /// The records by constraint class: its classes share their camera equations and so their
 /// camera-degree, which for a minimal problem is its degree.
@@ -42,15 +55,21 @@ public:
     /// Assumes that each record's number is one of `classes` (label_classes()).
     DegreeTable(std::vector<DegreeRecord> records, const std::vector<Signature>& classes);
 
-    /// The strongest record for a minimal class of that constraint class: among equals the class's
-    /// own, then the one with the smallest number.
-    std::optional<DegreeRecord> find(std::size_t number, std::size_t constraint_class) const;
+    /// The records for a minimal class of that constraint class, the most telling first. What
+    /// others claim comes last; a degree before a lower bound, certified before evidence; among
+    /// equals the class's own, then the one with the smallest number.
+    std::vector<DegreeRecord> find(std::size_t number, std::size_t constraint_class) const;
 
     const std::vector<DegreeRecord>& records() const { return records_; }
 
 private:
+    struct Key {
+        std::size_t constraint_class = 0;
+        std::size_t index = 0; ///< of records_
+    };
+
     std::vector<DegreeRecord> records_;
-    std::multimap<std::size_t, std::size_t> by_constraint_class_; ///< to indices of records_
+    std::vector<Key> keys_; ///< ascending
 };
 
 } // namespace plprove

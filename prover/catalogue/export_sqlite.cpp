@@ -139,10 +139,10 @@ void insert_all(Database& database, std::span<const Entry> entries,
         classes.row(entry);
     insert_features(database);
     insert_class_features(database, entries);
-    Insert degree(database, "degrees", 4);
+    Insert degree(database, "degrees", 5);
     for (const DegreeRecord& record : degrees)
-        degree.row(static_cast<int>(record.number), record.degree, name(record.status),
-                   record.source);
+        degree.row(static_cast<int>(record.number), record.degree, name(record.bound),
+                   name(record.status), record.source);
     insert_remarks(database);
 }
 
@@ -151,7 +151,7 @@ void insert_all(Database& database, std::span<const Entry> entries,
 std::string to_sqlite(std::span<const Entry> entries, std::span<const DegreeRecord> degrees) {
     Database database;
     // "PLPC": what kind of file this is, for file(1); and the version of this schema.
-    database.execute("PRAGMA application_id = 1347178563; PRAGMA user_version = 1; BEGIN");
+    database.execute("PRAGMA application_id = 1347178563; PRAGMA user_version = 2; BEGIN");
     for (const Relation& table : tables())
         database.execute(create_table(table));
     insert_all(database, entries, degrees);

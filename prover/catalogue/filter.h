@@ -39,10 +39,12 @@ struct Filter {
     bool registration = false;
     bool trifocal = false;
     std::optional<Range> points, lines, pins, free_lines, most_pins, complete_views, rank;
-    std::optional<Range> degree; ///< of a degree on file
+    std::optional<Range> degree; ///< on file: one that is surely in the range
+    std::optional<Range> certified_degree;
     std::optional<Views> points_in_views, lines_in_views;
     std::optional<ObstructionFilter> obstruction;
     std::optional<DegreeStatus> degree_status;
+    std::optional<DegreeBound> degree_bound;
 };
 
 bool matches(const Filter& filter, const Entry& entry);

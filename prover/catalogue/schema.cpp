@@ -43,7 +43,8 @@ constexpr Member class_feature_members[] = {
 
 constexpr Member degree_members[] = {
     {"number", "INTEGER NOT NULL REFERENCES classes", "the class that the source speaks of"},
-    {"degree", "INTEGER NOT NULL", "its degree"},
+    {"degree", "INTEGER NOT NULL", "its degree, or a lower bound"},
+    {"bound", "TEXT NOT NULL", "exact, or at-least for a lower bound"},
     {"status", "TEXT NOT NULL", "certified, evidence or claimed"},
     {"source", "TEXT NOT NULL", "where the degree comes from"},
 };
@@ -72,7 +73,8 @@ constexpr Member constraint_members[] = {
     {"classes", "", "how many label classes it has"},
     {"terminal_problems", "", "how many terminal problems share its camera equations"},
     {"minimal", "", "whether its classes are minimal"},
-    {"degree", "", "the degree on file of the first class"},
+    {"degree", "", "the degree on file of the first class, or the lower bound"},
+    {"degree_bound", "", "exact, or at-least for a lower bound"},
     {"degree_status", "", "certified, evidence or claimed"},
 };
 
@@ -88,7 +90,8 @@ FROM (SELECT swap_class, count(*) AS classes FROM classes GROUP BY swap_class) A
 JOIN classes AS c ON c.number = m.swap_class)";
 
 constexpr const char* constraint_query = R"(
-SELECT c.number, m.classes, m.terminal_problems, c.minimal, c.degree, c.degree_status
+SELECT c.number, m.classes, m.terminal_problems, c.minimal, c.degree,
+       c.degree_bound, c.degree_status
 FROM (SELECT constraint_class, count(*) AS classes, sum(terminal) AS terminal_problems
       FROM classes GROUP BY constraint_class) AS m
 JOIN classes AS c ON c.number = m.constraint_class)";

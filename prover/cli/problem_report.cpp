@@ -124,8 +124,18 @@ void write_verdict(std::ostream& out, const Decision& decision) {
     }
 }
 
+void write_degrees(std::ostream& out, const std::vector<DegreeRecord>& degrees) {
+    section(out, "degree");
+    if (degrees.empty()) out << "none on file\n";
+    for (const DegreeRecord& degree : degrees) {
+        if (&degree != &degrees.front()) continue_section(out);
+        out << in_words(degree) << ' ' << name(degree.status) << ": " << degree.source << " (#"
+            << degree.number << ")\n";
+    }
+}
+
 void write_classes(std::ostream& out, const Decision& decision,
-                   const std::optional<DegreeRecord>& degree) {
+                   const std::vector<DegreeRecord>& degrees) {
     if (is_camera_minimal(decision) && decision.problem.front().views() == 3) {
         section(out, "terminal");
         out << or_nothing(decision.terminal) << '\n';
@@ -141,13 +151,7 @@ void write_classes(std::ostream& out, const Decision& decision,
         if (i > 0) continue_section(out);
         out << names[i] << '\n';
     }
-    if (!is_camera_minimal(decision)) return;
-    section(out, "degree");
-    if (degree)
-        out << degree->degree << ' ' << name(degree->status) << ": " << degree->source << " (#"
-            << degree->number << ")\n";
-    else
-        out << "none on file\n";
+    if (is_camera_minimal(decision)) write_degrees(out, degrees);
 }
 
 Json json_steps(const Decision& decision) {
@@ -169,6 +173,14 @@ Json json_features(const Decision& decision) {
     return features;
 }
 
+Json json_degree(const DegreeRecord& degree) {
+    return {{"value", degree.degree},
+            {"bound", name(degree.bound)},
+            {"status", name(degree.status)},
+            {"source", degree.source},
+            {"number", degree.number}};
+}
+
 Json json_families(const Families& families) {
     return {{"pl0p", families.pl0p},
             {"at_most_one_pin", families.at_most_one_pin},
@@ -180,18 +192,18 @@ Json json_families(const Families& families) {
 
 } // namespace
 
-std::string text_report(const Decision& decision, const std::optional<DegreeRecord>& degree) {
+std::string text_report(const Decision& decision, const std::vector<DegreeRecord>& degrees) {
     std::ostringstream out;
     section(out, "problem");
     out << notation(decision.problem) << '\n';
     write_dimensions(out, decision);
     write_reduction(out, decision);
     write_verdict(out, decision);
-    write_classes(out, decision, degree);
+    write_classes(out, decision, degrees);
     return out.str();
 }
 
-std::string json_report(const Decision& decision, const std::optional<DegreeRecord>& degree) {
+std::string json_report(const Decision& decision, const std::vector<DegreeRecord>& degrees) {
     Json report = {
         {"problem", notation(decision.problem)},
         {"views", decision.problem.front().views()},
@@ -218,11 +230,11 @@ std::string json_report(const Decision& decision, const std::optional<DegreeReco
         report["constraint_class"] = decision.classes->constraint;
         report["families"] = json_families(*decision.families);
     }
-    if (degree && is_camera_minimal(decision))
-        report["degree"] = {{"value", degree->degree},
-                            {"status", name(degree->status)},
-                            {"source", degree->source},
-                            {"number", degree->number}};
+    if (!degrees.empty() && is_camera_minimal(decision)) {
+        report["degree"] = json_degree(degrees.front());
+        for (const DegreeRecord& degree : degrees)
+            report["degrees"].push_back(json_degree(degree));
+    }
     return report.dump(2) + "\n";
 }
 

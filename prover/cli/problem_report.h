@@ -4,16 +4,16 @@
 #include "prover/catalogue/degrees.h"
 #include "prover/classification/decision.h"
 
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace plprove {
 
-/// The decision in words, one fact a paragraph. `degree` is what is on file for its constraint
-/// class.
-std::string text_report(const Decision& decision, const std::optional<DegreeRecord>& degree);
+/// The decision in words, one fact a paragraph. `degrees` is what is on file for its constraint
+/// class, the most telling first.
+std::string text_report(const Decision& decision, const std::vector<DegreeRecord>& degrees);
 
 /// The same as a JSON object.
-std::string json_report(const Decision& decision, const std::optional<DegreeRecord>& degree);
+std::string json_report(const Decision& decision, const std::vector<DegreeRecord>& degrees);
 
 } // namespace plprove

@@ -6,8 +6,8 @@
 
 namespace plprove {
 
-/// Shows "label: done of total" on standard error, rewriting its line; the line is wiped at the
-/// end. Silent where standard error is no terminal.
+/// Shows "label: done of total", and perhaps more, on standard error, rewriting its line; the line
+/// is wiped at the end. Silent where standard error is no terminal.
 class ProgressLine {
 public:
     ProgressLine(std::string label, std::size_t total);
@@ -15,7 +15,8 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
     ~ProgressLine();
 
-    void show(std::size_t done);
+    void show(std::size_t done, const std::string& more = "");
+    void wipe();
 
 private:
     std::string label_;

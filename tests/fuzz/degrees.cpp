@@ -3,6 +3,7 @@
 #include "prover/catalogue/degrees.h"
 #include "tests/fuzz/require.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 using namespace plprove;
@@ -30,12 +31,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(record.number < number_of_classes && record.degree > 0 && !record.source.empty() &&
                     !name(record.status).empty(),
                 "a record out of range");
+    for (const DegreeRecord& record : records)
+        require(record.status != DegreeStatus::certified || record.bound == DegreeBound::at_least,
+                "certificates prove lower bounds");
     const DegreeTable table(std::move(records), label_classes());
     for (const DegreeRecord& record : table.records()) {
         const std::size_t constraint = class_number(
             label_classes(), constraint_representative(label_classes()[record.number]));
-        const auto found = table.find(record.number, constraint);
-        require(found && found->status >= record.status, "a record that is not found");
+        const std::vector<DegreeRecord> found = table.find(record.number, constraint);
+        require(std::ranges::count_if(found,
+                                      [&](const DegreeRecord& other) {
+                                          return other.number == record.number &&
+                                                 other.status == record.status;
+                                      }) == 1,
+                "a record that is not found once");
     }
     return 0;
 }

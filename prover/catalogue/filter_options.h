@@ -1,0 +1,28 @@
+// The filters of the catalogue as options of a command, and as words in one text.
+#pragma once
+
+#include "prover/catalogue/filter.h"
+
+#include <CLI/CLI.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace plprove {
+
+/// Adds an option for each condition of `filter`, which must outlive the command's parsing.
+void add_filters(CLI::App& command, Filter& filter);
+
+/// A family of classes: those that pass the filter and, if ranges are given, are numbered in one.
+struct ClassFilter {
+    Filter filter;
+    std::vector<Range> numbers;
+    bool by_number_only = false; ///< whether the filter has no condition
+};
+
+/// Reads `pl0p`, `one-pin points ..4`, `2394`, `2394,6723 100..200`: the options of add_filters,
+/// whose dashes may be left out, and numbers of classes. Throws std::invalid_argument that says
+/// what is wrong.
+ClassFilter parse_class_filter(const std::string& text);
+
+} // namespace plprove

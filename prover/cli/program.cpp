@@ -1,0 +1,252 @@
+// plprove: finds certificates and writes them. What a certificate proves is decided by plcheck, not
+// here.
+#include "prover/cli/program.h"
+
+#include "prover/bundle/bundle.h"
+#include "prover/catalogue/commands.h"
+#include "prover/classification/archive.h"
+#include "prover/classification/problem_certificate.h"
+#include "prover/cli/atomic_file.h"
+#include "prover/cli/exit.h"
+#include "prover/cli/problem_report.h"
+#include "prover/cli/progress.h"
+#include "prover/degree_sweep/commands.h"
+#include "prover/drawing/drawing.h"
+#include "prover/problem/spec.h"
+#include "prover/scripts/scripts.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <stdexcept>
+#include <system_error>
+
+namespace plprove {
+
+namespace {
+
+constexpr const char* problem_help =
+    "a problem: the authors' number (2394), notation ('2*Pa/Pa/Pa + P/P/P'), a signature of 27 "
+    "numbers, or the authors' Macaulay2 encoding";
+
+/// To the file, or to standard output for the name "-".
+void deliver(const std::string& path, const std::string& text) {
+    if (path != "-") return write_atomically(path, text);
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+        throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
+}
+
+void prove_classification(const std::string& path) {
+    Archive archive;
+    {
+        ProgressLine line("certifying label classes", label_classes().size());
+        archive =
+            certify_classification(label_classes(), [&](std::size_t done) { line.show(done); });
+    }
+    deliver(path, write(archive));
+    if (path != "-")
+        std::cerr << "wrote " << path << ": certificates of " << archive.records.size()
+                  << " label classes, " << archive.pools.size() << " pool(s) of coordinates\n";
+}
+
+Command classification_command(CLI::App& program) {
+    auto path = std::make_shared<std::string>("certs/classification.plc");
+    CLI::App* app = program.add_subcommand(
+        "classification", "Certify every label class of balanced signatures in one archive");
+    app->add_option("-o,--output", *path, "the archive to write, - for standard output")
+        ->capture_default_str();
+    return {app, [path] {
+                prove_classification(*path);
+                return 0;
+            }};
+}
+
+Command certify_command(CLI::App& program) {
+    struct Request {
+        std::string spec;
+        std::string path = "-";
+    };
+    auto request = std::make_shared<Request>();
+    CLI::App* app = program.add_subcommand(
+        "certify", "Certify the verdict on one problem, with coordinates of its own");
+    app->add_option("PROBLEM", request->spec, problem_help)->required();
+    app->add_option("-o,--output", request->path, "the file to write, - for standard output")
+        ->capture_default_str();
+    return {app, [request] {
+                deliver(request->path, write(certify_problem(parse_spec(request->spec))));
+                return 0;
+            }};
+}
+
+void decide_problem(const std::string& spec, bool json, const std::string& certificate) {
+    const Problem problem = parse_spec(spec);
+    const Decision decision = decide(problem);
+    std::vector<DegreeRecord> degrees;
+    if (decision.classes) {
+        const DegreeTable table(parse_degrees(degree_lines()), label_classes());
+        degrees = table.find(decision.classes->label, decision.classes->constraint);
+    }
+    // The certificate first: where it fails, nothing is said that it was to prove.
+    if (!certificate.empty()) deliver(certificate, write(certify_problem(problem)));
+    deliver("-", json ? json_report(decision, degrees) : text_report(decision, degrees));
+}
+
+Command problem_command(CLI::App& program) {
+    struct Request {
+        std::string spec;
+        std::string certificate;
+        bool json = false;
+    };
+    auto request = std::make_shared<Request>();
+    CLI::App* app = program.add_subcommand(
+        "problem", "Decide a problem: minimal, camera-minimal or neither, why, and what it is");
+    app->add_option("PROBLEM", request->spec, problem_help)->required();
+    app->add_flag("--json", request->json, "for machines");
+    app->add_option("--certificate", request->certificate,
+                    "also write a certificate of the verdict to this file");
+    app->footer("Examples:\n"
+                "  plprove problem '2*Pa/Pa/Pa + P/P/P'\n"
+                "  plprove problem '#2394' --json\n"
+                "  plprove problem '3*P/P/P + P/P/a' --certificate mine.plc\n"
+                "  plcheck mine.plc");
+    return {app, [request] {
+                decide_problem(request->spec, request->json, request->certificate);
+                return 0;
+            }};
+}
+
+Command show_command(CLI::App& program) {
+    struct Request {
+        std::string spec;
+        std::string svg;
+    };
+    auto request = std::make_shared<Request>();
+    CLI::App* app =
+        program.add_subcommand("show", "Draw a problem: what each view sees of it, side by side");
+    app->add_option("PROBLEM", request->spec, problem_help)->required();
+    app->add_option("--svg", request->svg,
+                    "write a picture for a paper to this file (- for standard output) instead of "
+                    "drawing in the terminal");
+    return {app, [request] {
+                const Problem problem = parse_spec(request->spec);
+                if (request->svg.empty())
+                    deliver("-", draw_text(problem));
+                else
+                    deliver(request->svg, draw_svg(problem));
+                return 0;
+            }};
+}
+
+/// `export` of the catalogue, with the scripts of single problems beside it.
+Command export_command(CLI::App& program) {
+    struct Request {
+        std::string macaulay2;
+        std::string julia;
+    };
+    auto request = std::make_shared<Request>();
+    const Command catalogue = add_export_command(program, deliver);
+    catalogue.app
+        ->add_option("--macaulay2", request->macaulay2,
+                     "print a Macaulay2 script with the equations of this problem")
+        ->type_name("PROBLEM");
+    catalogue.app
+        ->add_option(
+            "--julia", request->julia,
+            "print a script for HomotopyContinuation.jl with the equations of this problem")
+        ->type_name("PROBLEM");
+    return {catalogue.app, [request, catalogue] {
+                if (!request->macaulay2.empty())
+                    deliver("-", macaulay2_script(parse_spec(request->macaulay2)));
+                if (!request->julia.empty()) deliver("-", julia_script(parse_spec(request->julia)));
+                return catalogue.run();
+            }};
+}
+
+Command archive_command(CLI::App& program) {
+    struct Request {
+        std::string source = ".";
+        std::string path = "point-line-certificates.tar.zst";
+    };
+    auto request = std::make_shared<Request>();
+    CLI::App* app = program.add_subcommand(
+        "archive", "Bundle certificates, proofs and the checker's sources, for an archive");
+    app->add_option("-o,--output", request->path,
+                    "the .tar.zst file to write, - for standard output")
+        ->capture_default_str();
+    app->add_option("--source", request->source, "the project's source folder")
+        ->capture_default_str();
+    return {app, [request] {
+                deliver(request->path, tar_zst(bundle(request->source), bundle_folder));
+                return 0;
+            }};
+}
+
+/// The words of the command line, last first, as CLI11 wants them; the filter that follows
+/// --classes or --also is tied to it, since it may begin with dashes of its own.
+std::vector<std::string> words_of(int argc, char** argv) {
+    std::vector<std::string> words;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const bool takes_filter = word == "--classes" || word == "--also";
+        words.push_back(takes_filter && i + 1 < argc ? word + '=' + argv[++i] : word);
+    }
+    std::ranges::reverse(words);
+    return words;
+}
+
+int run(int argc, char** argv, const ComputeDegree& compute) {
+    CLI::App program("Finds certificates for point-line minimal problems; plcheck checks them.",
+                     "plprove");
+    program.footer("Examples:\n"
+                   "  plprove problem 'P/P/P + 4*a/a/a'   decide a problem, explain, find it\n"
+                   "  plprove certify 2394 -o chicago.plc certify one problem, self-contained\n"
+                   "  plprove degree 2394                 how many solutions a problem has\n"
+                   "  plprove list --minimal --pl0p       numbers of the classes of a family\n"
+                   "  plprove classification -o all.plc   certify all 143,494 label classes\n"
+                   "  plcheck all.plc                     believe nothing, replay everything\n\n"
+                   "Exit status: 0 done, 1 failure, 2 bad input, 3 usage.");
+    program.set_version_flag("--version", "plprove 1.0.0, certificate format 1");
+    program.require_subcommand(1);
+    const Command commands[] = {problem_command(program),
+                                show_command(program),
+                                add_list_command(program, deliver),
+                                certify_command(program),
+                                classification_command(program),
+                                add_degree_command(program, deliver, compute),
+                                add_degrees_command(program, compute),
+                                export_command(program),
+                                archive_command(program)};
+    try {
+        program.parse(words_of(argc, argv));
+    } catch (const CLI::ParseError& error) {
+        if (program.exit(error) != 0) return exit_usage;
+        if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+        return 0;
+    }
+    for (const Command& command : commands)
+        if (command.app->parsed()) return command.run();
+    return 0;
+}
+
+} // namespace
+
+int run_plprove(int argc, char** argv, const ComputeDegree& compute) {
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond the user's limit is a failed write
+    try {
+        return run(argc, argv, compute);
+    } catch (const NotationError& error) {
+        std::cerr << "plprove: not a problem: " << error.what() << '\n';
+        return exit_input;
+    } catch (const BadInput& error) {
+        std::cerr << "plprove: " << error.what() << '\n';
+        return exit_input;
+    } catch (const std::exception& error) {
+        std::cerr << "plprove: " << error.what() << '\n';
+        return exit_failure;
+    }
+}
+
+} // namespace plprove

@@ -1,0 +1,63 @@
+// What a sweep keeps of a class: one file, which is a valid file of certificates (certs/FORMAT.md,
+// section 9) with the rest of the run in a comment, so that both appear at a stroke.
+//
+//     plcert 1 degrees
+//     # run {"number":2394,"degree":312,...}
+//     degree 2394 evidence complete edges 6 trace -11
+//     ...
+#pragma once
+
+#include "prover/degree/degree.h"
+
+#include <algorithm>
+#include <compare>
+#include <filesystem>
+#include <string>
+
+namespace plprove {
+
+/// What a run was asked for, beside the seed.
+struct Attempt {
+    int target = 0; ///< as in DegreeOptions
+    bool certificate = true;
+    auto operator<=>(const Attempt&) const = default;
+};
+
+/// What is known of a class from runs with one seed. `run` is the one that found most; its
+/// certificate is empty: `record` is the text of the certificate that shows most.
+struct ClassResult {
+    std::uint64_t seed = 0;
+    std::vector<Attempt> attempts; ///< all runs
+    DegreeRun run;
+    double seconds = 0; ///< that `run` took
+    int certified = 0;  ///< how many solutions `record` shows
+    std::string record; ///< empty if there is no certificate
+
+    /// The largest number of solutions found.
+    int degree() const { return std::max(run.degree, certified); }
+    /// Evidence of completeness is void where a certificate shows more solutions.
+    bool complete() const { return run.complete() && certified <= run.degree; }
+};
+
+ClassResult class_result(DegreeRun run, const DegreeOptions& options, double seconds);
+
+/// What is known of a class from both: neither a degree nor a certificate is ever lost.
+ClassResult merged(ClassResult old, ClassResult recent);
+
+/// Whether the options were tried. A run that stopped short will do so again.
+bool attempted(const ClassResult& result, const DegreeOptions& options);
+
+/// Whether the result is what the options want: all solutions or as many as the target, shown by
+/// a certificate if one is wanted.
+bool fulfils(const ClassResult& result, const DegreeOptions& options);
+
+/// One JSON object, in one line without its end; ASCII.
+std::string run_line(const ClassResult& result);
+
+/// The file.
+std::string write(const ClassResult& result);
+
+/// Reads such a file back, `record` only if `whole`. Nothing where there is none or it is damaged.
+std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole);
+
+} // namespace plprove

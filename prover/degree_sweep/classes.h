@@ -1,0 +1,16 @@
+// The systems of camera equations whose degrees there are to compute: the constraint classes of
+// minimal problems, each named by the number of its first label class.
+#pragma once
+
+#include "prover/catalogue/filter_options.h"
+
+namespace plprove {
+
+/// All of them, ascending: 10,073.
+std::vector<std::size_t> minimal_constraint_classes();
+
+/// Those that have a minimal label class which passes one of the filters, ascending. Throws
+/// std::invalid_argument if there is none.
+std::vector<std::size_t> constraint_classes_of(std::span<const ClassFilter> filters);
+
+} // namespace plprove

@@ -1,0 +1,124 @@
+#include "prover/degree_sweep/collect.h"
+
+#include "prover/catalogue/degrees.h"
+#include "prover/cli/atomic_file.h"
+#include "prover/degree_sweep/write.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace plprove {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Records of certificates, gathered into files of limited size.
+class Parts {
+public:
+    Parts(const fs::path& folder, std::size_t file_size) : folder_(folder), file_size_(file_size) {}
+
+    /// The name of the file that the record is in.
+    std::string add(const std::string& record) {
+        if (text_.size() > degree_file_head.size() && text_.size() + record.size() > file_size_)
+            write();
+        text_ += record;
+        return name(written_.size() + 1);
+    }
+
+    /// Writes what is left, if only an empty file, and removes what an earlier collection left.
+    std::vector<std::string> finish() {
+        if (written_.empty() || text_.size() > degree_file_head.size()) write();
+        for (std::size_t part = written_.size() + 1; fs::remove(folder_ / name(part)); ++part) {
+        }
+        return written_;
+    }
+
+private:
+    static std::string name(std::size_t part) {
+        return part == 1 ? "degrees.plc" : "degrees-" + std::to_string(part) + ".plc";
+    }
+
+    void write() {
+        written_.push_back(name(written_.size() + 1));
+        write_atomically(folder_ / written_.back(), text_);
+        text_ = degree_file_head;
+    }
+
+    fs::path folder_;
+    std::size_t file_size_;
+    std::string text_{degree_file_head};
+    std::vector<std::string> written_;
+};
+
+bool selects(const Selection& selection, const ClassResult& result) {
+    if (result.record.empty()) return false;
+    return selection.below == 0 || (result.complete() && result.degree() < selection.below) ||
+           selection.also.contains(result.run.number);
+}
+
+/// The degree as computed, and why to believe that it is no lower bound only.
+DegreeRecord computed_record(const ClassResult& result) {
+    DegreeRecord record{result.run.number, result.degree(), DegreeBound::at_least,
+                        DegreeStatus::evidence, "plprove degrees"};
+    if (!result.complete()) return record;
+    record.bound = DegreeBound::exact;
+    record.source += ": " + std::to_string(result.run.evidence->edges) + " edges; trace 1e" +
+                     std::to_string(result.run.evidence->trace_exponent);
+    return record;
+}
+
+/// The comments at the head of certs/degrees.csv, without their marks.
+std::string remark_on_file() {
+    std::string remark;
+    for (std::string_view line : degree_lines()) {
+        if (!line.starts_with('#')) break;
+        line.remove_prefix(line.starts_with("# ") ? 2 : 1);
+        remark.append(line) += '\n';
+    }
+    return remark;
+}
+
+void add_claims(std::vector<DegreeRecord>& records) {
+    for (DegreeRecord& record : parse_degrees(degree_lines()))
+        if (record.status == DegreeStatus::claimed) records.push_back(std::move(record));
+}
+
+/// By class, certified before evidence before claimed.
+auto order(const DegreeRecord& record) {
+    return std::tuple(record.number, -static_cast<int>(record.status));
+}
+
+} // namespace
+
+Collected collect(const SweepFolder& folder, const Selection& selection, std::size_t file_size) {
+    Collected collected;
+    Parts parts(folder.path(), file_size);
+    std::vector<DegreeRecord> records;
+    std::string runs;
+    for (const std::size_t number : folder.numbers()) {
+        const std::optional<ClassResult> result = folder.read(number, true);
+        if (!result) {
+            ++collected.damaged;
+            continue;
+        }
+        runs += run_line(*result) + '\n';
+        if (result->degree() == 0) continue;
+        ++collected.classes;
+        collected.exact += result->complete();
+        records.push_back(computed_record(*result));
+        if (!selects(selection, *result)) continue;
+        ++collected.certified;
+        collected.solutions += static_cast<std::uint64_t>(result->certified);
+        records.push_back({number, result->certified, DegreeBound::at_least,
+                           DegreeStatus::certified, parts.add(result->record)});
+    }
+    add_claims(records);
+    std::ranges::sort(records, {}, order);
+    collected.files = parts.finish();
+    write_atomically(folder.path() / "degrees.csv", write_degrees(records, remark_on_file()));
+    write_atomically(folder.path() / "runs.jsonl", runs);
+    return collected;
+}
+
+} // namespace plprove

@@ -1,0 +1,40 @@
+// What a sweep found, as files to archive: the degrees in the format of certs/degrees.csv, and the
+// certificates in files of certs/FORMAT.md, section 9. The bytes depend on the results alone.
+#pragma once
+
+#include "prover/degree_sweep/folder.h"
+
+#include <functional>
+#include <set>
+
+namespace plprove {
+
+/// Which certificates go in: of complete classes whose degree is below `below` (0: of every class),
+/// and of these classes besides.
+struct Selection {
+    int below = 0;
+    std::set<std::size_t> also;
+};
+
+struct Collected {
+    std::size_t classes = 0;        ///< with a degree or a lower bound
+    std::size_t exact = 0;          ///< of these, complete by evidence
+    std::size_t certified = 0;      ///< classes whose certificate is in the files
+    std::uint64_t solutions = 0;    ///< that the certificates show
+    std::size_t damaged = 0;        ///< files that could not be used
+    std::vector<std::string> files; ///< the names of those with certificates
+};
+
+/// The most bytes of a file of certificates.
+inline constexpr std::size_t collected_file_size = 60U << 20U;
+
+/// Writes into the folder, each file whole or not at all:
+/// - degrees.plc, then degrees-2.plc and so on: certificates, ascending, in parts of at most
+///   `file_size` bytes (a class is never split). Parts of an earlier collection are removed;
+/// - degrees.csv: what is computed, what the certificates written show, and what certs/degrees.csv
+///   has of others' claims;
+/// - runs.jsonl: how each run went, one JSON object a line.
+Collected collect(const SweepFolder& folder, const Selection& selection,
+                  std::size_t file_size = collected_file_size);
+
+} // namespace plprove

@@ -1,0 +1,53 @@
+// The folder of a sweep:
+//
+//     lock                    locked by the sweep at work in the folder, if any
+//     seed-0/002/2394.plc     what came of a class (class_result.h), at most 1000 classes a folder
+//     degrees.csv, ...        what collect.h makes of them
+//
+// Files appear whole or not at all, and no file speaks of another one: a sweep that is killed loses
+// the classes that it was working on and nothing else.
+#pragma once
+
+#include "prover/degree_sweep/class_result.h"
+
+namespace plprove {
+
+/// Holds DIR/lock for as long as it lives, or the process.
+class FolderLock {
+public:
+    /// Makes the folder if there is none. Throws std::runtime_error if another process holds the
+    /// lock, std::system_error if the file cannot be made.
+    explicit FolderLock(const std::filesystem::path& folder);
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+    ~FolderLock();
+
+private:
+    int descriptor_ = -1;
+};
+
+/// The results of the runs with one seed. Safe to use by several threads at a time.
+class SweepFolder {
+public:
+    SweepFolder(std::filesystem::path folder, std::uint64_t seed);
+
+    const std::filesystem::path& path() const { return folder_; }
+    std::filesystem::path file_of(std::size_t number) const;
+
+    /// What is on file for the class, without the certificate's text unless `whole`; nothing where
+    /// there is none that can be used.
+    std::optional<ClassResult> read(std::size_t number, bool whole) const;
+
+    /// Puts on file what is known of the class with this result. Throws std::system_error.
+    void save(ClassResult result) const;
+
+    /// The classes that have a file, ascending.
+    std::vector<std::size_t> numbers() const;
+
+private:
+    std::filesystem::path folder_;
+    std::filesystem::path results_;
+    std::uint64_t seed_;
+};
+
+} // namespace plprove
