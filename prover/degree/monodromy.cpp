@@ -1,0 +1,190 @@
+#include "prover/degree/monodromy.h"
+
+namespace plprove {
+
+namespace {
+
+double square(const Complex& z) {
+    return z.real() * z.real() + z.imag() * z.imag();
+}
+
+/// A linear function of the point, the same for approximations of the same point but for rounding.
+double key(const CameraPoint& point) {
+    double sum = 0;
+    for (std::size_t k = 0; k < point.size(); ++k)
+        sum += (1 + 0.37 * static_cast<double>(k)) * (point[k].real() + 0.61 * point[k].imag());
+    return sum;
+}
+
+double norm(const CameraPoint& point) {
+    double sum = 1;
+    for (const Complex& x : point)
+        sum += square(x);
+    return std::sqrt(sum);
+}
+
+} // namespace
+
+std::optional<int> SolutionSet::find(const CameraPoint& point) const {
+    const double radius = same * norm(point), key_radius = 20 * radius;
+    const double centre = key(point);
+    for (auto i = by_key_.lower_bound(centre - key_radius);
+         i != by_key_.end() && i->first <= centre + key_radius; ++i) {
+        double distance = 0;
+        const CameraPoint& other = points_[static_cast<std::size_t>(i->second)];
+        for (std::size_t k = 0; k < point.size(); ++k)
+            distance += square(point[k] - other[k]);
+        if (distance < radius * radius) return i->second;
+    }
+    return std::nullopt;
+}
+
+int SolutionSet::add(const CameraPoint& point) {
+    points_.push_back(point);
+    by_key_.emplace(key(point), size() - 1);
+    return size() - 1;
+}
+
+std::vector<std::optional<CameraPoint>>
+PathFollower::follow(const TrackedImages& images, const std::vector<CameraPoint>& starts) {
+    counts_.tracks += starts.size();
+    return follow(images, starts, 0);
+}
+
+std::vector<std::optional<CameraPoint>>
+PathFollower::follow_closely(const TrackedImages& images, const std::vector<CameraPoint>& starts) {
+    counts_.retried += starts.size();
+    return follow(images, starts, 1);
+}
+
+std::vector<std::optional<CameraPoint>> PathFollower::follow(const TrackedImages& images,
+                                                             const std::vector<CameraPoint>& starts,
+                                                             std::size_t first_attempt) {
+    TrackSettings close;
+    close.prediction = 1e-5;
+    close.contraction = 0.02;
+    close.largest_steps = 20000;
+    TrackSettings precise = close;
+    precise.noise = 1e-20;
+    precise.smallest_step = 1e-14;
+    const std::array<TrackSettings, 3> settings{TrackSettings{}, close, precise};
+    const std::array<TrackFunction*, 3> functions{fastest_tracker(), fastest_tracker(),
+                                                  track_double_double};
+    std::vector<std::optional<CameraPoint>> result(starts.size());
+    std::vector<std::size_t> open(starts.size());
+    for (std::size_t i = 0; i < open.size(); ++i)
+        open[i] = i;
+    for (std::size_t attempt = first_attempt; attempt < settings.size() && !open.empty();
+         ++attempt) {
+        if (attempt > first_attempt) counts_.retried += open.size();
+        std::vector<CameraPoint> from, to(open.size());
+        for (const std::size_t i : open)
+            from.push_back(starts[i]);
+        std::vector<TrackOutcome> outcomes(open.size());
+        counts_.steps += functions[attempt](system_, images, settings[attempt], open.size(),
+                                            from.data(), to.data(), outcomes.data())
+                             .steps;
+        std::vector<std::size_t> still_open;
+        for (std::size_t k = 0; k < open.size(); ++k)
+            if (outcomes[k] == TrackOutcome::arrived)
+                result[open[k]] = to[k];
+            else
+                still_open.push_back(open[k]);
+        open = std::move(still_open);
+    }
+    counts_.failed += open.size();
+    return result;
+}
+
+Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream)
+    : system_(system), random_(seed, stream), chart_{{random_.complex3(), random_.complex3()}, {}},
+      constants_(random_constants(system, random_)), follower_({}) {
+    for (Complex& x : chart_.centre)
+        x = random_.complex();
+    follower_ = PathFollower(tracked_system(system, chart_));
+    CameraPoint start;
+    for (Complex& x : start)
+        x = random_.complex();
+    nodes_[0].images = images_of_scene(system, chart_.cameras(start), random_);
+    nodes_[0].solutions.add(start);
+    nodes_[1].images = random_images(system, random_);
+}
+
+void Monodromy::add_edge() {
+    const Images to = turned(nodes_[1].images, random_);
+    edges_.push_back({{moving_images(system_, constants_, nodes_[0].images, to),
+                       moving_images(system_, constants_, to, nodes_[0].images)},
+                      {}});
+}
+
+bool Monodromy::follow_edge(Edge& edge, int from) {
+    const auto source = static_cast<std::size_t>(from), target = 1 - source;
+    auto &partner = edge.partner[source], &inverse = edge.partner[target];
+    partner.resize(static_cast<std::size_t>(nodes_[source].solutions.size()), open);
+    std::vector<int> starting;
+    std::vector<CameraPoint> starts;
+    for (int i = 0; i < nodes_[source].solutions.size(); ++i)
+        if (partner[static_cast<std::size_t>(i)] == open) {
+            starting.push_back(i);
+            starts.push_back(nodes_[source].solutions[i]);
+        }
+    if (starting.empty()) return false;
+    std::vector<std::optional<CameraPoint>> ends = follower_.follow(edge.images[source], starts);
+
+    // Two paths with one end: at least one has jumped, so both are followed again.
+    const auto match = [&](std::size_t k, bool last) -> std::optional<int> {
+        auto& mine = partner[static_cast<std::size_t>(starting[k])];
+        mine = lost;
+        if (!ends[k]) return std::nullopt;
+        SolutionSet& set = nodes_[target].solutions;
+        const int end = set.find(*ends[k]).value_or(-1);
+        const int index = end >= 0 ? end : set.add(*ends[k]);
+        inverse.resize(static_cast<std::size_t>(set.size()), open);
+        auto& theirs = inverse[static_cast<std::size_t>(index)];
+        if (theirs >= 0) return last ? std::nullopt : std::optional<int>(theirs);
+        theirs = starting[k];
+        mine = index;
+        return std::nullopt;
+    };
+    std::vector<std::size_t> again;
+    for (std::size_t k = 0; k < starting.size(); ++k)
+        if (match(k, false)) again.push_back(k);
+    if (!again.empty()) {
+        starts.clear();
+        for (const std::size_t k : again)
+            starts.push_back(nodes_[source].solutions[starting[k]]);
+        const auto second = follower_.follow_closely(edge.images[source], starts);
+        for (std::size_t i = 0; i < again.size(); ++i) {
+            ends[again[i]] = second[i];
+            match(again[i], true);
+        }
+    }
+    return true;
+}
+
+void Monodromy::run(int edges, int target) {
+    while (this->edges() < edges)
+        add_edge();
+    bool moving = true;
+    while (moving) {
+        moving = false;
+        for (const int from : {0, 1})
+            for (Edge& edge : edges_) {
+                if (target > 0 && nodes_[0].solutions.size() >= target) return;
+                if (follow_edge(edge, from)) moving = true;
+            }
+    }
+}
+
+int Monodromy::unmatched() const {
+    int count = 0;
+    for (const Edge& edge : edges_)
+        for (const std::size_t node : {0U, 1U}) {
+            count += nodes_[node].solutions.size() - static_cast<int>(edge.partner[node].size());
+            for (const int partner : edge.partner[node])
+                count += partner < 0;
+        }
+    return count;
+}
+
+} // namespace plprove

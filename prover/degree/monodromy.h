@@ -1,0 +1,101 @@
+// Monodromy: all camera solutions of a problem for some images, from a single one, by following
+// solutions around loops of images.
+#pragma once
+
+#include "prover/degree/images.h"
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace plprove {
+
+/// Different solutions for the same images, which can be found again from a numerical
+/// approximation.
+class SolutionSet {
+public:
+    static constexpr double same = 1e-6; ///< relative distance of approximations of one solution
+
+    std::optional<int> find(const CameraPoint& point) const;
+    int add(const CameraPoint& point);
+    int size() const { return static_cast<int>(points_.size()); }
+    const CameraPoint& operator[](int index) const {
+        return points_[static_cast<std::size_t>(index)];
+    }
+    const std::vector<CameraPoint>& points() const { return points_; }
+
+private:
+    std::vector<CameraPoint> points_;
+    std::multimap<double, int> by_key_;
+};
+
+struct PathCounts {
+    std::uint64_t tracks = 0;
+    std::uint64_t retried = 0;
+    std::uint64_t failed = 0;
+    std::uint64_t steps = 0;
+};
+
+/// Follows paths, and those that are lost again with tighter settings, then with more digits.
+class PathFollower {
+public:
+    explicit PathFollower(const TrackedSystem& system) : system_(system) {}
+
+    /// The ends of the paths from the starts; nothing for those that are lost for good.
+    std::vector<std::optional<CameraPoint>> follow(const TrackedImages& images,
+                                                   const std::vector<CameraPoint>& starts);
+    /// The same, with tighter settings from the beginning.
+    std::vector<std::optional<CameraPoint>> follow_closely(const TrackedImages& images,
+                                                           const std::vector<CameraPoint>& starts);
+    const PathCounts& counts() const { return counts_; }
+
+private:
+    std::vector<std::optional<CameraPoint>> follow(const TrackedImages& images,
+                                                   const std::vector<CameraPoint>& starts,
+                                                   std::size_t first_attempt);
+    TrackedSystem system_;
+    PathCounts counts_;
+};
+
+/// Two nodes with random images, and edges between them along which all solutions are followed.
+class Monodromy {
+public:
+    Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream);
+
+    /// Follows solutions along all edges until each edge has matched all solutions of both nodes,
+    /// or `target` solutions (0: any number) are known at the first node.
+    void run(int edges, int target);
+
+    const SolutionSet& solutions() const { return nodes_[0].solutions; }
+    const Images& images() const { return nodes_[0].images; }
+    const CameraChart& chart() const { return chart_; }
+    const std::vector<Complex3>& constants() const { return constants_; }
+    PathFollower& follower() { return follower_; }
+    int edges() const { return static_cast<int>(edges_.size()); }
+    /// How many solutions of either node lack a partner along some edge.
+    int unmatched() const;
+
+private:
+    struct Node {
+        Images images;
+        SolutionSet solutions;
+    };
+    static constexpr int open = -1, lost = -2;
+    struct Edge {
+        std::array<TrackedImages, 2> images;     ///< forth and back
+        std::array<std::vector<int>, 2> partner; ///< of each solution of node 0, node 1
+    };
+
+    void add_edge();
+    bool follow_edge(Edge& edge, int from);
+
+    const CameraSystem& system_;
+    Random random_;
+    CameraChart chart_;
+    std::vector<Complex3> constants_;
+    std::array<Node, 2> nodes_;
+    std::vector<Edge> edges_;
+    PathFollower follower_;
+};
+
+} // namespace plprove

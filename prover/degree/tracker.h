@@ -1,0 +1,71 @@
+// Path tracking: follows solutions of the camera equations while the images move.
+#pragma once
+
+#include "prover/degree/camera_system.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace plprove {
+
+/// Each of the 11 equations has at most three image vectors.
+inline constexpr int max_vectors = 33;
+
+/// A CameraSystem with its chart, in plain arrays for the inner loops.
+struct TrackedSystem {
+    struct Equation {
+        EquationKind kind;
+        int vectors[3];
+        int views[3]; ///< of the vectors
+    };
+    int vectors = 0;
+    int views[max_vectors] = {};
+    Equation equations[camera_dimension] = {};
+    double rotation[2][3][2] = {}; ///< the chart, real and imaginary parts
+    double centre[5][2] = {};
+};
+
+/// Images that move with time t from 0 to 1: each image vector is a quadratic polynomial in t.
+struct TrackedImages {
+    double coefficient[max_vectors][3][3][2]; ///< [vector][coordinate][power of t][re, im]
+};
+
+struct TrackSettings {
+    double prediction = 5e-4; ///< relative error of a prediction that the step size aims at
+    double contraction = 0.1; ///< Newton's second correction is at most that much of the first ...
+    double noise = 1e-7;      ///< ... or as small as rounding may make it, relative to the point
+    double largest_step = 0.25;
+    double smallest_step = 1e-9;
+    int largest_steps = 3000;
+};
+
+enum class TrackOutcome : std::uint8_t { arrived, stuck, endless };
+
+/// What tracking a list of paths cost.
+struct TrackCost {
+    std::uint64_t steps = 0; ///< attempted; each evaluates the equations and their Jacobian twice
+};
+
+/// Follows each start to t = 1; starts and ends are arrays of `count` points, outcomes as well.
+using TrackFunction = TrackCost(const TrackedSystem& system, const TrackedImages& images,
+                                const TrackSettings& settings, std::size_t count,
+                                const CameraPoint* starts, CameraPoint* ends,
+                                TrackOutcome* outcomes);
+
+namespace avx512 {
+TrackFunction track;
+}
+namespace avx2 {
+TrackFunction track;
+}
+namespace portable {
+TrackFunction track;
+}
+
+/// The widest of them that this machine can run. All give the same results, to the bit.
+TrackFunction* fastest_tracker();
+
+/// The same with about 32 decimal digits, one path at a time: slow, for what the others lose.
+TrackFunction track_double_double;
+
+} // namespace plprove
