@@ -231,6 +231,27 @@ TEST_CASE("of several records the most telling comes first, and claims come last
     CHECK(entries[2394].certified_degree == 290);
 }
 
+TEST_CASE("what is on file for one class is found the quick way, too") {
+    std::vector<DegreeRecord> records;
+    for (std::size_t number = 5; number < all().size(); number += 1009)
+        records.push_back({number, 1 + static_cast<int>(number), DegreeBound::exact,
+                           DegreeStatus::evidence, "x"});
+    const DegreeTable table(records, label_classes());
+    for (std::size_t number = 3; number < all().size(); number += 3) {
+        if (table.find(number, all()[number].constraint_class).empty() && number % 300 != 0)
+            continue;
+        const auto degrees = [](const std::vector<DegreeRecord>& found) {
+            std::vector<int> values;
+            for (const DegreeRecord& record : found)
+                values.push_back(record.degree);
+            return values;
+        };
+        const std::size_t constraint = all()[number].constraint_class;
+        CHECK(degrees(degrees_of_class(records, label_classes(), number, constraint)) ==
+              degrees(table.find(number, constraint)));
+    }
+}
+
 TEST_CASE("a lower bound is in a range of degrees only if the degree surely is") {
     Entry entry;
     entry.degree = {2394, 300, DegreeBound::at_least, DegreeStatus::evidence, "x"};

@@ -171,4 +171,13 @@ std::vector<DegreeRecord> DegreeTable::find(std::size_t number,
     return found;
 }
 
+std::vector<DegreeRecord> degrees_of_class(std::vector<DegreeRecord> records,
+                                           const std::vector<Signature>& classes,
+                                           std::size_t number, std::size_t constraint_class) {
+    std::erase_if(records, [&](const DegreeRecord& record) {
+        return !alike(classes[record.number], classes[constraint_class]);
+    });
+    return DegreeTable(std::move(records), classes).find(number, constraint_class);
+}
+
 } // namespace plprove

@@ -72,4 +72,9 @@ private:
     std::vector<Key> keys_; ///< ascending
 };
 
+/// The same as DegreeTable(records, classes).find(number, constraint_class), quicker for one class.
+std::vector<DegreeRecord> degrees_of_class(std::vector<DegreeRecord> records,
+                                           const std::vector<Signature>& classes,
+                                           std::size_t number, std::size_t constraint_class);
+
 } // namespace plprove

@@ -85,10 +85,9 @@ void decide_problem(const std::string& spec, bool json, const std::string& certi
     const Problem problem = parse_spec(spec);
     const Decision decision = decide(problem);
     std::vector<DegreeRecord> degrees;
-    if (decision.classes) {
-        const DegreeTable table(parse_degrees(degree_lines()), label_classes());
-        degrees = table.find(decision.classes->label, decision.classes->constraint);
-    }
+    if (decision.classes)
+        degrees = degrees_of_class(parse_degrees(degree_lines()), label_classes(),
+                                   decision.classes->label, decision.classes->constraint);
     // The certificate first: where it fails, nothing is said that it was to prove.
     if (!certificate.empty()) deliver(certificate, write(certify_problem(problem)));
     deliver("-", json ? json_report(decision, degrees) : text_report(decision, degrees));

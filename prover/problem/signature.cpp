@@ -1,6 +1,7 @@
 #include "prover/problem/signature.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace plprove {
 
@@ -180,6 +181,18 @@ Signature constraint_representative(const Signature& signature) {
     return representative_of(relabelings(signature), [](const Signature& relabeled) {
         return merged(merged(relabeled, swap_pairs), exchange_pairs);
     });
+}
+
+bool alike(const Signature& a, const Signature& b) {
+    // Where the kinds begin in the list of features, and its end.
+    constexpr std::array<std::ptrdiff_t, 14> kinds{0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 18, 21, 27};
+    for (std::size_t i = 0; i + 1 < kinds.size(); ++i) {
+        const auto sum = [&](const Signature& s) {
+            return std::accumulate(s.begin() + kinds[i], s.begin() + kinds[i + 1], 0);
+        };
+        if (sum(a) != sum(b)) return false;
+    }
+    return true;
 }
 
 std::size_t class_number(const std::vector<Signature>& classes, const Signature& representative) {
