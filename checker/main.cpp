@@ -1,4 +1,5 @@
 // The command plcheck: reads files, has the core replay them, prints the report.
+#include "checker/krawczyk.h"
 #include "checker/report.h"
 
 #include <cerrno>
@@ -11,6 +12,11 @@ using namespace checker;
 static constexpr std::string_view help = R"(usage:
     plcheck classification.plc         derive every count of the classification from certificates
     plcheck problem.plc                replay the verdict on one problem
+    plcheck degrees.plc                prove that classes have at least so many solutions
+    plcheck classification.plc degrees.plc
+                                       and compare the camera-degrees with the paper
+    plcheck classification.plc SHA256SUMS
+                                       and compare the files with the digests of a list
     plcheck --json classification.plc  the same for a program
     plcheck --errata classification.plc
                                        each count that differs from the paper, with a witness
@@ -23,6 +29,8 @@ static constexpr std::string_view version = R"(plcheck, certificate format 1
 To be trusted: the sources in checker/, the C++ compiler and its standard library, GMP, the machine;
 certs/FORMAT.md and proofs/ for what follows. Not trusted: the files and the program behind them.
 )";
+static constexpr std::string_view with_arb = "For degree files, to be trusted, too: Arb, FLINT.\n";
+static constexpr std::string_view without_arb = "Built without Arb: degree files are refused.\n";
 
 /// Says what is wrong, and returns the status.
 static int fail(const std::string& what, int status) {
@@ -43,7 +51,8 @@ int main(int count, char** values) try {
     for (int i = 1; i < count; ++i) {
         const std::string_view option = values[i];
         if (option == "--help") return write(help, 0);
-        if (option == "--version") return write(version, 0);
+        if (option == "--version")
+            return write(say(version, has_arb() ? with_arb : without_arb), 0);
         if (option == "--json")
             print = json;
         else if (option == "--errata")

@@ -35,4 +35,5 @@ void check_record(const Record& record, const Obstruction& truth,
 /// Replays a file of this kind after its first line.
 void replay_classification(Reader& reader, const Classification& classes, FileReport& report);
 void replay_problem(Reader& reader, const Classification& classes, FileReport& report);
+void replay_degrees(Reader& reader, const Classification& classes, FileReport& report);
 } // namespace checker

@@ -1,4 +1,5 @@
 #include "checker/record.h"
+#include "checker/sha256.h"
 
 namespace checker {
 /// The instances of each feature that a class may use, and how many the file has.
@@ -76,14 +77,36 @@ void replay_classification(Reader& reader, const Classification& classes, FileRe
     miss(all.size(), reader.line());
 }
 
+/// Takes lines as sha256sum writes them: a digest, two spaces, a name.
+static void read_digests(std::string_view bytes, FileReport& report) {
+    report.kind = "digests";
+    for (std::size_t line = 1; !bytes.empty(); ++line) {
+        const std::size_t end = bytes.find('\n');
+        if (end < 67 || end > 66 + 4096 || bytes.find_first_not_of("0123456789abcdef") != 64 ||
+            bytes.substr(64, 2) != "  ")
+            throw Complaint{line, "expected a SHA-256 digest, two spaces, a name"};
+        report.listed.emplace_back(bytes.substr(0, 64),
+                                   printable(bytes.substr(66, end - 66), 4096));
+        bytes.remove_prefix(end + 1);
+    }
+}
+
 FileReport replay(const Classification& classes, std::string_view name, std::string_view bytes) {
-    FileReport report{.name = printable(name, 4096)};
+    FileReport report{.name = printable(name, 4096), .sha256 = sha256(bytes)};
     try { // no try block of the whole function: GCC 12 then destroys the report that it returns
+        if (bytes.find_first_not_of("0123456789abcdef") == 64) {
+            read_digests(bytes, report);
+            return report;
+        }
         Reader reader(bytes);
         reader.take("plcert 1");
-        const bool problem = reader.comes("problem");
-        reader.take(problem ? "problem $" : "classification $");
-        (problem ? replay_problem : replay_classification)(reader, classes, report);
+        report.kind = reader.comes("problem")   ? "problem"
+                      : reader.comes("degrees") ? "degrees"
+                                                : "classification";
+        reader.take(report.kind + " $");
+        (report.kind == "problem"   ? replay_problem
+         : report.kind == "degrees" ? replay_degrees
+                                    : replay_classification)(reader, classes, report);
     } catch (const Complaint& error) {
         return {.name = report.name, .conforms = false, .complaints = {error}};
     }

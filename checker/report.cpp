@@ -1,20 +1,10 @@
-#include "checker/report.h"
+#include "checker/claims.h"
 
 #include <algorithm>
 #include <iomanip>
 #include <utility>
 
 namespace checker {
-/// What the claims are about. The minimal classes that come first of their swap&label class stand
-/// for the terminal problems.
-struct Class {
-    bool minimal, first, terminal;
-    unsigned excess, star;                // E, S
-    unsigned most_pins = 0;               // at a point
-    bool five = false, registers = false; // two views share five points; and `determine` the rest
-    std::string name{};                   // in PLMP, if every view sees everything
-};
-
 /// Whether a pair of views sees the same lines and, of each point that only one of it sees, the
 /// other a pin: so their relative pose determines what is to be registered with the third.
 static bool determine(Views pair, const Signature& signature) {
@@ -39,6 +29,7 @@ static Class describe(const Signature& signature, const Obstruction& obstruction
         pins += signature[i] * features[i].pins;
         c.most_pins = std::max(c.most_pins, features[i].pins);
     }
+    c.lines = lines;
     if (equations == 6 * (points + lines) + 3 * pins) // the most that there can be
         c.name = say(points, 0, lines, pins, '_', c.most_pins);
     for (const Views pair : view_pairs) {
@@ -98,6 +89,24 @@ static Claim compare(std::string_view claim, const std::string& paper, const std
     return {std::string(claim), paper, certified, verdict};
 }
 
+/// Compares the files with the digests of those that are lists: a name there may be the end of a
+/// path.
+static void compare_digests(std::vector<FileReport>& files) {
+    for (FileReport& list : files)
+        for (const auto& [digest, name] : list.listed) {
+            bool given = false;
+            for (FileReport& file : files) {
+                if (!("/" + file.name).ends_with("/" + name)) continue;
+                given = true;
+                file.digest = say(file.sha256 == digest ? "as in " : "not as in ", list.name);
+                if (file.sha256 != digest)
+                    file.refuse(0, say("its SHA-256 digest is ", file.sha256, ", in ", list.name,
+                                       " it is ", digest));
+            }
+            if (!given) list.unverified.push_back(name);
+        }
+}
+
 /// By class number, what a certificate proves. Swaps do not change whether a problem is minimal:
 /// refuses a verdict that contradicts an earlier one on its swap&label class.
 static std::vector<const Obstruction*> collect(const Classification& classes, Report& report) {
@@ -118,15 +127,19 @@ static std::vector<const Obstruction*> collect(const Classification& classes, Re
 
 Report summarize(const Classification& classes, std::vector<FileReport> files) {
     Report report{.files = std::move(files)};
+    compare_digests(report.files);
     const auto proved = collect(classes, report);
     const bool complete = std::count(proved.begin(), proved.end(), nullptr) == 0;
     std::array<std::size_t, table.size()> counts{};
     std::vector<Claim> named;
+    std::vector<Class> described;
     for (std::size_t n = 0; n < proved.size(); ++n) {
         const Signature& signature = classes.representatives[n];
         const Obstruction obstruction = proved[n] ? *proved[n] : Obstruction{};
         const Class c = describe(signature, obstruction, classes.swap_class[n] == n);
         for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += table[i].counts(c);
+        described.push_back(c);
+        if (!proved[n]) described.back().minimal = described.back().terminal = false;
         if (c.name.empty() || plmp.find(c.name) == plmp.npos) continue;
         const std::string problem = say(c.name, ", class ", n, ": ", notation(signature));
         const std::string verdict = c.minimal ? "minimal" : "not minimal";
@@ -139,6 +152,7 @@ Report summarize(const Classification& classes, std::vector<FileReport> files) {
         report.claims.push_back(compare(table[i].claim, paper, certified, table[i].difference));
     }
     report.claims.insert(report.claims.end(), named.begin(), named.end());
+    report.degrees = degree_claims(classes, described, complete, report.files);
     return report;
 }
 
@@ -153,29 +167,69 @@ std::string errata(const Report& report) {
                 ".\n  Counted: ",
                 count == table.end() ? "see the table" : std::string(count->definition), "\n\n");
     }
+    for (const DegreeClaim& c : report.degrees) {
+        if (!c.verdict.starts_with("differs")) continue;
+        text += say(c.claim, "\n  Paper: ", c.paper, "; certified at least: ", c.certified,
+                    "; by evidence exactly: ", c.evidence, "; ", c.verdict,
+                    ".\n  Witness: ", c.witness.empty() ? "none, or itself" : c.witness, "\n\n");
+    }
     return text.empty() ? "no count that these files cover differs from the paper\n" : text;
 }
 
-std::string text(const Report& report) {
+/// What was found of a file, in lines.
+static std::string text(const FileReport& file) {
     std::ostringstream text;
-    for (const FileReport& file : report.files) {
-        text << file.name << ": ";
-        if (file.certified.empty())
-            text << file.verdicts.size() << " certificates hold, "
-                 << (file.conforms ? say(file.refused, " refused\n") : "not a certificate file\n");
-        else
-            text << "certified " << file.certified << ": " << file.problem << '\n';
-    }
-    const auto is_problem = [](const FileReport& file) { return !file.problem.empty(); };
-    if (std::all_of(report.files.begin(), report.files.end(), is_problem)) return text.str();
-    const auto write = [&](const Claim& c) {
-        text << std::left << '\n'
-             << std::setw(52) << c.claim << std::right << std::setw(8) << c.paper << std::setw(11)
-             << c.certified << "  " << c.verdict;
-    };
-    write({"claim", "paper", "certified", "verdict"});
-    std::for_each(report.claims.begin(), report.claims.end(), write);
+    text << file.name << ": ";
+    if (!file.conforms)
+        text << "not a certificate file";
+    else if (file.kind == "digests")
+        text << file.listed.size() - file.unverified.size() << " digests compared";
+    else if (file.kind == "degrees")
+        text << file.degrees.size() << " degree records hold, " << file.refused << " refused";
+    else if (!file.certified.empty())
+        text << "certified " << file.certified << ": " << file.problem;
+    else
+        text << file.verdicts.size() << " certificates hold, " << file.refused << " refused";
+    if (!file.digest.empty()) text << "; digest " << file.digest;
+    for (const std::string& name : file.unverified)
+        text << "\n- not verified, as it was not given: " << name;
+    for (const auto& [number, line, solutions, complete] : file.degrees)
+        if (file.degrees.size() <= 20)
+            text << "\n- class " << number << ": certified to have at least " << solutions
+                 << " solutions; evidence that there are no more: " << (complete ? "yes" : "none");
     return text.str() + '\n';
+}
+
+std::string text(const Report& report) {
+    std::ostringstream lines;
+    for (const FileReport& file : report.files) lines << text(file);
+    const auto has_claims = [](const FileReport& file) {
+        return file.problem.empty() && file.kind != "degrees" && file.kind != "digests";
+    };
+    const auto write = [&](const Claim& c) {
+        lines << std::left << '\n'
+              << std::setw(52) << c.claim << std::right << std::setw(8) << c.paper << std::setw(11)
+              << c.certified << "  " << c.verdict;
+    };
+    if (std::any_of(report.files.begin(), report.files.end(), has_claims)) {
+        write({"claim", "paper", "certified", "verdict"});
+        std::for_each(report.claims.begin(), report.claims.end(), write);
+        lines << '\n';
+    }
+    const auto write_degree = [&](const DegreeClaim& c) {
+        lines << std::left << '\n'
+              << std::setw(52) << c.claim << std::right << std::setw(8) << c.paper << std::setw(11)
+              << c.certified << std::setw(10) << c.evidence << "  " << c.verdict;
+    };
+    const auto has_degrees = [](const FileReport& file) { return !file.degrees.empty(); };
+    if (std::none_of(report.files.begin(), report.files.end(), has_degrees)) return lines.str();
+    if (report.degrees.empty())
+        return lines.str() + "The degrees are not compared with the paper: no class of theirs is "
+                             "certified to be minimal in this run.\n";
+    write_degree({"camera-degrees", "claimed", "certified", "evidence", ""});
+    write_degree({"", "exactly", "at least", "exactly", ""});
+    std::for_each(report.degrees.begin(), report.degrees.end(), write_degree);
+    return lines.str() + '\n';
 }
 
 /// A cell of the table in JSON: a number, null for `-`, or a string.
@@ -191,6 +245,8 @@ std::string json(const Report& report) {
     for (const FileReport& file : report.files) {
         json << std::exchange(comma, ",\n") << "{\"file\": " << std::quoted(file.name)
              << ", \"conforms\": " << (file.conforms ? "true" : "false")
+             << ", \"sha256\": " << std::quoted(file.sha256)
+             << ", \"digest\": " << std::quoted(file.digest)
              << ", \"problem\": " << std::quoted(file.problem)
              << ", \"verdict\": " << std::quoted(file.certified)
              << ", \"certified\": " << file.verdicts.size() << ", \"refused\": " << file.refused
@@ -199,6 +255,16 @@ std::string json(const Report& report) {
         for (const auto& [line, reason] : file.complaints)
             json << std::exchange(inner, ",\n") << "  {\"line\": " << line
                  << ", \"reason\": " << std::quoted(reason) << '}';
+        json << "], \"degrees\": [";
+        inner = "\n";
+        for (const auto& [number, line, solutions, complete] : file.degrees)
+            json << std::exchange(inner, ",\n") << "  {\"class\": " << number
+                 << ", \"certified_at_least\": " << solutions
+                 << ", \"evidence_complete\": " << (complete ? "true" : "false") << '}';
+        json << "], \"not_verified\": [";
+        inner = "";
+        for (const std::string& name : file.unverified)
+            json << std::exchange(inner, ", ") << std::quoted(name);
         json << "]}";
     }
     comma = "],\n\"claims\": [\n";
@@ -206,6 +272,13 @@ std::string json(const Report& report) {
         json << std::exchange(comma, ",\n") << "{\"claim\": " << std::quoted(claim)
              << ", \"paper\": " << cell(paper) << ", \"certified\": " << cell(certified)
              << ", \"verdict\": " << std::quoted(verdict) << '}';
+    comma = "],\n\"degree_claims\": [\n";
+    for (const DegreeClaim& c : report.degrees)
+        json << std::exchange(comma, ",\n") << "{\"claim\": " << std::quoted(c.claim)
+             << ", \"claimed_exactly\": " << cell(c.paper)
+             << ", \"certified_at_least\": " << cell(c.certified)
+             << ", \"evidence_exactly\": " << cell(c.evidence)
+             << ", \"verdict\": " << std::quoted(c.verdict) << '}';
     return json.str() + "]}\n";
 }
 

@@ -12,11 +12,23 @@ struct Verdict {
     Obstruction obstruction;
 };
 
+/// What a degree record proves: its class has at least so many solutions. That there are no more is
+/// evidence, if that is complete.
+struct Degree {
+    std::size_t number, line, solutions;
+    bool complete;
+};
+
 struct FileReport {
     std::string name{};                 // printable
-    bool conforms = true;               // to sections 5 and 7; if not, nothing is certified
+    std::string kind{};                 // classification, problem, degrees, digests
+    std::string sha256{}, digest{};     // of its bytes; what a list of digests says of these
+    bool conforms = true;               // to FORMAT.md; if not, nothing is certified
     std::string problem{}, certified{}; // of a problem file that holds: its verdict, in words
     std::vector<Verdict> verdicts{};
+    std::vector<Degree> degrees{};
+    std::vector<std::pair<std::string, std::string>> listed{}; // digests and names
+    std::vector<std::string> unverified{};                     // names of files not given
     std::size_t refused = 0;
     std::vector<Complaint> complaints{}; // the first refusals; or the violation of section 5
     void refuse(std::size_t line, std::string reason) {
@@ -29,9 +41,17 @@ struct Claim {
     std::string claim, paper, certified, verdict;
 };
 
+/// The same of camera-degrees: numbers of problems, or the degree of one. What is certified is at
+/// least so much; what is exactly so much is evidence.
+struct DegreeClaim {
+    std::string claim, paper, certified, evidence, verdict;
+    std::string witness{}; // a problem that is counted
+};
+
 struct Report {
     std::vector<FileReport> files{};
     std::vector<Claim> claims{};
+    std::vector<DegreeClaim> degrees{}; // none without a degree file
     int status = 0; // of the command: 0 every certificate holds, 1 one is refused, 2 syntax error
 };
 
@@ -39,7 +59,7 @@ struct Report {
 FileReport replay(const Classification& classes, std::string_view name, std::string_view bytes);
 
 /// Derives the claims. A count is certified if every class has a certificate that holds. Refuses
-/// verdicts that contradict each other.
+/// verdicts that contradict each other, and files that have not the digests listed.
 Report summarize(const Classification& classes, std::vector<FileReport> files);
 
 std::string text(const Report& report);
