@@ -1,6 +1,7 @@
 // Faults that are nobody's mistake: killed processes, full disks, folders that cannot be written,
 // readers that have left. A file is under its name whole or not at all, and whoever lives to say so
 // says what is wrong, with a status other than 0.
+#include "tests/process.h"
 #include "tests/program.h"
 
 #include <algorithm>
@@ -28,41 +29,11 @@ const std::string plprove = PLPROVE;
 const std::string plcheck = PLCHECK;
 const std::string committed = std::string(SOURCE_DIR) + "/certs/classification.plc";
 
-using Arguments = std::vector<std::string>;
-
 /// Starts plprove in a folder, silent, after `prepare` in the new process; the result is its id.
 pid_t start(
     const fs::path& folder, const Arguments& arguments,
     const std::function<void()>& prepare = [] {}) {
-    // Signals wait until the new process is plprove: the handlers of the tests are not meant.
-    sigset_t all, before;
-    ::sigfillset(&all);
-    ::sigprocmask(SIG_SETMASK, &all, &before);
-    const pid_t child = ::fork();
-    if (child != 0) {
-        ::sigprocmask(SIG_SETMASK, &before, nullptr);
-        return child;
-    }
-    // The leak checker of the sanitizers cannot work in a traced process.
-    ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
-    const int nowhere = ::open("/dev/null", O_RDWR);
-    for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        ::dup2(nowhere, stream);
-    std::vector<char*> values{const_cast<char*>(plprove.c_str())};
-    for (const std::string& argument : arguments)
-        values.push_back(const_cast<char*>(argument.c_str()));
-    values.push_back(nullptr);
-    prepare();
-    ::signal(SIGINT, SIG_DFL);
-    ::sigprocmask(SIG_SETMASK, &before, nullptr);
-    if (::chdir(folder.c_str()) == 0) ::execv(plprove.c_str(), values.data());
-    ::_exit(127);
-}
-
-int wait_for(pid_t child) {
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return status;
+    return start_program(plprove, folder, arguments, prepare);
 }
 
 /// A command that writes one file, which is named "file" here.
@@ -155,25 +126,6 @@ int trace(const fs::path& folder, const Arguments& arguments, int last) {
         status = wait_for(child);
         if (!WIFSTOPPED(status)) return step;
     }
-}
-
-/// Runs a script with root's rights over mounts that vanish with it; nothing if the system does not
-/// let its users have them.
-std::optional<Outcome> run_with_mounts(const std::string& script) {
-    for (const std::string unshare :
-         {"unshare --mount", "unshare --user --map-root-user --mount"}) {
-        const TemporaryFolder folder;
-        const std::string mount = "mount -t tmpfs none " + folder.path().string();
-        if (run(unshare + " " + mount).status != 0) continue;
-        return run(unshare + " sh -c '" + script + "'");
-    }
-    MESSAGE("this system permits no mounts here: not tested");
-    return {};
-}
-
-/// The names in a folder, in order.
-std::string names_in(const fs::path& folder) {
-    return run("ls -A " + folder.string()).out;
 }
 
 } // namespace

@@ -244,6 +244,7 @@ Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree com
                      "stop once so many solutions are found (default: go on until complete)")
         ->check(CLI::Range(1, largest_target));
     command->add_option("--seed", request->options.seed, "another seed, other random images")
+        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command->add_flag("--json", request->json, "for machines");
     command->add_option("-o,--output", request->path,
@@ -272,6 +273,7 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     command->add_option("--seed", request->options.seed, "another seed, other random images")
+        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command->add_flag("--no-certificates", request->no_certificates,
                       "compute degrees only, which is quicker");
