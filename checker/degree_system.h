@@ -102,11 +102,12 @@ template <class T> Triple<T> minus(const Triple<T>& a, const Triple<T>& b) {
 
 template <class T> using Coordinates = std::array<T, camera_unknowns>; // of the cameras
 
-/// What the cameras make of the sights.
+/// What the cameras make of the sights: the ray R^T x or normal R^T l of each, and its derivatives
+/// by x, y, z, which are not set in view 1.
 template <class T> struct Scene {
     std::array<Triple<T>, 3> centres{};
-    std::vector<Triple<T>> rays{};             // R^T x or R^T l of each sight
-    std::vector<Triple<Triple<T>>> tangents{}; // derivatives by x, y, z; zero in view 1
+    std::vector<std::array<Triple<T>, 4>> rays{};
+    const Triple<T>& ray(std::size_t sight) const { return rays[sight][0]; }
 };
 
 /// The columns of R for the quaternion (1, x, y, z), and of its derivatives by x, y, z.
@@ -126,15 +127,13 @@ template <class T> void look(const System& system, const Coordinates<T>& c, Scen
     scene.centres[1] = {T(1), c[6], c[7]};
     scene.centres[2] = {c[8], c[9], c[10]};
     scene.rays.resize(system.sights.size());
-    scene.tangents.resize(system.sights.size());
     const std::array turns{turn(c[0], c[1], c[2]), turn(c[3], c[4], c[5])};
     for (std::size_t s = 0; s < system.sights.size(); ++s) {
         const auto& [view, image] = system.sights[s];
         const Triple<T> x{T(double(image[0])), T(double(image[1])), T(double(image[2]))};
-        if (view == 0) scene.rays[s] = x;
+        if (view == 0) scene.rays[s][0] = x;
         for (std::size_t k = 0; view > 0 && k < 12; ++k)
-            (k < 3 ? scene.rays[s] : scene.tangents[s][k / 3 - 1])[k % 3] =
-                dot(turns[view - 1][k / 3][k % 3], x);
+            scene.rays[s][k / 3][k % 3] = dot(turns[view - 1][k / 3][k % 3], x);
     }
 }
 
@@ -143,33 +142,28 @@ template <class T>
 T evaluate(const System& system, const Equation& equation, const Scene<T>& scene,
            Coordinates<T>& row) {
     const auto& [first, second, third] = equation.sights;
-    const Triple<T>&a = scene.rays[first], &b = scene.rays[second], &c = scene.rays[third];
+    const Triple<T>&a = scene.ray(first), &b = scene.ray(second);
     const auto view = [&](std::size_t sight) { return system.sights[sight].view; };
     const auto by_ray = [&](std::size_t sight, const Triple<T>& derivative) {
         for (std::size_t k = 0; view(sight) > 0 && k < 3; ++k)
-            row[3 * view(sight) - 3 + k] = dot(derivative, scene.tangents[sight][k]);
+            row[3 * view(sight) - 3 + k] = dot(derivative, scene.rays[sight][k + 1]);
     };
     const auto by_centre = [&](std::size_t sight, const Triple<T>& derivative) {
         if (view(sight) == 1) row[6] = derivative[1], row[7] = derivative[2];
         if (view(sight) == 2) std::copy(derivative.begin(), derivative.end(), &row[8]);
     };
     row = {};
-    if (equation.kind == Kind::pencil) {
-        const Triple<T> bc = cross(b, c);
-        by_ray(first, bc);
-        by_ray(second, cross(c, a));
-        by_ray(third, cross(a, b));
-        return dot(a, bc);
-    }
     const Triple<T> ab = minus(scene.centres[view(first)], scene.centres[view(second)]);
-    if (equation.kind == Kind::epipolar) {
-        const Triple<T> ba = cross(b, a);
-        by_ray(first, cross(ab, b));
-        by_ray(second, cross(a, ab));
-        by_centre(first, ba);
-        by_centre(second, cross(a, b));
-        return dot(ab, ba);
+    if (equation.kind != Kind::incidence) { // determinants
+        const bool pencil = equation.kind == Kind::pencil;
+        const Triple<T>&c = pencil ? scene.ray(third) : ab, normal = cross(b, a);
+        by_ray(first, cross(c, b));
+        by_ray(second, cross(a, c));
+        if (pencil) by_ray(third, normal);
+        if (!pencil) by_centre(first, normal), by_centre(second, cross(a, b));
+        return dot(c, normal);
     }
+    const Triple<T>& c = scene.ray(third);
     const Triple<T> ac = minus(scene.centres[view(first)], scene.centres[view(third)]);
     const T b_ab = dot(b, ab), c_ac = dot(c, ac), ba = dot(b, a), ca = dot(c, a);
     by_ray(first, minus(times(b_ab, c), times(c_ac, b)));
@@ -193,7 +187,7 @@ std::string_view degeneracy(const System& system, const Coordinates<T>& c, const
         return nonzero(x[0]) || nonzero(x[1]) || nonzero(x[2]);
     };
     const auto parallel = [&](std::size_t ray, std::size_t plane) {
-        return !nonzero(dot(scene.rays[ray], scene.rays[plane]));
+        return !nonzero(dot(scene.ray(ray), scene.ray(plane)));
     };
     for (const T* q : {&c[0], &c[3]})
         if (!nonzero(T(T(1) + q[0] * q[0] + q[1] * q[1] + q[2] * q[2])))
@@ -204,7 +198,7 @@ std::string_view degeneracy(const System& system, const Coordinates<T>& c, const
             return "a ray is parallel to a plane of its incidence";
     for (const auto& [ray, plane, seen, lines] : system.places) {
         if (parallel(ray, plane)) return "a ray is parallel to the plane that it should meet";
-        const Triple<T>&d = scene.rays[ray], &n = scene.rays[plane];
+        const Triple<T>&d = scene.ray(ray), &n = scene.ray(plane);
         const Triple<T>& centre = scene.centres[system.sights[ray].view];
         const T scale = dot(n, d);
         const T along = dot(n, minus(scene.centres[system.sights[plane].view], centre));
@@ -213,7 +207,7 @@ std::string_view degeneracy(const System& system, const Coordinates<T>& c, const
             for (std::size_t k = 0; k < 3; ++k) from[k] = from[k] + along * d[k];
             if (seen >> v & 1 && !differs(from)) return "a point is the centre of a view of it";
             for (const auto& [a, b, views] : lines)
-                if (views >> v & 1 && !differs(cross(from, cross(scene.rays[a], scene.rays[b]))))
+                if (views >> v & 1 && !differs(cross(from, cross(scene.ray(a), scene.ray(b)))))
                     return "a line has no direction, or meets the centre of a view of it";
         }
     }

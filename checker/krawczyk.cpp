@@ -118,13 +118,10 @@ static std::string_view prove(const System& system, const Start& start, int step
         radius[i] = 1 + magnitude(z[i].get());
         relative = std::max(relative, 4 * magnitude(change.at(i, 0)) / radius[i]);
     }
-    mag_t error;
-    mag_init(error);
     for (std::size_t i = 0; i < n; ++i) {
-        mag_set_d(error, radius[i] *= relative);
-        acb_add_error_mag(z[i].get(), error);
+        const Ball<bits> error(radius[i] *= relative);
+        acb_add_error_arb(z[i].get(), acb_realref(error.get()));
     }
-    mag_clear(error);
 
     evaluate_all();
     acb_mat_mul(jacobian.entries, inverse.entries, jacobian.entries, bits);

@@ -50,6 +50,10 @@ TEST_CASE("the bundle unpacks, builds and checks with what it brings along") {
     const Outcome fresh = run(inside + commands[1]);
     CHECK(fresh.status == 0);
     CHECK(fresh.out.find("143494 certificates hold") != std::string::npos);
+    const Outcome degrees =
+        run(inside + "printf 'plcert 1 degrees\\n' >degrees.plc && ./plcheck degrees.plc");
+    CHECK(degrees.status == 1); // built from C++ and GMP alone
+    CHECK(degrees.err == "degrees.plc:1: refused: this plcheck was built without Arb\n");
     const Outcome installed = run("cd " + source + " && " + plcheck + " certs/*.plc");
     CHECK(fresh.out == installed.out);
 }
