@@ -31,20 +31,21 @@ struct Residue {
 
 using Row = std::array<Residue, 11>;
 
-inline Residue determinant(std::array<Row, 11> m) {
+/// Of a square matrix, a container of rows.
+template <class Matrix> Residue determinant(Matrix m) {
     Residue product{1}, scale{1}; // rows are scaled on the way, so as to divide only once
-    for (std::size_t c = 0; c < 11; ++c) {
+    for (std::size_t c = 0; c < m.size(); ++c) {
         std::size_t place = c;
-        while (place < 11 && m[place][c] == Residue{}) ++place;
-        if (place == 11) return {};
+        while (place < m.size() && m[place][c] == Residue{}) ++place;
+        if (place == m.size()) return {};
         if (place != c) product = -product;
         std::swap(m[c], m[place]);
         const Residue pivot = m[c][c];
         product = product * pivot;
-        for (std::size_t r = c + 1; r < 11; ++r) {
+        for (std::size_t r = c + 1; r < m.size(); ++r) {
             const Wide a = pivot.value, b = (-m[r][c]).value;
             if (b == 0) continue;
-            for (std::size_t k = c; k < 11; ++k)
+            for (std::size_t k = c; k < m.size(); ++k)
                 m[r][k] = Residue::of(a * m[r][k].value + b * m[c][k].value);
             scale = scale * pivot;
         }

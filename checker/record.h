@@ -36,4 +36,5 @@ void check_record(const Record& record, const Obstruction& truth,
 void replay_classification(Reader& reader, const Classification& classes, FileReport& report);
 void replay_problem(Reader& reader, const Classification& classes, FileReport& report);
 void replay_degrees(Reader& reader, const Classification& classes, FileReport& report);
+void replay_bounds(Reader& reader, const Classification& classes, FileReport& report);
 } // namespace checker

@@ -102,10 +102,12 @@ FileReport replay(const Classification& classes, std::string_view name, std::str
         reader.take("plcert 1");
         report.kind = reader.comes("problem")   ? "problem"
                       : reader.comes("degrees") ? "degrees"
+                      : reader.comes("bounds")  ? "bounds"
                                                 : "classification";
         reader.take(report.kind + " $");
         (report.kind == "problem"   ? replay_problem
          : report.kind == "degrees" ? replay_degrees
+         : report.kind == "bounds"  ? replay_bounds
                                     : replay_classification)(reader, classes, report);
     } catch (const Complaint& error) {
         return {.name = report.name, .conforms = false, .complaints = {error}};

@@ -21,12 +21,14 @@ struct Degree {
 
 struct FileReport {
     std::string name{};                 // printable
-    std::string kind{};                 // classification, problem, degrees, digests
+    std::string kind{};                 // classification, problem, degrees, bounds, digests
     std::string sha256{}, digest{};     // of its bytes; what a list of digests says of these
     bool conforms = true;               // to FORMAT.md; if not, nothing is certified
     std::string problem{}, certified{}; // of a problem file that holds: its verdict, in words
     std::vector<Verdict> verdicts{};
     std::vector<Degree> degrees{};
+    std::size_t templates = 0;        // that hold; and by label class, 0 where there is none, what
+    std::vector<std::size_t> upper{}; // the camera-degree is at most
     std::vector<std::pair<std::string, std::string>> listed{}; // digests and names
     std::vector<std::string> unverified{};                     // names of files not given
     std::size_t refused = 0;

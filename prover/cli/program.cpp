@@ -2,6 +2,7 @@
 // here.
 #include "prover/cli/program.h"
 
+#include "prover/bounds/commands.h"
 #include "prover/bundle/bundle.h"
 #include "prover/catalogue/commands.h"
 #include "prover/classification/archive.h"
@@ -214,6 +215,7 @@ int run(int argc, char** argv, const ComputeDegree& compute) {
                                 add_list_command(program, deliver),
                                 certify_command(program),
                                 classification_command(program),
+                                add_bounds_command(program, deliver),
                                 add_degree_command(program, deliver, compute),
                                 add_degrees_command(program, compute),
                                 export_command(program),

@@ -1,0 +1,295 @@
+// Upper bounds of camera-degrees (FORMAT.md, section 10). Where two views share five points, their
+// relative pose has finitely many values, and what is left is to register the third camera: six
+// conditions on a rotation and a translation. A template of their type is a square matrix whose
+// determinant, not being 0, bounds the number of solutions.
+#include "checker/record.h"
+#include "checker/rotation_ring.h"
+
+#include <optional>
+
+namespace checker {
+namespace {
+/// A type of registration problem: what the third camera sees of what is known in space.
+struct Registration {
+    std::vector<unsigned> stars{};  // known points, with how many known lines through each
+    unsigned lines = 0;             // known lines
+    unsigned incidences = 0;        // image lines, each through a known point
+    std::vector<unsigned> groups{}; // known lines that meet rays: how many have a point in common
+    auto operator<=>(const Registration&) const = default;
+};
+
+/// The relative pose of two views that share five points: one camera, and rays of the other.
+const Registration relative_pose{.groups = {5}};
+
+/// What is left of a problem when the relative pose of two views is known.
+Registration registration(const Signature& signature, Views pair) {
+    Registration type;
+    const Views third = 0b111 & ~pair;
+    std::array<unsigned, 5> rays{}; // by view of the pair: those that the third sees as points
+    for (std::size_t i = 0; i < feature_count; ++i) {
+        const Feature& feature = features[i];
+        const Views seeing = feature.point & pair;
+        bool located = seeing == pair;  // the pair determines the point
+        unsigned known = 0, others = 0; // pins that the third view sees: known lines; and others
+        for (unsigned pin = 0; pin < feature.pins; ++pin) {
+            located |= seeing != 0 && (feature.pin[pin] & pair & ~seeing) != 0;
+            if (feature.pin[pin] & third) ++((feature.pin[pin] & pair) == pair ? known : others);
+        }
+        if (!(feature.point & third)) {
+            type.lines += signature[i] * known;
+            type.incidences += signature[i] * others;
+        } else if (located)
+            type.stars.insert(type.stars.end(), signature[i], known);
+        else if (seeing != 0)
+            rays[seeing] += signature[i];
+        else
+            type.groups.insert(type.groups.end(), signature[i], 1);
+    }
+    std::copy_if(rays.begin(), rays.end(), std::back_inserter(type.groups), std::identity());
+    std::sort(type.stars.begin(), type.stars.end());
+    std::sort(type.groups.begin(), type.groups.end());
+    return type;
+}
+
+/// An equation in the rotation R and the translation t: its coefficients at t, and the rest.
+struct Condition {
+    std::array<Polynomial, 3> linear{};
+    Polynomial free{};
+    std::optional<Bidegree> degree{}; // of the rest, for arbitrary data; none if it is 0
+    bool ray = false;                 // the coefficients have the degree of R, else 0
+    bool axis = false;                // they are those of the line that the frame distinguishes
+};
+
+/// A polynomial that vanishes at the solutions, and its degree for arbitrary data.
+struct Equation {
+    Polynomial polynomial{};
+    Bidegree degree{};
+};
+
+/// The constraints of a template, in the frame `general`, `line` or `points`, and the equations
+/// that they put on the rotation.
+struct Constraints {
+    bool line, points; // the frame
+    RotationRing ring{!line && !points};
+    std::array<Polynomial, 9> turn = ring.matrix();
+    Registration type{};
+    std::vector<Condition> conditions{};
+    std::vector<Equation> equations{};
+    unsigned weight = 0; // the number of constraints
+    std::string flaw{};
+
+    void read(Reader& reader) {
+        while (reader.comes("star")) read_star(reader);
+        while (reader.comes("line")) read_line(reader);
+        for (; reader.comes("incidence"); ++type.incidences, ++weight) {
+            const auto [x, l] = take<2>(reader, "incidence point @ @ @ line @ @ @ $");
+            incident(x, l, ring.unit());
+        }
+        while (reader.comes("transversals")) read_group(reader);
+        if (line > type.lines || (points && type.stars.size() < 2))
+            flaw = "the frame does not fit the constraints";
+        for (std::size_t l = 0; l < conditions.size(); ++l)
+            for (std::size_t k = 0; k < l; ++k)
+                for (std::size_t j = 0; j < k; ++j)
+                    for (std::size_t i = 0; i < j; ++i) add_minor({i, j, k, l});
+        if (weight != 6 && type != relative_pose)
+            flaw = say("the constraints have weight ", weight);
+    }
+
+private:
+    /// Takes the words, and the numbers among them as vectors.
+    template <std::size_t count>
+    std::array<Vector, count> take(Reader& reader, std::string_view words) const {
+        if (weight > 5) reader.fail("more", "constraints of weight 6");
+        const Numbers numbers = reader.take(words);
+        std::array<Vector, count> vectors;
+        for (std::size_t i = 0; i < 3 * count; ++i) vectors[i / 3][i % 3] = numbers[i];
+        return vectors;
+    }
+
+    /// l · R x
+    Polynomial turned(const Vector& l, const Vector& x) const {
+        Polynomial sum;
+        for (std::size_t i = 0; i < 9; ++i) {
+            const mpz_class factor = l[i / 3] * x[i % 3];
+            ring.add(sum, turn[i], {{{}, {1}}}, {mpz_fdiv_ui(factor.get_mpz_t(), modulus)});
+        }
+        return sum;
+    }
+
+    /// The point x lies on the image line l: l · (R x + t) = 0.
+    void incident(const Vector& x, const Vector& l, std::optional<Bidegree> degree,
+                  bool axis = false) {
+        Condition& condition = conditions.emplace_back(Condition{.degree = degree, .axis = axis});
+        for (std::size_t i = 0; i < 3; ++i)
+            condition.linear[i][{}] = {mpz_fdiv_ui(l[i].get_mpz_t(), modulus)};
+        if (degree) condition.free = turned(l, x);
+    }
+
+    void read_star(Reader& reader) {
+        const auto [point, x] = take<2>(reader, "star point @ @ @ image @ @ @");
+        const bool first = type.stars.empty(), aligned = points && type.stars.size() < 2;
+        const auto degree = first ? std::nullopt : std::optional(ring.unit());
+        if (first && point != Vector{}) flaw = "the first star is not at the origin";
+        if (aligned && (point[1] != 0 || point[2] != 0 || x[2] != 0))
+            flaw = "a star is not on the axis";
+        if (!aligned) incident(point, {0, x[2], -x[1]}, degree);
+        if (!aligned) incident(point, {-x[2], 0, x[0]}, degree);
+        if (aligned && first) incident(point, {0, 0, 1}, {}, true); // the second star's, too
+        if (aligned) incident(point, {-x[1], x[0], 0}, first ? degree : Bidegree{1, 0});
+        weight += 2;
+        for (type.stars.push_back(0); reader.comes("pin"); ++type.stars.back(), ++weight) {
+            const auto [direction, toward] = take<2>(reader, "pin @ @ @ toward @ @ @");
+            equations.push_back({turned(cross(x, toward), direction), ring.unit()});
+        }
+        reader.end_line();
+    }
+
+    void read_line(Reader& reader) {
+        const auto [point, direction, l] =
+            take<3>(reader, "line point @ @ @ direction @ @ @ image @ @ @ $");
+        const bool axis = line && type.lines == 0;
+        if (axis && (direction != Vector{1, 0, 0} || l != Vector{0, 0, 1}))
+            flaw = "the first line is not the axis";
+        incident(point, l, axis ? Bidegree{0, 1} : ring.unit(), axis);
+        if (!axis) equations.push_back({turned(l, direction), ring.unit()});
+        ++type.lines, weight += 2;
+    }
+
+    void read_group(Reader& reader) {
+        const auto [point] = take<1>(reader, "transversals point @ @ @");
+        const std::size_t first = conditions.size();
+        for (type.groups.push_back(0); type.groups.back() == 0 || !reader.at_end();) {
+            const auto [direction, x] = take<2>(reader, "direction @ @ @ image @ @ @");
+            // The ray of x meets the line: x · ((R point + t) × R direction) = 0.
+            Condition& condition =
+                conditions.emplace_back(Condition{.degree = ring.unit(), .ray = true});
+            condition.free = turned(x, cross(point, direction));
+            for (std::size_t i = 0; i < 3; ++i)
+                condition.linear[i] = turned(cross(x, {i == 0, i == 1, i == 2}), direction);
+            ++type.groups.back(), ++weight;
+        }
+        reader.end_line();
+        for (std::size_t k = first; k < conditions.size(); ++k)
+            for (std::size_t j = first; j < k; ++j)
+                for (std::size_t i = first; i < j; ++i) equations.push_back(minor({i, j, k}));
+    }
+
+    /// The determinant of the coefficients of three conditions at t.
+    Equation minor(const std::array<std::size_t, 3>& chosen) const {
+        Equation minor;
+        unsigned rays = 0, axes = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto &x = conditions[chosen[0]].linear, &y = conditions[chosen[1]].linear;
+            Polynomial two;
+            ring.add(two, x[(i + 1) % 3], y[(i + 2) % 3], {1});
+            ring.add(two, x[(i + 2) % 3], y[(i + 1) % 3], -Residue{1});
+            ring.add(minor.polynomial, conditions[chosen[2]].linear[i], two, {1});
+            rays += conditions[chosen[i]].ray;
+            axes += conditions[chosen[i]].axis;
+        }
+        // Where R becomes infinite, the coefficients of rays are orthogonal to one isotropic
+        // vector, hence three dependent; so are those of the axis if the first degree does.
+        minor.degree = {(rays - (rays + axes == 3 && rays > 1)) * ring.unit()[0],
+                        (rays - (rays == 3)) * ring.unit()[1]};
+        return minor;
+    }
+
+    /// The determinant of four conditions, expanded by what is without t.
+    void add_minor(const std::array<std::size_t, 4>& chosen) {
+        Equation& all = equations.emplace_back();
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Condition& condition = conditions[chosen[i]];
+            if (!condition.degree) continue;
+            std::array<std::size_t, 3> others{};
+            std::remove_copy(chosen.begin(), chosen.end(), others.begin(), chosen[i]);
+            const Equation three = minor(others);
+            ring.add(all.polynomial, condition.free, three.polynomial,
+                     i % 2 == 1 ? Residue{1} : -Residue{1});
+            for (std::size_t d = 0; d < 2; ++d)
+                all.degree[d] = std::max(all.degree[d], (*condition.degree)[d] + three.degree[d]);
+        }
+    }
+};
+
+/// Takes a template. Throws Refused unless it holds; then the result bounds the solutions of
+/// constraints of its type.
+std::pair<Registration, std::size_t> read_template(Reader& reader) {
+    reader.take("template");
+    const std::string_view frame = reader.word();
+    if (frame != "general" && frame != "line" && frame != "points")
+        reader.fail(frame, "`general`, `line` or `points`");
+    reader.take("degree");
+    Bidegree most{static_cast<unsigned>(reader.integer(1, 6)), 0};
+    if (frame != "general") most[1] = static_cast<unsigned>(reader.integer(1, 6));
+    reader.end_line();
+    Constraints given{frame == "line", frame == "points"};
+    given.read(reader);
+    reader.take("basis");
+    const std::vector<Exponents> columns = given.ring.monomials(most);
+    const Numbers basis = read_ascending(reader, std::ssize(columns));
+    reader.end_line();
+    std::map<Exponents, std::size_t> place; // of a column in the square matrix
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        if (!std::binary_search(basis.begin(), basis.end(), std::int64_t(i + 1)))
+            place.emplace(columns[i], place.size());
+        else if (!fits(given.ring.degree(columns[i]), given.ring.unit(), most))
+            given.flaw = say("monomial ", i + 1, " is of too large a degree for the basis");
+    std::vector<std::vector<Residue>> matrix;
+    for (std::int64_t number = 0; number == 0 || reader.comes("rows"); reader.end_line()) {
+        reader.take("rows");
+        number = reader.integer(number + 1, std::ssize(given.equations));
+        const Equation& equation = given.equations[static_cast<std::size_t>(number - 1)];
+        for (const std::int64_t monomial : read_ascending(reader, std::ssize(columns))) {
+            const Exponents& factor = columns[static_cast<std::size_t>(monomial - 1)];
+            if (!fits(equation.degree, given.ring.degree(factor), most))
+                given.flaw = say("equation ", number, " times monomial ", monomial,
+                                 " is of too large a degree");
+            Polynomial multiple;
+            given.ring.add(multiple, equation.polynomial, {{factor, {1}}}, {1});
+            auto& entries = matrix.emplace_back(place.size());
+            for (const auto& [e, coefficient] : multiple)
+                if (const auto at = place.find(e); at != place.end())
+                    entries[at->second] = coefficient;
+        }
+    }
+    reader.take("minor");
+    const Residue stated{static_cast<std::uint64_t>(reader.integer(1, modulus - 1))};
+    reader.end_line();
+    if (matrix.size() != place.size())
+        given.flaw = say("there are ", matrix.size(), " rows for ", place.size(), " columns");
+    if (!given.flaw.empty()) throw Refused(given.flaw);
+    const Residue minor = determinant(std::move(matrix));
+    if (minor != stated) throw Refused("the minor is ", minor.value, " modulo q");
+    return {given.type, basis.size()};
+}
+} // namespace
+
+void replay_bounds(Reader& reader, const Classification& classes, FileReport& report) {
+    reader.take(say("modulus ", modulus, " $"));
+    std::map<Registration, std::size_t> bounds; // the smallest of each type
+    while (!reader.at_end()) {
+        const std::size_t line = reader.line();
+        try {
+            const auto [type, bound] = read_template(reader);
+            const auto place = bounds.emplace(type, bound).first;
+            place->second = std::min(place->second, bound);
+            ++report.templates;
+        } catch (const Refused& refused) {
+            report.refuse(line, refused.reason);
+        }
+    }
+    const auto poses = bounds.find(relative_pose);
+    for (const Signature& signature : classes.representatives) {
+        std::size_t& best = report.upper.emplace_back(0);
+        for (const Views pair : view_pairs) {
+            const auto found = bounds.find(registration(signature, pair));
+            if (shared_points(signature, pair) != 5 || !obstruction(signature).minimal() ||
+                poses == bounds.end() || found == bounds.end())
+                continue;
+            const std::size_t bound = poses->second * found->second;
+            best = best == 0 ? bound : std::min(best, bound);
+        }
+    }
+}
+} // namespace checker

@@ -1,0 +1,33 @@
+// Elimination templates: multiples of the equations of a registration problem that express all
+// monomials up to a degree by those of a basis. The number of solutions is at most the number of
+// elements of the basis (proofs/upper_bounds.md, section 3).
+#pragma once
+
+#include "prover/bounds/equations.h"
+
+#include <optional>
+#include <utility>
+
+namespace plprove::bounds {
+
+struct Template {
+    Frame frame = Frame::general;
+    RegistrationData data;
+    BiDegree degree{};              // of the monomials that are the columns
+    std::vector<std::size_t> basis; // indices of columns
+    /// The rows: for equations, by index, the indices of the monomials that they are multiplied by.
+    std::vector<std::pair<std::size_t, std::vector<std::size_t>>> rows;
+    Residue minor = 0; // of all columns but the basis
+};
+
+/// A template with as small a basis as degrees up to certs/FORMAT.md's limit give, the smallest
+/// such; with this frame and data. Nothing if there is none.
+std::optional<Template> find_template(const RegistrationData& data, Frame frame);
+
+/// Of all frames that suit the type; the first of the smallest. Nothing if there is none.
+std::optional<Template> best_template(const Registration& type);
+
+/// The text of a file with these templates (certs/FORMAT.md, section 10).
+std::string write(const std::vector<Template>& templates);
+
+} // namespace plprove::bounds
