@@ -17,11 +17,11 @@ static std::size_t exchanged(std::size_t i) {
     return two ? index_of(features[i].point, {features[i].point ^ 0b111}) : i;
 }
 
-static std::size_t constraint_class(const Classification& classes, std::size_t number) {
+/// The same signature for all of a constraint class.
+static Signature constraint_class(const Signature& signature) {
     Signature merged{};
-    for (std::size_t i = 0; i < feature_count; ++i)
-        merged[exchanged(i)] += classes.representatives[number][i];
-    return class_of(classes, merged, true);
+    for (std::size_t i = 0; i < feature_count; ++i) merged[exchanged(i)] += signature[i];
+    return largest(merged, true);
 }
 
 /// Table 2 of the paper: how many terminal problems have a degree, for all degrees below a limit.
@@ -99,23 +99,22 @@ static DegreeClaim claim_on(const std::string& problem, std::size_t claimed, con
 std::vector<DegreeClaim> degree_claims(const Classification& classes,
                                        const std::vector<Class>& described, bool all,
                                        const std::vector<FileReport>& files) {
-    std::vector<Bound> bounds(classes.representatives.size());
-    bool any = false;
+    const auto& all_classes = classes.representatives;
+    std::map<Signature, Bound> bounds;
     for (const FileReport& file : files)
         for (const auto& [number, line, solutions, complete] : file.degrees) {
-            Bound& bound = bounds[constraint_class(classes, number)];
-            any = true;
+            Bound& bound = bounds[constraint_class(all_classes[number])];
             if (solutions > bound.solutions) bound = {solutions, complete};
             if (solutions == bound.solutions) bound.complete |= complete;
         }
     std::vector<DegreeClaim> claims;
-    if (!any) return claims;
+    if (bounds.empty()) return claims;
     std::vector<std::pair<std::string, Bound>> terminal, one_pin;
     for (std::size_t n = 0; n < described.size(); ++n) {
         const Class& c = described[n];
         if (!c.minimal) continue;
-        const Bound& bound = bounds[constraint_class(classes, n)];
-        const std::string problem = say("class ", n, ": ", notation(classes.representatives[n]));
+        const Bound& bound = bounds[constraint_class(all_classes[n])];
+        const std::string problem = say("class ", n, ": ", notation(all_classes[n]));
         if (c.terminal) terminal.emplace_back(problem, bound);
         if (c.terminal && c.most_pins < 2) one_pin.emplace_back(problem, bound);
         const std::size_t registered = c.lines == 1 ? 80 : 160; // section 6 of the paper, in order

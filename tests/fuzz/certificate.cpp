@@ -31,7 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(file.conforms || (file.verdicts.empty() && file.certified.empty()),
             "a file that does not conform proves something");
     require(file.conforms || file.complaints.size() == 1, "a syntax error is told otherwise");
-    require(problem || !file.conforms ||
+    require(file.conforms || file.degrees.empty(), "a file that does not conform has degrees");
+    require(file.kind != "classification" ||
                 file.verdicts.size() + file.refused >= short_classes.size(),
             "a class is neither certified nor refused");
     const auto lines = static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1;
