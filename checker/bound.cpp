@@ -6,20 +6,18 @@
 #include "checker/rotation_ring.h"
 
 #include <optional>
+#include <set>
 
 namespace checker {
 namespace {
-/// A type of registration problem: what the third camera sees of what is known in space.
-struct Registration {
-    std::vector<unsigned> stars{};  // known points, with how many known lines through each
-    unsigned lines = 0;             // known lines
-    unsigned incidences = 0;        // image lines, each through a known point
-    std::vector<unsigned> groups{}; // known lines that meet rays: how many have a point in common
-    auto operator<=>(const Registration&) const = default;
-};
+/// A type of registration problem, by its constraints: known points that the third camera sees, and
+/// so many known lines through each (`star 1`); known lines (`line`); image lines through known
+/// points (`incidence`); rays that meet known lines, so many of which have a point in common
+/// (`rays 3`).
+using Registration = std::multiset<std::string>;
 
 /// The relative pose of two views that share five points: one camera, and rays of the other.
-const Registration relative_pose{.groups = {5}};
+const Registration relative_pose{"rays 5"};
 
 /// What is left of a problem when the relative pose of two views is known.
 Registration registration(const Signature& signature, Views pair) {
@@ -35,19 +33,16 @@ Registration registration(const Signature& signature, Views pair) {
             located |= seeing != 0 && (feature.pin[pin] & pair & ~seeing) != 0;
             if (feature.pin[pin] & third) ++((feature.pin[pin] & pair) == pair ? known : others);
         }
-        if (!(feature.point & third)) {
-            type.lines += signature[i] * known;
-            type.incidences += signature[i] * others;
-        } else if (located)
-            type.stars.insert(type.stars.end(), signature[i], known);
-        else if (seeing != 0)
-            rays[seeing] += signature[i];
-        else
-            type.groups.insert(type.groups.end(), signature[i], 1);
+        for (unsigned n = 0; n < signature[i]; ++n)
+            if (feature.point & third && !located && seeing != 0)
+                ++rays[seeing];
+            else if (feature.point & third)
+                type.insert(located ? say("star ", known) : "rays 1");
+            else if (known + others > 0)
+                type.insert(known > 0 ? "line" : "incidence");
     }
-    std::copy_if(rays.begin(), rays.end(), std::back_inserter(type.groups), std::identity());
-    std::sort(type.stars.begin(), type.stars.end());
-    std::sort(type.groups.begin(), type.groups.end());
+    for (const unsigned count : rays)
+        if (count > 0) type.insert(say("rays ", count));
     return type;
 }
 
@@ -75,18 +70,19 @@ struct Constraints {
     Registration type{};
     std::vector<Condition> conditions{};
     std::vector<Equation> equations{};
-    unsigned weight = 0; // the number of constraints
+    unsigned weight = 0, stars = 0, lines = 0;
     std::string flaw{};
 
     void read(Reader& reader) {
         while (reader.comes("star")) read_star(reader);
         while (reader.comes("line")) read_line(reader);
-        for (; reader.comes("incidence"); ++type.incidences, ++weight) {
+        for (; reader.comes("incidence"); ++weight) {
+            type.insert("incidence");
             const auto [x, l] = take<2>(reader, "incidence point @ @ @ line @ @ @ $");
             incident(x, l, ring.unit());
         }
         while (reader.comes("transversals")) read_group(reader);
-        if (line > type.lines || (points && type.stars.size() < 2))
+        if ((line && lines == 0) || (points && stars < 2))
             flaw = "the frame does not fit the constraints";
         for (std::size_t l = 0; l < conditions.size(); ++l)
             for (std::size_t k = 0; k < l; ++k)
@@ -128,7 +124,7 @@ private:
 
     void read_star(Reader& reader) {
         const auto [point, x] = take<2>(reader, "star point @ @ @ image @ @ @");
-        const bool first = type.stars.empty(), aligned = points && type.stars.size() < 2;
+        const bool first = stars++ == 0, aligned = points && stars <= 2;
         const auto degree = first ? std::nullopt : std::optional(ring.unit());
         if (first && point != Vector{}) flaw = "the first star is not at the origin";
         if (aligned && (point[1] != 0 || point[2] != 0 || x[2] != 0))
@@ -138,28 +134,31 @@ private:
         if (aligned && first) incident(point, {0, 0, 1}, {}, true); // the second star's, too
         if (aligned) incident(point, {-x[1], x[0], 0}, first ? degree : Bidegree{1, 0});
         weight += 2;
-        for (type.stars.push_back(0); reader.comes("pin"); ++type.stars.back(), ++weight) {
+        unsigned pins = 0;
+        for (; reader.comes("pin"); ++pins, ++weight) {
             const auto [direction, toward] = take<2>(reader, "pin @ @ @ toward @ @ @");
             equations.push_back({turned(cross(x, toward), direction), ring.unit()});
         }
+        type.insert(say("star ", pins));
         reader.end_line();
     }
 
     void read_line(Reader& reader) {
         const auto [point, direction, l] =
             take<3>(reader, "line point @ @ @ direction @ @ @ image @ @ @ $");
-        const bool axis = line && type.lines == 0;
+        const bool axis = lines++ == 0 && line;
         if (axis && (direction != Vector{1, 0, 0} || l != Vector{0, 0, 1}))
             flaw = "the first line is not the axis";
         incident(point, l, axis ? Bidegree{0, 1} : ring.unit(), axis);
         if (!axis) equations.push_back({turned(l, direction), ring.unit()});
-        ++type.lines, weight += 2;
+        type.insert("line");
+        weight += 2;
     }
 
     void read_group(Reader& reader) {
         const auto [point] = take<1>(reader, "transversals point @ @ @");
         const std::size_t first = conditions.size();
-        for (type.groups.push_back(0); type.groups.back() == 0 || !reader.at_end();) {
+        for (; conditions.size() == first || !reader.at_end(); ++weight) {
             const auto [direction, x] = take<2>(reader, "direction @ @ @ image @ @ @");
             // The ray of x meets the line: x · ((R point + t) × R direction) = 0.
             Condition& condition =
@@ -167,9 +166,9 @@ private:
             condition.free = turned(x, cross(point, direction));
             for (std::size_t i = 0; i < 3; ++i)
                 condition.linear[i] = turned(cross(x, {i == 0, i == 1, i == 2}), direction);
-            ++type.groups.back(), ++weight;
         }
         reader.end_line();
+        type.insert(say("rays ", conditions.size() - first));
         for (std::size_t k = first; k < conditions.size(); ++k)
             for (std::size_t j = first; j < k; ++j)
                 for (std::size_t i = first; i < j; ++i) equations.push_back(minor({i, j, k}));
@@ -280,7 +279,8 @@ void replay_bounds(Reader& reader, const Classification& classes, FileReport& re
         }
     }
     const auto poses = bounds.find(relative_pose);
-    for (const Signature& signature : classes.representatives) {
+    for (std::size_t n = 0; n < classes.representatives.size(); ++n) {
+        const Signature& signature = classes.representatives[n];
         std::size_t& best = report.upper.emplace_back(0);
         for (const Views pair : view_pairs) {
             const auto found = bounds.find(registration(signature, pair));
@@ -290,6 +290,7 @@ void replay_bounds(Reader& reader, const Classification& classes, FileReport& re
             const std::size_t bound = poses->second * found->second;
             best = best == 0 ? bound : std::min(best, bound);
         }
+        if (best > 0 && classes.swap_class[n] == n) ++report.at_most[best];
     }
 }
 } // namespace checker

@@ -1,5 +1,6 @@
 // What degree files say of the camera-degrees in the paper. Three words are kept apart: a degree is
-// certified to be at least so much, is exactly that by evidence, and is claimed by the paper.
+// certified to be at least so much, is exactly that by evidence, and is claimed by the paper. Where
+// an upper bound meets it, that it is exact is certified, too.
 #include "checker/claims.h"
 
 #include <map>
@@ -7,8 +8,10 @@
 namespace checker {
 /// By constraint class (proofs/problems.md, section 8), whose problems have the same degree.
 struct Bound {
-    std::size_t solutions = 0;
-    bool complete = false;
+    std::size_t solutions = 0; // at least
+    bool complete = false;     // no more, by evidence or by an upper bound
+    std::size_t upper = 0;     // at most; 0 if not known
+    bool exact() const { return upper > 0 && upper == solutions; }
 };
 
 /// Of P/a/a and Pab/b/a, and the same in other views, the former; other features are what they are.
@@ -66,21 +69,31 @@ static void add_table(const Table& table,
     }
     const auto count = [&](std::size_t degree, bool open) { // certified; or not decided
         return static_cast<std::size_t>(std::ranges::count_if(problems, [&](const auto& problem) {
-            const auto& [solutions, complete] = problem.second;
-            return open ? !complete && solutions <= degree : solutions >= degree;
+            const Bound& bound = problem.second;
+            return open ? !bound.complete && bound.solutions <= degree : bound.solutions >= degree;
+        }));
+    };
+    const auto exact = [&](std::size_t from, std::size_t to) {
+        return static_cast<std::size_t>(std::ranges::count_if(problems, [&](const auto& problem) {
+            const Bound& bound = problem.second;
+            return bound.exact() && from <= bound.solutions && bound.solutions <= to;
         }));
     };
     for (const auto& [degree, line] : lines)
         claims.push_back({say(table.name, ", degree ", degree), say(line.claimed),
-                          say(count(degree, false)), say(line.found),
+                          say(count(degree, false)), say(exact(degree, degree)), say(line.found),
                           compare(line.claimed, line.found, count(degree, true), "by evidence"),
                           line.witness});
     const std::size_t open = count(table.limit - 1, true), rest = table.problems - below.claimed;
     const std::size_t least = count(table.limit, false);
     claims.push_back({say(table.name, ", degree below ", table.limit), say(below.claimed), "-",
-                      say(below.found), compare(below.claimed, below.found, open, "by evidence")});
+                      say(exact(0, table.limit - 1)), say(below.found),
+                      compare(below.claimed, below.found, open, "by evidence")});
     claims.push_back({say(table.name, ", degree at least ", table.limit), say(rest), say(least),
-                      "-", compare(rest, least, open, "certified")});
+                      "-", "-", compare(rest, least, open, "certified")});
+    const std::size_t complete = problems.size() - count(SIZE_MAX, true);
+    claims.push_back({say(table.name, ", of any degree"), say(table.problems), say(count(1, false)),
+                      say(exact(0, SIZE_MAX)), say(complete), "-"});
 }
 
 /// The claim on one problem; 0 if the paper's text has none.
@@ -92,7 +105,11 @@ static DegreeClaim claim_on(const std::string& problem, std::size_t claimed, con
                                             : compare(claimed, bound.solutions,
                                                       bound.complete ? 0 : claimed, "by evidence");
     if (bound.solutions == 0) verdict = "not covered by these files";
-    return {problem, claimed == 0 ? "-" : paper, at_least, bound.complete ? at_least : "-",
+    return {problem,
+            claimed == 0 ? "-" : paper,
+            at_least,
+            bound.exact() ? at_least : "-",
+            bound.complete ? at_least : "-",
             verdict};
 }
 
@@ -109,6 +126,13 @@ std::vector<DegreeClaim> degree_claims(const Classification& classes,
         }
     std::vector<DegreeClaim> claims;
     if (bounds.empty()) return claims;
+    for (const FileReport& file : files)
+        for (std::size_t n = 0; n < file.upper.size(); ++n) {
+            if (file.upper[n] == 0) continue;
+            Bound& bound = bounds[constraint_class(all_classes[n])];
+            bound.upper = std::min(bound.upper == 0 ? SIZE_MAX : bound.upper, file.upper[n]);
+            bound.complete |= bound.exact();
+        }
     std::vector<std::pair<std::string, Bound>> terminal, one_pin;
     for (std::size_t n = 0; n < described.size(); ++n) {
         const Class& c = described[n];

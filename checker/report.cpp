@@ -120,6 +120,11 @@ static std::vector<const Obstruction*> collect(const Classification& classes, Re
             else
                 file.refuse(v.line, say("class ", v.number, " contradicts its swap&label class"));
         }
+        for (const auto& [number, line, solutions, complete] : file.degrees)
+            for (const FileReport& other : report.files)
+                if (!other.upper.empty() && other.upper[number] > 0 &&
+                    other.upper[number] < solutions)
+                    file.refuse(line, say("class ", number, " contradicts ", other.name));
         report.status = std::max(report.status, !file.conforms ? 2 : file.refused > 0 ? 1 : 0);
     }
     return of_class;
@@ -170,8 +175,9 @@ std::string errata(const Report& report) {
     for (const DegreeClaim& c : report.degrees) {
         if (!c.verdict.starts_with("differs")) continue;
         text += say(c.claim, "\n  Paper: ", c.paper, "; certified at least: ", c.certified,
-                    "; by evidence exactly: ", c.evidence, "; ", c.verdict,
-                    ".\n  Witness: ", c.witness.empty() ? "none, or itself" : c.witness, "\n\n");
+                    "; certified exactly: ", c.exact, "; by evidence exactly: ", c.evidence, "; ",
+                    c.verdict, ".\n  Witness: ", c.witness.empty() ? "none, or itself" : c.witness,
+                    "\n\n");
     }
     return text.empty() ? "no count that these files cover differs from the paper\n" : text;
 }
@@ -186,6 +192,8 @@ static std::string text(const FileReport& file) {
         text << file.listed.size() - file.unverified.size() << " digests compared";
     else if (file.kind == "degrees")
         text << file.degrees.size() << " degree records hold, " << file.refused << " refused";
+    else if (file.kind == "bounds")
+        text << file.templates << " templates hold, " << file.refused << " refused";
     else if (!file.certified.empty())
         text << "certified " << file.certified << ": " << file.problem;
     else
@@ -197,6 +205,9 @@ static std::string text(const FileReport& file) {
         if (file.degrees.size() <= 20)
             text << "\n- class " << number << ": certified to have at least " << solutions
                  << " solutions; evidence that there are no more: " << (complete ? "yes" : "none");
+    for (const auto& [solutions, problems] : file.at_most)
+        text << "\n- certified: " << problems << " terminal problems have at most " << solutions
+             << " solutions";
     return text.str() + '\n';
 }
 
@@ -204,7 +215,8 @@ std::string text(const Report& report) {
     std::ostringstream lines;
     for (const FileReport& file : report.files) lines << text(file);
     const auto has_claims = [](const FileReport& file) {
-        return file.problem.empty() && file.kind != "degrees" && file.kind != "digests";
+        return file.problem.empty() && file.kind != "degrees" && file.kind != "bounds" &&
+               file.kind != "digests";
     };
     const auto write = [&](const Claim& c) {
         lines << std::left << '\n'
@@ -219,15 +231,16 @@ std::string text(const Report& report) {
     const auto write_degree = [&](const DegreeClaim& c) {
         lines << std::left << '\n'
               << std::setw(52) << c.claim << std::right << std::setw(8) << c.paper << std::setw(11)
-              << c.certified << std::setw(10) << c.evidence << "  " << c.verdict;
+              << c.certified << std::setw(10) << c.exact << std::setw(10) << c.evidence << "  "
+              << c.verdict;
     };
     const auto has_degrees = [](const FileReport& file) { return !file.degrees.empty(); };
     if (std::none_of(report.files.begin(), report.files.end(), has_degrees)) return lines.str();
     if (report.degrees.empty())
         return lines.str() + "The degrees are not compared with the paper: no class of theirs is "
                              "certified to be minimal in this run.\n";
-    write_degree({"camera-degrees", "claimed", "certified", "evidence", ""});
-    write_degree({"", "exactly", "at least", "exactly", ""});
+    write_degree({"camera-degrees", "claimed", "certified", "certified", "evidence", ""});
+    write_degree({"", "exactly", "at least", "exactly", "exactly", ""});
     std::for_each(report.degrees.begin(), report.degrees.end(), write_degree);
     return lines.str() + '\n';
 }
@@ -261,7 +274,11 @@ std::string json(const Report& report) {
             json << std::exchange(inner, ",\n") << "  {\"class\": " << number
                  << ", \"certified_at_least\": " << solutions
                  << ", \"evidence_complete\": " << (complete ? "true" : "false") << '}';
-        json << "], \"not_verified\": [";
+        json << "], \"templates\": " << file.templates << ", \"terminal_problems_at_most\": {";
+        inner = "";
+        for (const auto& [solutions, problems] : file.at_most)
+            json << std::exchange(inner, ", ") << '"' << solutions << "\": " << problems;
+        json << "}, \"not_verified\": [";
         inner = "";
         for (const std::string& name : file.unverified)
             json << std::exchange(inner, ", ") << std::quoted(name);
@@ -277,6 +294,7 @@ std::string json(const Report& report) {
         json << std::exchange(comma, ",\n") << "{\"claim\": " << std::quoted(c.claim)
              << ", \"claimed_exactly\": " << cell(c.paper)
              << ", \"certified_at_least\": " << cell(c.certified)
+             << ", \"certified_exactly\": " << cell(c.exact)
              << ", \"evidence_exactly\": " << cell(c.evidence)
              << ", \"verdict\": " << std::quoted(c.verdict) << '}';
     return json.str() + "]}\n";

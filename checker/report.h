@@ -5,6 +5,8 @@
 #include "checker/problem.h"
 #include "checker/reader.h"
 
+#include <map>
+
 namespace checker {
 /// What a certificate proves: the obstruction of a class, which is minimal if there is none.
 struct Verdict {
@@ -27,8 +29,9 @@ struct FileReport {
     std::string problem{}, certified{}; // of a problem file that holds: its verdict, in words
     std::vector<Verdict> verdicts{};
     std::vector<Degree> degrees{};
-    std::size_t templates = 0;        // that hold; and by label class, 0 where there is none, what
-    std::vector<std::size_t> upper{}; // the camera-degree is at most
+    std::size_t templates = 0;                    // that hold
+    std::vector<std::size_t> upper{};             // of the degree, by label class; 0 if none
+    std::map<std::size_t, std::size_t> at_most{}; // how many terminal problems have this one
     std::vector<std::pair<std::string, std::string>> listed{}; // digests and names
     std::vector<std::string> unverified{};                     // names of files not given
     std::size_t refused = 0;
@@ -43,10 +46,11 @@ struct Claim {
     std::string claim, paper, certified, verdict;
 };
 
-/// The same of camera-degrees: numbers of problems, or the degree of one. What is certified is at
-/// least so much; what is exactly so much is evidence.
+/// The same of camera-degrees: numbers of problems, or the degree of one. Certified is what is at
+/// least so much, and, where an upper bound meets it, what is exactly so much; else that is
+/// evidence.
 struct DegreeClaim {
-    std::string claim, paper, certified, evidence, verdict;
+    std::string claim, paper, certified, exact, evidence, verdict;
     std::string witness{}; // a problem that is counted
 };
 

@@ -63,7 +63,7 @@ TEST_CASE("a degree file is compared with the paper where the classification is 
         CHECK(claim["evidence_exactly"].is_null());
     }
     CHECK(found == 1);
-    CHECK(json["degree_claims"].size() == 51 + 12 + (11 + 2) + (29 + 2));
+    CHECK(json["degree_claims"].size() == 51 + 12 + (11 + 3) + (29 + 3));
 }
 
 TEST_CASE("an altered degree file is refused, and says why") {
