@@ -64,13 +64,14 @@ struct Equation {
 /// The constraints of a template, in the frame `general`, `line` or `points`, and the equations
 /// that they put on the rotation.
 struct Constraints {
-    bool line, points; // the frame
-    RotationRing ring{!line && !points};
+    bool line, aligned; // the frame: line, points
+    RotationRing ring{!line && !aligned};
     std::array<Polynomial, 9> turn = ring.matrix();
     Registration type{};
     std::vector<Condition> conditions{};
     std::vector<Equation> equations{};
     unsigned weight = 0, stars = 0, lines = 0;
+    std::array<Vector, 2> points{}, images{}; // of the first two stars
     std::string flaw{};
 
     void read(Reader& reader) {
@@ -82,7 +83,7 @@ struct Constraints {
             incident(x, l, ring.unit());
         }
         while (reader.comes("transversals")) read_group(reader);
-        if ((line && lines == 0) || (points && stars < 2))
+        if ((line && lines == 0) || (aligned && stars < 2))
             flaw = "the frame does not fit the constraints";
         for (std::size_t l = 0; l < conditions.size(); ++l)
             for (std::size_t k = 0; k < l; ++k)
@@ -124,15 +125,16 @@ private:
 
     void read_star(Reader& reader) {
         const auto [point, x] = take<2>(reader, "star point @ @ @ image @ @ @");
-        const bool first = stars++ == 0, aligned = points && stars <= 2;
+        const bool first = stars++ == 0, on_axis = aligned && stars <= 2;
+        if (stars <= 2) points[stars - 1] = point, images[stars - 1] = x;
         const auto degree = first ? std::nullopt : std::optional(ring.unit());
         if (first && point != Vector{}) flaw = "the first star is not at the origin";
-        if (aligned && (point[1] != 0 || point[2] != 0 || x[2] != 0))
+        if (on_axis && (point[1] != 0 || point[2] != 0 || x[2] != 0))
             flaw = "a star is not on the axis";
-        if (!aligned) incident(point, {0, x[2], -x[1]}, degree);
-        if (!aligned) incident(point, {-x[2], 0, x[0]}, degree);
-        if (aligned && first) incident(point, {0, 0, 1}, {}, true); // the second star's, too
-        if (aligned) incident(point, {-x[1], x[0], 0}, first ? degree : Bidegree{1, 0});
+        if (!on_axis) incident(point, {0, x[2], -x[1]}, degree);
+        if (!on_axis) incident(point, {-x[2], 0, x[0]}, degree);
+        if (on_axis && first) incident(point, {0, 0, 1}, {}, true); // the second star's, too
+        if (on_axis) incident(point, {-x[1], x[0], 0}, first ? degree : Bidegree{1, 0});
         weight += 2;
         unsigned pins = 0;
         for (; reader.comes("pin"); ++pins, ++weight) {
@@ -151,8 +153,25 @@ private:
             flaw = "the first line is not the axis";
         incident(point, l, axis ? Bidegree{0, 1} : ring.unit(), axis);
         if (!axis) equations.push_back({turned(l, direction), ring.unit()});
+        if (axis && stars >= 2) add_distance(point);
         type.insert("line");
         weight += 2;
+    }
+
+    /// The first line, through this point, determines the depths of the first two stars, so the
+    /// image of the vector from one to the other, whose length is known.
+    void add_distance(const Vector& point) {
+        const mpz_class a = images[0][2], b = images[1][2];
+        Polynomial all;
+        for (std::size_t i = 0; i < 3; ++i) { // a b R (points[1] - points[0]) = w
+            const mpz_class x = b * images[0][i] - a * images[1][i], y = a * images[1][i];
+            Polynomial w = turned({0, 0, x}, point);
+            ring.add(w, turned({0, 0, y}, points[1]), {{{}, {1}}}, {1});
+            ring.add(all, w, w, {1});
+            const mpz_class length = -points[1][i] * points[1][i] * a * a * b * b;
+            ring.add(all, {}, {mpz_fdiv_ui(length.get_mpz_t(), modulus)});
+        }
+        equations.push_back({all, {0, 2}});
     }
 
     void read_group(Reader& reader) {

@@ -28,6 +28,7 @@ public:
         : frame_(frame), ring_(rotation_ring(frame)), matrix_(ring_.matrix()) {}
 
     void add(const RegistrationData::Star& star, std::size_t index) {
+        stars_.push_back(star);
         const Vector3& x = star.image;
         const std::optional<BiDegree> degree =
             index == 0 ? std::nullopt : std::optional(ring_.unit());
@@ -47,6 +48,7 @@ public:
         if (frame_ == Frame::line && index == 0) {
             // The rotations of the frame take the direction into the plane of the image.
             add_incidence(line.point, line.image, BiDegree{0, 1}).is_axis = true;
+            if (stars_.size() >= 2) add_distance(line);
             return;
         }
         add_incidence(line.point, line.image, ring_.unit());
@@ -104,6 +106,26 @@ private:
         return condition;
     }
 
+    /// The line determines the depths of the first two stars, and so the image of the vector from
+    /// one to the other, whose length is known.
+    void add_distance(const RegistrationData::Line& line) {
+        const RegistrationData::Star& first = stars_[0];
+        const RegistrationData::Star& second = stars_[1];
+        const Polynomial depth = turned(third_axis, line.point);
+        const Polynomial difference_of_depths = difference(turned(third_axis, second.point), depth);
+        const std::int64_t factor = first.image[2] * second.image[2];
+        std::int64_t length = 0;
+        Polynomial total;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Polynomial w = sum(scaled(difference_of_depths, first.image[2] * second.image[i]),
+                                     scaled(depth, second.image[2] * first.image[i]));
+            total = sum(total, ring_.product(w, w));
+            length += second.point[i] * second.point[i];
+        }
+        equations_.push_back(
+            {difference(total, scaled(scaled(constant(length), factor), factor)), {0, 2}});
+    }
+
     /// The determinant of the coefficients of three conditions at t.
     Equation linear_minor(const std::array<std::size_t, 3>& chosen) const {
         const auto entry = [&](std::size_t row, std::size_t column) -> const Polynomial& {
@@ -151,6 +173,7 @@ private:
     Frame frame_;
     RotationRing ring_;
     std::array<Polynomial, 9> matrix_;
+    std::vector<RegistrationData::Star> stars_;
     std::vector<Condition> conditions_;
     std::vector<Equation> equations_;
 };
