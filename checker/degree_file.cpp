@@ -51,9 +51,9 @@ static DegreeRecord read_degree(Reader& reader) {
     record.complete = reader.comes("complete");
     reader.take(record.complete ? "complete edges" : "none");
     if (record.complete) {
-        reader.integer(1, 99);
+        reader.integer(0, 99);
         reader.take("trace");
-        reader.integer(-99, -1);
+        reader.comes("none") ? reader.take("none") : Numbers{reader.integer(-99, -1)};
     }
     reader.end_line();
     do {

@@ -86,6 +86,10 @@ private:
         system_.equations.push_back({EquationKind::pencil, {l, m, n}});
     }
 
+    void place(const CameraEquation& meet) {
+        system_.places.push_back({meet.vectors[0], meet.vectors[1], {}, {}});
+    }
+
     void add(const Feature& feature) {
         system_.features.push_back(feature);
         std::array<int, 3> points{-1, -1, -1};
@@ -124,17 +128,24 @@ private:
         };
         if (!feature.has_point) {
             incidence(across(lines[0][0]), lines[0][1], lines[0][2]);
+            place(system_.equations.back());
         } else if (seeing.size() == 3) {
             epipolar(points[0], points[1]);
             epipolar(points[0], points[2]);
             incidence(points[0], across(points[1]), across(points[2]));
+            place(system_.equations.back());
         } else if (seeing.size() == 2) {
-            epipolar(points[seeing[0]], points[seeing[1]]);
-            if (const int line = pin(others[0]); line >= 0)
-                incidence(points[seeing[0]], across(points[seeing[1]]), line);
+            const int ray = points[seeing[0]], plane = across(points[seeing[1]]);
+            epipolar(ray, points[seeing[1]]);
+            if (const int line = pin(others[0]); line >= 0) incidence(ray, plane, line);
+            place({EquationKind::incidence, {ray, plane, -1}});
         } else {
             incidence(points[seeing[0]], pin(others[0]), pin(others[1]));
+            place(system_.equations.back());
         }
+        for (const std::size_t v : seeing)
+            system_.places.back().sees_point[v] = true;
+        system_.places.back().lines = lines;
         for (const auto& line : lines)
             if (line[0] >= 0 && line[1] >= 0 && line[2] >= 0) pencil(line[0], line[1], line[2]);
     }

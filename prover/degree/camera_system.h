@@ -69,8 +69,18 @@ struct FreeVector {
     int single_equation = -1; ///< the only equation that it is in, linearly; -1 if there are more
 };
 
+/// Where the point of a feature is in space (a point of the line, if it is a free line), and which
+/// image vectors its lines have, -1 in views that do not see them.
+struct Place {
+    int ray = 0; ///< the image vectors of the ray and the plane that meet there
+    int plane = 0;
+    std::array<bool, 3> sees_point{};
+    std::vector<std::array<int, 3>> lines;
+};
+
 struct CameraSystem {
     std::vector<Feature> features;
+    std::vector<Place> places; ///< one for each feature
     std::vector<FreeVector> free;
     std::vector<ImageVector> vectors;
     std::vector<CameraEquation> equations; ///< 11

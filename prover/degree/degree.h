@@ -37,10 +37,11 @@ struct ApproximateSolution {
 };
 
 /// Evidence that no solution is missing: so many edges permuted the solutions found, and every
-/// trace test left a relative residual below 10^trace_exponent.
+/// trace test left a relative residual below 10^trace_exponent; nothing if no image vector can be
+/// moved for such a test.
 struct CompletenessEvidence {
     int edges = 0;
-    int trace_exponent = 0;
+    std::optional<int> trace_exponent;
 };
 
 struct DegreeCertificate {

@@ -40,7 +40,6 @@ inline Mask without(Mask a, Mask b) {
 
 struct Real {
     static constexpr int width = 8;
-    using Flags = Mask;
     __m512d v;
     static Real of(double x) { return {_mm512_set1_pd(x)}; }
     static Real load(const double* x) { return {_mm512_loadu_pd(x)}; }
@@ -97,7 +96,6 @@ inline Mask without(Mask a, Mask b) {
 
 struct Real {
     static constexpr int width = 4;
-    using Flags = Mask;
     __m256d v;
     static Real of(double x) { return {_mm256_set1_pd(x)}; }
     static Real load(const double* x) { return {_mm256_loadu_pd(x)}; }
@@ -153,7 +151,6 @@ inline Mask without(Mask a, Mask b) {
 
 struct Real {
     static constexpr int width = 1;
-    using Flags = Mask;
     double v;
     static Real of(double x) { return {x}; }
     static Real load(const double* x) { return {*x}; }
@@ -188,5 +185,46 @@ inline Real select(Mask m, Real a, Real b) {
 }
 
 #endif
+
+/// About 32 decimal digits: the unevaluated sum of two numbers in each lane (T. J. Dekker, Numer.
+/// Math. 18, 1971; Y. Hida, X. S. Li, D. H. Bailey, ARITH-15, 2001).
+struct Wide {
+    Real high, low;
+    static Wide of(double x) { return {Real::of(x), Real::of(0)}; }
+};
+inline Wide widen(Real x) {
+    return {x, Real::of(0)};
+}
+inline Real narrow(Wide x) {
+    return x.high;
+}
+
+/// a + b exactly, if |a| >= |b|; and for any a, b.
+inline Wide quick_sum(Real a, Real b) {
+    const Real sum = a + b;
+    return {sum, b - (sum - a)};
+}
+inline Wide exact_sum(Real a, Real b) {
+    const Real sum = a + b, part = sum - a;
+    return {sum, (a - (sum - part)) + (b - part)};
+}
+inline Wide operator+(Wide a, Wide b) {
+    const Wide high = exact_sum(a.high, b.high);
+    return quick_sum(high.high, high.low + (a.low + b.low));
+}
+inline Wide operator-(Wide a, Wide b) {
+    const Real zero = Real::of(0);
+    return a + Wide{zero - b.high, zero - b.low};
+}
+inline Wide operator*(Wide a, Wide b) {
+    const Real high = a.high * b.high, lacking = fnma(a.high, b.high, high);
+    return quick_sum(high, fma(a.high, b.low, fma(a.low, b.high, Real::of(0) - lacking)));
+}
+inline Wide fma(Wide a, Wide b, Wide c) {
+    return a * b + c;
+}
+inline Wide fnma(Wide a, Wide b, Wide c) {
+    return c - a * b;
+}
 
 } // namespace plprove::PLC_LANES

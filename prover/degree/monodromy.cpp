@@ -1,5 +1,9 @@
 #include "prover/degree/monodromy.h"
 
+#include "prover/degree/scene.h"
+
+#include <algorithm>
+
 namespace plprove {
 
 namespace {
@@ -48,41 +52,42 @@ int SolutionSet::add(const CameraPoint& point) {
 std::vector<std::optional<CameraPoint>>
 PathFollower::follow(const TrackedImages& images, const std::vector<CameraPoint>& starts) {
     counts_.tracks += starts.size();
-    return follow(images, starts, 0);
+    return follow(images, starts, false);
 }
 
 std::vector<std::optional<CameraPoint>>
 PathFollower::follow_closely(const TrackedImages& images, const std::vector<CameraPoint>& starts) {
     counts_.retried += starts.size();
-    return follow(images, starts, 1);
+    return follow(images, starts, true);
 }
 
 std::vector<std::optional<CameraPoint>> PathFollower::follow(const TrackedImages& images,
                                                              const std::vector<CameraPoint>& starts,
-                                                             std::size_t first_attempt) {
-    TrackSettings close;
-    close.prediction = 1e-5;
-    close.contraction = 0.02;
-    close.largest_steps = 20000;
-    TrackSettings precise = close;
-    precise.noise = 1e-20;
-    precise.smallest_step = 1e-14;
-    const std::array<TrackSettings, 3> settings{TrackSettings{}, close, precise};
-    const std::array<TrackFunction*, 3> functions{fastest_tracker(), fastest_tracker(),
-                                                  track_double_double};
+                                                             bool closely) {
+    // What is lost is nearly always lost to rounding, where both rotations are nearly isotropic.
+    TrackSettings usual, precise;
+    precise.precise = true;
+    precise.noise = 1e-10;
+    precise.smallest_step = 1e-12;
+    precise.largest_steps = 5000;
+    if (closely) {
+        usual.prediction = precise.prediction = 1e-5;
+        usual.contraction = precise.contraction = 0.02;
+        usual.largest_steps = 20000;
+    }
+    const std::array<TrackSettings, 2> settings{usual, precise};
     std::vector<std::optional<CameraPoint>> result(starts.size());
     std::vector<std::size_t> open(starts.size());
     for (std::size_t i = 0; i < open.size(); ++i)
         open[i] = i;
-    for (std::size_t attempt = first_attempt; attempt < settings.size() && !open.empty();
-         ++attempt) {
-        if (attempt > first_attempt) counts_.retried += open.size();
+    for (std::size_t attempt = 0; attempt < settings.size() && !open.empty(); ++attempt) {
+        if (attempt > 0) counts_.retried += open.size();
         std::vector<CameraPoint> from, to(open.size());
         for (const std::size_t i : open)
             from.push_back(starts[i]);
         std::vector<TrackOutcome> outcomes(open.size());
-        counts_.steps += functions[attempt](system_, images, settings[attempt], open.size(),
-                                            from.data(), to.data(), outcomes.data())
+        counts_.steps += fastest_tracker()(system_, images, settings[attempt], open.size(),
+                                           from.data(), to.data(), outcomes.data())
                              .steps;
         std::vector<std::size_t> still_open;
         for (std::size_t k = 0; k < open.size(); ++k)
@@ -108,6 +113,8 @@ Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64
     nodes_[0].images = images_of_scene(system, chart_.cameras(start), random_);
     nodes_[0].solutions.add(start);
     nodes_[1].images = random_images(system, random_);
+    for (Node& node : nodes_)
+        node.vectors = image_vectors(system, constants_, node.images);
 }
 
 void Monodromy::add_edge() {
@@ -131,13 +138,17 @@ bool Monodromy::follow_edge(Edge& edge, int from) {
     if (starting.empty()) return false;
     std::vector<std::optional<CameraPoint>> ends = follower_.follow(edge.images[source], starts);
 
-    // Two paths with one end: at least one has jumped, so both are followed again.
+    // Returns another path that it has the end in common with: at least one has jumped, so both are
+    // followed again. A path that ends at a degenerate solution has jumped, too.
     const auto match = [&](std::size_t k, bool last) -> std::optional<int> {
         auto& mine = partner[static_cast<std::size_t>(starting[k])];
         mine = lost;
         if (!ends[k]) return std::nullopt;
         SolutionSet& set = nodes_[target].solutions;
         const int end = set.find(*ends[k]).value_or(-1);
+        if (end < 0 && nondegeneracy(system_, nodes_[target].vectors, chart_.cameras(*ends[k])) <
+                           least_nondegeneracy)
+            return last ? std::nullopt : std::optional<int>(starting[k]);
         const int index = end >= 0 ? end : set.add(*ends[k]);
         inverse.resize(static_cast<std::size_t>(set.size()), open);
         auto& theirs = inverse[static_cast<std::size_t>(index)];
@@ -176,15 +187,26 @@ void Monodromy::run(int edges, int target) {
     }
 }
 
+int Monodromy::unmatched(const Edge& edge) const {
+    int count = 0;
+    for (const std::size_t node : {0U, 1U}) {
+        count += nodes_[node].solutions.size() - static_cast<int>(edge.partner[node].size());
+        count += static_cast<int>(
+            std::ranges::count_if(edge.partner[node], [](int partner) { return partner < 0; }));
+    }
+    return count;
+}
+
 int Monodromy::unmatched() const {
     int count = 0;
     for (const Edge& edge : edges_)
-        for (const std::size_t node : {0U, 1U}) {
-            count += nodes_[node].solutions.size() - static_cast<int>(edge.partner[node].size());
-            for (const int partner : edge.partner[node])
-                count += partner < 0;
-        }
+        count += unmatched(edge);
     return count;
+}
+
+int Monodromy::bijective_edges() const {
+    return static_cast<int>(
+        std::ranges::count_if(edges_, [&](const Edge& edge) { return unmatched(edge) == 0; }));
 }
 
 } // namespace plprove

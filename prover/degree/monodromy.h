@@ -50,9 +50,8 @@ public:
     const PathCounts& counts() const { return counts_; }
 
 private:
-    std::vector<std::optional<CameraPoint>> follow(const TrackedImages& images,
-                                                   const std::vector<CameraPoint>& starts,
-                                                   std::size_t first_attempt);
+    std::vector<std::optional<CameraPoint>>
+    follow(const TrackedImages& images, const std::vector<CameraPoint>& starts, bool closely);
     TrackedSystem system_;
     PathCounts counts_;
 };
@@ -72,21 +71,27 @@ public:
     const std::vector<Complex3>& constants() const { return constants_; }
     PathFollower& follower() { return follower_; }
     int edges() const { return static_cast<int>(edges_.size()); }
-    /// How many solutions of either node lack a partner along some edge.
+    /// How many solutions of either node lack a partner along some edge, counted for each edge.
     int unmatched() const;
+    /// How many edges match all solutions of both nodes.
+    int bijective_edges() const;
 
 private:
     struct Node {
         Images images;
+        std::vector<Complex3> vectors; ///< the image vectors
         SolutionSet solutions;
     };
     static constexpr int open = -1, lost = -2;
+    /// Generic solutions stay above 1e-6 or so; what is degenerate is a rounding error away from 0.
+    static constexpr double least_nondegeneracy = 1e-11;
     struct Edge {
         std::array<TrackedImages, 2> images;     ///< forth and back
         std::array<std::vector<int>, 2> partner; ///< of each solution of node 0, node 1
     };
 
     void add_edge();
+    int unmatched(const Edge& edge) const;
     bool follow_edge(Edge& edge, int from);
 
     const CameraSystem& system_;

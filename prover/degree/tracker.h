@@ -31,12 +31,14 @@ struct TrackedImages {
 };
 
 struct TrackSettings {
-    double prediction = 5e-4; ///< relative error of a prediction that the step size aims at
+    double prediction = 1e-3; ///< relative error of a prediction that the step size aims at
     double contraction = 0.1; ///< Newton's second correction is at most that much of the first ...
-    double noise = 1e-7;      ///< ... or as small as rounding may make it, relative to the point
+    double noise = 1e-6;      ///< ... or as small as rounding may make it, relative to the point
+    double first_step = 0.01;
     double largest_step = 0.25;
     double smallest_step = 1e-9;
     int largest_steps = 3000;
+    bool precise = false; ///< evaluate the equations with twice as many digits
 };
 
 enum class TrackOutcome : std::uint8_t { arrived, stuck, endless };
@@ -64,8 +66,5 @@ TrackFunction track;
 
 /// The widest of them that this machine can run. All give the same results, to the bit.
 TrackFunction* fastest_tracker();
-
-/// The same with about 32 decimal digits, one path at a time: slow, for what the others lose.
-TrackFunction track_double_double;
 
 } // namespace plprove

@@ -4,6 +4,7 @@
 
 namespace plprove::avx2 {
 
+#define PLC_UNROLLED _Pragma("GCC unroll 16")
 #include "prover/degree/tracker_kernel.h"
 
 TrackCost track(const TrackedSystem& system, const TrackedImages& images,

@@ -1,64 +1,82 @@
-// The path tracker, for any kind of real numbers that lanes.h or double_double.h provide. Included
-// by one source file for each, in whose namespace `Real` and its operations are.
+// The path tracker. Included
+// by one source file for each width of lanes.h, in its namespace.
 //
-// No function of the standard library is used here: see lanes.h.
+// No function of the standard library is used here: see lanes.h. Loops marked
+// PLC_UNROLLED are unrolled if that file wants it: with vectors, a column of the matrix then fits
+// into the registers.
 
 namespace {
 
-struct Number {
-    Real re, im;
+template <class R>
+struct Complexes {
+    R re, im;
 };
-inline Number operator+(Number a, Number b) {
+template <class R>
+Complexes<R> operator+(Complexes<R> a, Complexes<R> b) {
     return {a.re + b.re, a.im + b.im};
 }
-inline Number operator-(Number a, Number b) {
+template <class R>
+Complexes<R> operator-(Complexes<R> a, Complexes<R> b) {
     return {a.re - b.re, a.im - b.im};
 }
-inline Number operator*(Number a, Number b) {
+template <class R>
+Complexes<R> operator*(Complexes<R> a, Complexes<R> b) {
     return {fnma(a.im, b.im, a.re * b.re), fma(a.re, b.im, a.im * b.re)};
 }
 /// sum + a b and sum - a b.
-inline Number add(Number sum, Number a, Number b) {
+template <class R>
+Complexes<R> add(Complexes<R> sum, Complexes<R> a, Complexes<R> b) {
     return {fnma(a.im, b.im, fma(a.re, b.re, sum.re)), fma(a.re, b.im, fma(a.im, b.re, sum.im))};
 }
-inline Number subtract(Number sum, Number a, Number b) {
+template <class R>
+Complexes<R> subtract(Complexes<R> sum, Complexes<R> a, Complexes<R> b) {
     return {fma(a.im, b.im, fnma(a.re, b.re, sum.re)), fnma(a.re, b.im, fnma(a.im, b.re, sum.im))};
 }
-inline Number negative(Number a) {
-    const Real zero = Real::of(0);
-    return {zero - a.re, zero - a.im};
+template <class R>
+Complexes<R> negative(Complexes<R> a) {
+    return {R::of(0) - a.re, R::of(0) - a.im};
 }
-inline Number twice(Number a) {
+template <class R>
+Complexes<R> twice(Complexes<R> a) {
     return {a.re + a.re, a.im + a.im};
 }
+template <class R>
+Complexes<R> constant(const double* x) {
+    return {R::of(x[0]), R::of(x[1])};
+}
+
+template <class R>
+struct Vectors {
+    Complexes<R> x[3];
+};
+template <class R>
+Complexes<R> dot(const Vectors<R>& a, const Vectors<R>& b) {
+    return add(add(a.x[0] * b.x[0], a.x[1], b.x[1]), a.x[2], b.x[2]);
+}
+template <class R>
+Vectors<R> cross(const Vectors<R>& a, const Vectors<R>& b) {
+    return {{subtract(a.x[1] * b.x[2], a.x[2], b.x[1]), subtract(a.x[2] * b.x[0], a.x[0], b.x[2]),
+             subtract(a.x[0] * b.x[1], a.x[1], b.x[0])}};
+}
+template <class R>
+Vectors<R> operator-(const Vectors<R>& a, const Vectors<R>& b) {
+    return {{a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}};
+}
+
+using Number = Complexes<Real>;
+using Vector = Vectors<Real>;
+
 inline Real square(Number a) {
     return fma(a.re, a.re, a.im * a.im);
 }
-inline Number select(Real::Flags m, Number a, Number b) {
+inline Number select(Mask m, Number a, Number b) {
     return {select(m, a.re, b.re), select(m, a.im, b.im)};
-}
-inline Number constant(const double* x) {
-    return {Real::of(x[0]), Real::of(x[1])};
 }
 inline Real larger(Real a, Real b) {
     return select(less(a, b), b, a);
 }
 inline Real smaller(Real a, Real b) {
     return select(less(a, b), a, b);
-}
-
-struct Vector {
-    Number x[3];
-};
-inline Number dot(const Vector& a, const Vector& b) {
-    return add(add(a.x[0] * b.x[0], a.x[1], b.x[1]), a.x[2], b.x[2]);
-}
-inline Vector cross(const Vector& a, const Vector& b) {
-    return {{subtract(a.x[1] * b.x[2], a.x[2], b.x[1]), subtract(a.x[2] * b.x[0], a.x[0], b.x[2]),
-             subtract(a.x[0] * b.x[1], a.x[1], b.x[0])}};
-}
-inline Vector operator-(const Vector& a, const Vector& b) {
-    return {{a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}};
 }
 
 constexpr int n = camera_dimension;
@@ -68,15 +86,109 @@ struct Equations {
     Number entry[n][n + 2];
 };
 
+/// The cameras at a point of the chart.
+template <class R>
+struct MovingCameras {
+    Complexes<R> quaternion[3][4];
+    Complexes<R> rotation[3][3][3];
+    Vectors<R> centre[3];
+
+    MovingCameras(const TrackedSystem& system, const Complexes<R>* point) {
+        const Complexes<R> zero{R::of(0), R::of(0)}, one{R::of(1), R::of(0)};
+        for (int v = 1; v < 3; ++v) {
+            Complexes<R>* q = quaternion[v];
+            q[0] = one;
+            for (int k = 0; k < 3; ++k) {
+                q[k + 1] = point[3 * (v - 1) + k];
+                q[0] = subtract(q[0], constant<R>(system.rotation[v - 1][k]), q[k + 1]);
+            }
+            rotate(q, rotation[v]);
+        }
+        centre[0] = {{zero, zero, zero}};
+        centre[1].x[0] = one;
+        for (int k = 0; k < 5; ++k) {
+            centre[1].x[0] = subtract(centre[1].x[0], constant<R>(system.centre[k]), point[6 + k]);
+            centre[1 + (k + 1) / 3].x[(k + 1) % 3] = point[6 + k];
+        }
+    }
+
+    /// R^T x in the given view.
+    Vectors<R> back(int view, const Vectors<R>& x) const {
+        if (view == 0) return x;
+        const Complexes<R>(*r)[3] = rotation[view];
+        Vectors<R> result;
+        for (int k = 0; k < 3; ++k)
+            result.x[k] = add(add(r[0][k] * x.x[0], r[1][k], x.x[1]), r[2][k], x.x[2]);
+        return result;
+    }
+
+private:
+    static void rotate(const Complexes<R>* q, Complexes<R> (*r)[3]) {
+        const Complexes<R> aa = q[0] * q[0], bb = q[1] * q[1], cc = q[2] * q[2], dd = q[3] * q[3];
+        const Complexes<R> ab = q[0] * q[1], ac = q[0] * q[2], ad = q[0] * q[3];
+        const Complexes<R> bc = q[1] * q[2], bd = q[1] * q[3], cd = q[2] * q[3];
+        r[0][0] = (aa + bb) - (cc + dd);
+        r[1][1] = (aa + cc) - (bb + dd);
+        r[2][2] = (aa + dd) - (bb + cc);
+        r[0][1] = twice(bc - ad), r[1][0] = twice(bc + ad);
+        r[0][2] = twice(bd + ac), r[2][0] = twice(bd - ac);
+        r[1][2] = twice(cd - ab), r[2][1] = twice(cd + ab);
+    }
+};
+
+/// An image vector at a time.
+template <class R>
+Vectors<R> image_vector(const TrackedImages& images, int index, R time) {
+    Vectors<R> x;
+    for (int k = 0; k < 3; ++k) {
+        const double(*c)[2] = images.coefficient[index][k];
+        const auto c0 = constant<R>(c[0]), c1 = constant<R>(c[1]), c2 = constant<R>(c[2]);
+        x.x[k] = {fma(time, fma(time, c2.re, c1.re), c0.re),
+                  fma(time, fma(time, c2.im, c1.im), c0.im)};
+    }
+    return x;
+}
+
+/// The values of the equations alone, with twice as many digits: where the rotations are nearly
+/// isotropic, the terms of an equation cancel to far below the rounding errors of doubles.
+inline void precise_values(const TrackedSystem& system, const TrackedImages& images,
+                           const Number* point, Real time, Number* out) {
+    Complexes<Wide> wide[n];
+    for (int k = 0; k < n; ++k)
+        wide[k] = {widen(point[k].re), widen(point[k].im)};
+    const MovingCameras<Wide> cameras(system, wide);
+    for (int e = 0; e < n; ++e) {
+        const TrackedSystem::Equation& equation = system.equations[e];
+        const int i = equation.views[0], j = equation.views[1], k = equation.views[2];
+        Vectors<Wide> x[3];
+        for (int m = 0; m < (equation.kind == EquationKind::epipolar ? 2 : 3); ++m)
+            x[m] = cameras.back(equation.views[m],
+                                image_vector(images, equation.vectors[m], widen(time)));
+        Complexes<Wide> value;
+        switch (equation.kind) {
+        case EquationKind::epipolar:
+            value = dot(cameras.centre[j] - cameras.centre[i], cross(x[0], x[1]));
+            break;
+        case EquationKind::incidence:
+            value = subtract(dot(x[1], cameras.centre[i] - cameras.centre[j]) * dot(x[2], x[0]),
+                             dot(x[2], cameras.centre[i] - cameras.centre[k]), dot(x[1], x[0]));
+            break;
+        default:
+            value = dot(x[0], cross(x[1], x[2]));
+            break;
+        }
+        out[e] = {narrow(value.re), narrow(value.im)};
+    }
+}
+
 /// Evaluates the equations and their Jacobian and, if Moving, the derivatives with respect to time.
 class Evaluator {
 public:
-    Evaluator(const TrackedSystem& system, const TrackedImages& images)
-        : system_(system), images_(images) {}
+    Evaluator(const TrackedSystem& system, const TrackedImages& images, const Number* point)
+        : system_(system), images_(images), cameras_(system, point) {}
 
     template <bool Moving>
-    void evaluate(const Number* point, Real time, Equations& out) {
-        set_cameras(point);
+    void evaluate(Real time, Equations& out) {
         for (int v = 0; v < system_.vectors; ++v)
             set_vector<Moving>(v, time);
         for (int e = 0; e < n; ++e) {
@@ -96,63 +208,23 @@ public:
     }
 
 private:
-    void set_cameras(const Number* point) {
-        const Number one{Real::of(1), Real::of(0)};
-        for (int v = 1; v < 3; ++v) {
-            Number* q = quaternion_[v];
-            q[0] = one;
-            for (int k = 0; k < 3; ++k) {
-                q[k + 1] = point[3 * (v - 1) + k];
-                q[0] = subtract(q[0], constant(system_.rotation[v - 1][k]), q[k + 1]);
-            }
-            const Number aa = q[0] * q[0], bb = q[1] * q[1], cc = q[2] * q[2], dd = q[3] * q[3];
-            const Number ab = q[0] * q[1], ac = q[0] * q[2], ad = q[0] * q[3];
-            const Number bc = q[1] * q[2], bd = q[1] * q[3], cd = q[2] * q[3];
-            Number(*r)[3] = rotation_[v];
-            r[0][0] = (aa + bb) - (cc + dd);
-            r[1][1] = (aa + cc) - (bb + dd);
-            r[2][2] = (aa + dd) - (bb + cc);
-            r[0][1] = twice(bc - ad), r[1][0] = twice(bc + ad);
-            r[0][2] = twice(bd + ac), r[2][0] = twice(bd - ac);
-            r[1][2] = twice(cd - ab), r[2][1] = twice(cd + ab);
-        }
-        Number first = one;
-        for (int k = 0; k < 5; ++k) {
-            first = subtract(first, constant(system_.centre[k]), point[6 + k]);
-            centre_[1 + (k + 1) / 3].x[(k + 1) % 3] = point[6 + k];
-        }
-        centre_[1].x[0] = first;
-        const Number zero{Real::of(0), Real::of(0)};
-        centre_[0] = {{zero, zero, zero}};
-    }
-
     /// The ray direction or normal R^T x of an image vector x, its derivative by time, and -2 x q.
     template <bool Moving>
     void set_vector(int index, Real time) {
-        Vector x;
-        [[maybe_unused]] Vector speed;
-        for (int k = 0; k < 3; ++k) {
-            const double(*c)[2] = images_.coefficient[index][k];
-            const Number c0 = constant(c[0]), c1 = constant(c[1]), c2 = constant(c[2]);
-            x.x[k] = {fma(time, fma(time, c2.re, c1.re), c0.re),
-                      fma(time, fma(time, c2.im, c1.im), c0.im)};
-            if constexpr (Moving)
-                speed.x[k] = {fma(time, c2.re + c2.re, c1.re), fma(time, c2.im + c2.im, c1.im)};
-        }
         const int view = system_.views[index];
-        if (view == 0) {
-            direction_[index] = x;
-            if constexpr (Moving) speed_[index] = speed;
-            return;
+        const Vector x = image_vector(images_, index, time);
+        direction_[index] = cameras_.back(view, x);
+        if constexpr (Moving) {
+            Vector speed;
+            for (int k = 0; k < 3; ++k) {
+                const double(*c)[2] = images_.coefficient[index][k];
+                const Number c1 = constant<Real>(c[1]), c2 = constant<Real>(c[2]);
+                speed.x[k] = {fma(time, c2.re + c2.re, c1.re), fma(time, c2.im + c2.im, c1.im)};
+            }
+            speed_[index] = cameras_.back(view, speed);
         }
-        const Number(*r)[3] = rotation_[view];
-        for (int k = 0; k < 3; ++k) {
-            direction_[index].x[k] = add(add(r[0][k] * x.x[0], r[1][k], x.x[1]), r[2][k], x.x[2]);
-            if constexpr (Moving)
-                speed_[index].x[k] =
-                    add(add(r[0][k] * speed.x[0], r[1][k], speed.x[1]), r[2][k], speed.x[2]);
-        }
-        const Number* q = quaternion_[view];
+        if (view == 0) return;
+        const Number* q = cameras_.quaternion[view];
         const Vector m{{negative(twice(x.x[0])), negative(twice(x.x[1])), negative(twice(x.x[2]))}};
         const Vector imaginary{{q[1], q[2], q[3]}};
         const Vector product = cross(m, imaginary);
@@ -171,14 +243,14 @@ private:
         const Vector imaginary = cross({{y[1], y[2], y[3]}}, g);
         for (int k = 0; k < 3; ++k)
             row[3 * (view - 1) + k] = subtract(add(imaginary.x[k], y[0], g.x[k]),
-                                               constant(system_.rotation[view - 1][k]), real);
+                                               constant<Real>(system_.rotation[view - 1][k]), real);
     }
 
     /// Columns of the centres, from the gradients by the second and third centre.
     void translate(const Vector& g2, const Vector& g3, Number* row) const {
         const Number g[5] = {g2.x[1], g2.x[2], g3.x[0], g3.x[1], g3.x[2]};
         for (int k = 0; k < 5; ++k)
-            row[6 + k] = subtract(g[k], constant(system_.centre[k]), g2.x[0]);
+            row[6 + k] = subtract(g[k], constant<Real>(system_.centre[k]), g2.x[0]);
     }
 
     void clear(Number* row) const {
@@ -191,7 +263,7 @@ private:
     void epipolar(const TrackedSystem::Equation& e, Number* row) const {
         const int i = e.views[0], j = e.views[1];
         const Vector &a = direction_[e.vectors[0]], &b = direction_[e.vectors[1]];
-        const Vector base = centre_[j] - centre_[i];
+        const Vector base = cameras_.centre[j] - cameras_.centre[i];
         const Vector normal = cross(a, b), by_a = cross(b, base), by_b = cross(base, a);
         clear(row);
         rotate(e.vectors[0], i, by_a, row);
@@ -214,23 +286,24 @@ private:
         const int i = e.views[0], j = e.views[1], k = e.views[2];
         const Vector& d = direction_[e.vectors[0]];
         const Vector &p = direction_[e.vectors[1]], &q = direction_[e.vectors[2]];
-        const Vector from_j = centre_[i] - centre_[j], from_k = centre_[i] - centre_[k];
+        const Vector from_j = cameras_.centre[i] - cameras_.centre[j],
+                     from_k = cameras_.centre[i] - cameras_.centre[k];
         const Number up = dot(p, from_j), wp = dot(p, d), uq = dot(q, from_k), wq = dot(q, d);
-        Vector by_d, by_p, by_q, centre[3];
+        Vector by_d, by_p, by_q, by_centre[3];
         for (int c = 0; c < 3; ++c) {
             by_d.x[c] = subtract(up * q.x[c], uq, p.x[c]);
             by_p.x[c] = subtract(wq * from_j.x[c], uq, d.x[c]);
             by_q.x[c] = subtract(up * d.x[c], wp, from_k.x[c]);
             const Number scaled_p = wq * p.x[c], scaled_q = wp * q.x[c];
-            centre[i].x[c] = scaled_p - scaled_q;
-            centre[j].x[c] = negative(scaled_p);
-            centre[k].x[c] = scaled_q;
+            by_centre[i].x[c] = scaled_p - scaled_q;
+            by_centre[j].x[c] = negative(scaled_p);
+            by_centre[k].x[c] = scaled_q;
         }
         clear(row);
         rotate(e.vectors[0], i, by_d, row);
         rotate(e.vectors[1], j, by_p, row);
         rotate(e.vectors[2], k, by_q, row);
-        translate(centre[1], centre[2], row);
+        translate(by_centre[1], by_centre[2], row);
         row[n] = subtract(up * wq, uq, wp);
         if constexpr (Moving)
             row[n + 1] = dot(by_d, speed_[e.vectors[0]]) + dot(by_p, speed_[e.vectors[1]]) +
@@ -254,9 +327,7 @@ private:
 
     const TrackedSystem& system_;
     const TrackedImages& images_;
-    Number quaternion_[3][4];
-    Number rotation_[3][3][3];
-    Vector centre_[3];
+    MovingCameras<Real> cameras_;
     Vector direction_[max_vectors];
     Vector speed_[max_vectors];
     Number product_[max_vectors][4];
@@ -264,7 +335,7 @@ private:
 
 /// Exchanges rows k and i in the lanes of m.
 template <int Columns>
-void exchange(Equations& a, int k, int i, Real::Flags m) {
+void exchange(Equations& a, int k, int i, Mask m) {
     for (int c = 0; c < Columns; ++c) {
         const Number upper = a.entry[k][c], lower = a.entry[i][c];
         a.entry[k][c] = select(m, lower, upper);
@@ -282,9 +353,9 @@ void choose_pivot(Equations& a, int k) {
         size[i] = square(a.entry[i][k]);
         largest = larger(largest, size[i]);
     }
-    Real::Flags wanting = less(size[k], Real::of(1.0 / 4096) * largest);
+    Mask wanting = less(size[k], Real::of(1.0 / 4096) * largest);
     for (int i = k + 1; i < n && any(wanting); ++i) {
-        const Real::Flags here = without(wanting, less(size[i], largest));
+        const Mask here = without(wanting, less(size[i], largest));
         if (!any(here)) continue;
         exchange<Columns>(a, k, i, here);
         wanting = without(wanting, here);
@@ -296,15 +367,15 @@ void choose_pivot(Equations& a, int k) {
 template <int Column, int Columns>
 void eliminate(Equations& a, Number* inverse) {
     Number column[n]; // in registers
-#pragma GCC unroll 16
+    PLC_UNROLLED
     for (int i = 0; i < n; ++i)
         column[i] = a.entry[i][Column];
-#pragma GCC unroll 16
+    PLC_UNROLLED
     for (int k = 0; k < (Column < n ? Column : n - 1); ++k)
-#pragma GCC unroll 16
-        for (int i = k + 1; i < n; ++i)
-            column[i] = subtract(column[i], a.entry[i][k], column[k]);
-#pragma GCC unroll 16
+        PLC_UNROLLED
+    for (int i = k + 1; i < n; ++i)
+        column[i] = subtract(column[i], a.entry[i][k], column[k]);
+    PLC_UNROLLED
     for (int i = 0; i < n; ++i)
         a.entry[i][Column] = column[i];
     if constexpr (Column < n) {
@@ -322,17 +393,17 @@ void eliminate(Equations& a, Number* inverse) {
 template <int Column>
 void substitute(const Equations& a, const Number* inverse, Number* out) {
     Number column[n]; // in registers
-#pragma GCC unroll 16
+    PLC_UNROLLED
     for (int i = 0; i < n; ++i)
         column[i] = negative(a.entry[i][Column]);
-#pragma GCC unroll 16
+    PLC_UNROLLED
     for (int k = n - 1; k >= 0; --k) {
         column[k] = column[k] * inverse[k];
-#pragma GCC unroll 16
+        PLC_UNROLLED
         for (int i = 0; i < k; ++i)
             column[i] = subtract(column[i], a.entry[i][k], column[k]);
     }
-#pragma GCC unroll 16
+    PLC_UNROLLED
     for (int i = 0; i < n; ++i)
         out[i] = column[i];
 }
@@ -382,7 +453,7 @@ inline void predict(const History& h, Real after, Number* out) {
     const Real a = h.time[0] - h.time[1], b = h.time[0] - h.time[2], c = h.time[1] - h.time[2];
     const Real one = Real::of(1), zero = Real::of(0);
     const Real by_a = one / a, by_b = one / b, by_c = one / c;
-    const Real::Flags two = less(Real::of(1.5), h.points), three = less(Real::of(2.5), h.points);
+    const Mask two = less(Real::of(1.5), h.points), three = less(Real::of(2.5), h.points);
     const Real s = after, ss = s * s, sa = s + a;
     const Real w3 = ss * sa, w4 = w3 * sa, w5 = w4 * (s + b);
     for (int k = 0; k < n; ++k) {
@@ -413,10 +484,11 @@ class Tracker {
 public:
     Tracker(const TrackedSystem& system, const TrackedImages& images, const TrackSettings& settings,
             std::size_t count, const CameraPoint* starts, CameraPoint* ends, TrackOutcome* outcomes)
-        : evaluate_(system, images), settings_(settings), count_(count), starts_(starts),
+        : system_(system), images_(images), settings_(settings), count_(count), starts_(starts),
           ends_(ends), outcomes_(outcomes) {}
 
     TrackCost run() {
+        if (count_ == 0) return cost_;
         history_.points = Real::of(1);
         step_ = Real::of(0);
         for (int m = 0; m < 3; ++m) {
@@ -480,18 +552,28 @@ private:
         begin(lane);
     }
 
+    template <bool Moving>
+    void evaluate(const Number* point, Real time) {
+        Evaluator(system_, images_, point).evaluate<Moving>(time, equations_);
+        if (!settings_.precise) return;
+        Number values[n];
+        precise_values(system_, images_, point, time, values);
+        for (int e = 0; e < n; ++e)
+            equations_.entry[e][n] = values[e];
+    }
+
     /// One step of all lanes: predict, correct twice by Newton's method, accept or not.
     void advance() {
         const Real one = Real::of(1), zero = Real::of(0);
         const Real time = smaller(history_.time[0] + step_, one);
         Number point[n], first[n], second[n], speed[n];
         predict(history_, time - history_.time[0], point);
-        evaluate_.evaluate<false>(point, time, equations_);
+        evaluate<false>(point, time);
         solve(equations_, first);
         const Real predicted = relative_size(first, point);
         for (int k = 0; k < n; ++k)
             point[k] = point[k] + first[k];
-        evaluate_.evaluate<true>(point, time, equations_);
+        evaluate<true>(point, time);
         solve(equations_, second, speed);
         const Real corrected = relative_size(second, point);
         for (int k = 0; k < n; ++k)
@@ -501,10 +583,10 @@ private:
         const Real goal = Real::of(settings_.prediction * settings_.prediction);
         const Real noise = Real::of(settings_.noise * settings_.noise);
         const Real contraction = Real::of(settings_.contraction * settings_.contraction);
-        const Real::Flags quiet = less(corrected, noise);
-        const Real::Flags newton = less(corrected, contraction * predicted);
-        const Real::Flags near = less(predicted, Real::of(64) * goal);
-        const Real::Flags good = both(near, either(quiet, newton));
+        const Mask quiet = less(corrected, noise);
+        const Mask newton = less(corrected, contraction * predicted);
+        const Mask near = less(predicted, Real::of(64) * goal);
+        const Mask good = both(near, either(quiet, newton));
 
         // How far the step may stretch: both the prediction and the contraction of Newton's
         // method, unless that is noise, are to stay within their limits.
@@ -515,14 +597,14 @@ private:
         const Real root8 = sqrt(sqrt(sqrt(ratio + tiny))); // of the square: the fourth root
         const Real root16 = sqrt(root8);
         const Real high = Real::of(0.9) * root16 * sqrt(root16);
-        const Real::Flags full = less(Real::of(2.5), history_.points);
+        const Mask full = less(Real::of(2.5), history_.points);
         const Real stretch = smaller(
             larger(select(full, high, Real::of(0.9) * root8), Real::of(0.3)), Real::of(2.5));
         const Real shrink = smaller(larger(Real::of(0.7) * root8, Real::of(0.1)), Real::of(0.5));
         // The second comparison is false for NaN, whose step shrinks at most.
         const Real bounded = select(less(ratio, Real::of(1e80)), shrink, Real::of(0.1));
 
-        const Real::Flags starting = less(history_.points, Real::of(0.5));
+        const Mask starting = less(history_.points, Real::of(0.5));
         for (int k = 0; k < n; ++k)
             for (int m = 2; m >= 0; --m) {
                 const Number& old_point = m > 0 ? history_.point[m - 1][k] : point[k];
@@ -540,12 +622,12 @@ private:
         const Real taken = step_;
         step_ = select(good, smaller(step_ * stretch, Real::of(settings_.largest_step)),
                        step_ * bounded);
-        step_ = select(both(good, starting), Real::of(0.01), step_);
+        step_ = select(both(good, starting), Real::of(settings_.first_step), step_);
         settle(good, taken, zero);
     }
 
     /// Ends the paths that have arrived, and been corrected once more there, or are lost.
-    void settle(Real::Flags good, Real taken, Real) {
+    void settle(Mask good, Real taken, Real) {
         double times[Real::width], steps[Real::width], before[Real::width];
         history_.time[0].store(times);
         step_.store(steps);
@@ -565,7 +647,8 @@ private:
         }
     }
 
-    Evaluator evaluate_;
+    const TrackedSystem& system_;
+    const TrackedImages& images_;
     const TrackSettings& settings_;
     std::size_t count_;
     const CameraPoint* starts_;

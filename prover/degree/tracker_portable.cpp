@@ -4,6 +4,7 @@
 
 namespace plprove::portable {
 
+#define PLC_UNROLLED
 #include "prover/degree/tracker_kernel.h"
 
 TrackCost track(const TrackedSystem& system, const TrackedImages& images,

@@ -29,7 +29,7 @@ Json json_of(const ClassResult& result) {
             {{"target", attempt.target}, {"certificate", attempt.certificate}});
     if (run.evidence) {
         json["edges"] = run.evidence->edges;
-        json["trace_exponent"] = run.evidence->trace_exponent;
+        if (run.evidence->trace_exponent) json["trace_exponent"] = *run.evidence->trace_exponent;
     }
     return json;
 }
@@ -44,8 +44,9 @@ ClassResult result_of(const Json& json) {
     DegreeRun& run = result.run;
     json.at("number").get_to(run.number);
     json.at("degree").get_to(run.degree);
-    if (json.at("complete").get<bool>())
-        run.evidence = {json.at("edges").get<int>(), json.at("trace_exponent").get<int>()};
+    if (json.at("complete").get<bool>()) run.evidence = {json.at("edges").get<int>(), std::nullopt};
+    if (const Json& exponent = json.at("trace_exponent"); run.evidence && !exponent.is_null())
+        run.evidence->trace_exponent = exponent.get<int>();
     json.at("certified").get_to(result.certified);
     json.at("tracks").get_to(run.tracks);
     json.at("retried").get_to(run.retried);

@@ -63,8 +63,11 @@ DegreeRecord computed_record(const ClassResult& result) {
                         DegreeStatus::evidence, "plprove degrees"};
     if (!result.complete()) return record;
     record.bound = DegreeBound::exact;
-    record.source += ": " + std::to_string(result.run.evidence->edges) + " edges; trace 1e" +
-                     std::to_string(result.run.evidence->trace_exponent);
+    const CompletenessEvidence& evidence = *result.run.evidence;
+    record.source +=
+        ": " + std::to_string(evidence.edges) + " edges; " +
+        (evidence.trace_exponent ? "trace 1e" + std::to_string(*evidence.trace_exponent)
+                                 : "no trace test");
     return record;
 }
 

@@ -35,8 +35,11 @@ void write_degree(std::ostream& out, const DegreeReport& report) {
     section(out, "complete");
     if (run.evidence)
         out << "by evidence, not proved: " << run.evidence->edges
-            << " edges permuted the solutions, the trace test left 1e"
-            << run.evidence->trace_exponent << '\n';
+            << " edges permuted the solutions, "
+            << (run.evidence->trace_exponent
+                    ? "the trace test left 1e" + std::to_string(*run.evidence->trace_exponent)
+                    : std::string("no trace test applies"))
+            << '\n';
     else if (report.options.target > 0 && run.degree >= report.options.target)
         out << "not known: the run stopped at its target, " << report.options.target << '\n';
     else
@@ -83,7 +86,7 @@ std::string json_report(const DegreeReport& report) {
         {"seed", report.options.seed}};
     if (run.evidence) {
         json["edges"] = run.evidence->edges;
-        json["trace_exponent"] = run.evidence->trace_exponent;
+        if (run.evidence->trace_exponent) json["trace_exponent"] = *run.evidence->trace_exponent;
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

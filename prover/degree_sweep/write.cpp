@@ -13,7 +13,8 @@ void append(std::string& text, const Integers& integers) {
 void append_evidence(std::string& text, const std::optional<CompletenessEvidence>& evidence) {
     if (evidence)
         text += " evidence complete edges " + std::to_string(evidence->edges) + " trace " +
-                std::to_string(evidence->trace_exponent) + '\n';
+                (evidence->trace_exponent ? std::to_string(*evidence->trace_exponent) : "none") +
+                '\n';
     else
         text += " evidence none\n";
 }

@@ -1,0 +1,115 @@
+#include "prover/degree/degree.h"
+
+#include "prover/degree/integer_images.h"
+#include "prover/degree/trace_test.h"
+
+namespace plprove {
+
+namespace {
+
+constexpr int first_edges = 3;
+constexpr int most_edges = 8;
+constexpr int enough_edges = 6; ///< of these, where no trace test can be made, must be bijections
+/// What the trace test leaves of its terms where no solution is missing is rounding, 1e-6 at the
+/// very worst; where one of a thousand is missing, some 1e-4.
+constexpr double vanishing = 2e-5;
+constexpr int most_integer_images = 3;
+
+/// The smallest exponent with residual < 10^exponent.
+int exponent_above(double residual) {
+    int exponent = -1;
+    for (double power = 0.01; residual < power && exponent > -99; power /= 10)
+        --exponent;
+    return exponent;
+}
+
+/// Adds edges until the trace test finds nothing missing. Where no trace test can be made, most
+/// edges must agree.
+std::optional<CompletenessEvidence> complete(const CameraSystem& system, Monodromy& monodromy,
+                                             int target, Random& random,
+                                             std::vector<std::string>& notes) {
+    for (int edges = first_edges; edges <= most_edges; ++edges) {
+        monodromy.run(edges, target);
+        if (target > 0 && monodromy.solutions().size() >= target) return std::nullopt;
+        const auto residual =
+            trace_residual(system, monodromy.chart(), monodromy.constants(), monodromy.images(),
+                           monodromy.solutions().points(), random);
+        const CompletenessEvidence evidence{monodromy.bijective_edges(), std::nullopt};
+        if (residual && *residual < vanishing)
+            return CompletenessEvidence{evidence.edges, exponent_above(*residual)};
+        if (edges < most_edges) continue;
+        if (!residual && evidence.edges >= enough_edges) return evidence;
+        if (residual)
+            notes.push_back("the trace test left 1e" + std::to_string(exponent_above(*residual)) +
+                            " of its terms: solutions are missing");
+    }
+    return std::nullopt;
+}
+
+/// Tries other integer images until all solutions arrive there, or `wanted` do.
+DegreeCertificate certify(const CameraSystem& system, Monodromy& monodromy, int wanted,
+                          Random& random) {
+    DegreeCertificate best;
+    for (int attempt = 0; attempt < most_integer_images && best.degree() < wanted; ++attempt) {
+        DegreeCertificate certificate = certify_degree(system, monodromy, random);
+        if (attempt == 0 || certificate.degree() > best.degree()) best = std::move(certificate);
+    }
+    return best;
+}
+
+} // namespace
+
+int DegreeCertificate::degree() const {
+    int degree = 0;
+    for (const ApproximateSolution& solution : solutions)
+        degree += solution.real ? 1 : 2;
+    return degree;
+}
+
+DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
+    const CameraSystem system = camera_system(label_classes()[number]);
+    Monodromy monodromy(system, options.seed, number);
+    Random random(options.seed, ~number);
+    DegreeRun run;
+    run.number = number;
+    // With integer images the conjugates of solutions are solutions, too: with a certificate, a
+    // little more than half of the target is enough at first.
+    if (options.target > 0 && options.certificate) {
+        monodromy.run(first_edges, options.target * 11 / 20 + 1);
+        run.certificate = certify_degree(system, monodromy, random);
+    }
+    if (!run.certificate || run.certificate->degree() < options.target || options.target == 0) {
+        run.evidence = complete(system, monodromy, options.target, random, run.notes);
+        const int found = monodromy.solutions().size();
+        if (options.certificate)
+            run.certificate =
+                certify(system, monodromy,
+                        run.evidence || options.target == 0 ? found : options.target, random);
+    }
+    run.degree = monodromy.solutions().size();
+    if (run.certificate) {
+        const int shown = run.certificate->degree();
+        if (run.evidence && shown > run.degree) {
+            run.evidence.reset();
+            run.notes.push_back("there are more solutions for integer images than were found");
+        } else if (run.evidence && shown < run.degree) {
+            run.notes.push_back(std::to_string(run.degree - shown) +
+                                " solutions were lost on the way to integer images");
+        }
+        run.degree = std::max(run.degree, shown);
+        run.certificate->number = number;
+        run.certificate->evidence = shown == run.degree ? run.evidence : std::nullopt;
+    }
+    if (const int edges = monodromy.edges() - monodromy.bijective_edges();
+        edges > 0 && (run.evidence || options.target == 0))
+        run.notes.push_back(std::to_string(edges) + " of " + std::to_string(monodromy.edges()) +
+                            " edges are no bijections: " + std::to_string(monodromy.unmatched()) +
+                            " solutions lack a partner");
+    const PathCounts& counts = monodromy.follower().counts();
+    run.tracks = counts.tracks;
+    run.retried = counts.retried;
+    run.failed = counts.failed;
+    return run;
+}
+
+} // namespace plprove

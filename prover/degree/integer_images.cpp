@@ -1,0 +1,192 @@
+#include "prover/degree/integer_images.h"
+
+#include "prover/degree/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plprove {
+
+namespace {
+
+constexpr double small_imaginary_part = 1e-8; ///< of a real solution, relative; tried, not believed
+constexpr double least_nondegeneracy = 1e-11;
+
+/// Random vectors of small integers, with a third coordinate that is not zero.
+std::vector<std::array<int, 3>> integer_vectors(std::size_t count, Random& random) {
+    constexpr std::uint64_t largest = 19;
+    const auto digit = [&] {
+        return static_cast<int>(random.bits() % (2 * largest + 1)) - static_cast<int>(largest);
+    };
+    std::vector<std::array<int, 3>> result(count);
+    for (auto& x : result)
+        do
+            x = {digit(), digit(), digit()};
+        while (x[0] == 0 || x[1] == 0 || x[2] == 0);
+    return result;
+}
+
+/// The images as the certificate has them.
+std::vector<FeatureImage> feature_images(const CameraSystem& system,
+                                         const std::vector<std::array<int, 3>>& vectors) {
+    std::vector<FeatureImage> result;
+    for (const Feature& feature : system.features)
+        result.push_back({feature, std::vector<ViewImage>(3)});
+    for (std::size_t f = 0; f < vectors.size(); ++f) {
+        const FreeVector& free = system.free[f];
+        ViewImage& image = result[static_cast<std::size_t>(free.feature)]
+                               .views[static_cast<std::size_t>(free.view)];
+        if (free.line < 0)
+            image.point = vectors[f];
+        else
+            image.lines.push_back(vectors[f]);
+    }
+    return result;
+}
+
+CameraPoint conjugate(const CameraPoint& point) {
+    CameraPoint result;
+    for (std::size_t k = 0; k < point.size(); ++k)
+        result[k] = std::conj(point[k]);
+    return result;
+}
+
+bool is_real(const CameraPoint& point) {
+    double imaginary = 0, size = 1;
+    for (const Complex& x : point) {
+        imaginary = std::max(imaginary, std::abs(x.imag()));
+        size = std::max(size, std::abs(x));
+    }
+    return imaginary < small_imaginary_part * size;
+}
+
+/// The coordinates as multiples of 2^-bits.
+CameraPoint rounded(const CameraPoint& point, int bits) {
+    CameraPoint result;
+    for (std::size_t k = 0; k < point.size(); ++k)
+        result[k] = {std::ldexp(std::nearbyint(std::ldexp(point[k].real(), bits)), -bits),
+                     std::ldexp(std::nearbyint(std::ldexp(point[k].imag(), bits)), -bits)};
+    return result;
+}
+
+/// A solution at the integer images.
+struct Found {
+    CameraPoint point;
+    bool real = false;
+    int bits = 0; ///< enough for Newton's method to find the point again; 0: not known yet
+};
+
+/// Solves the equations at fixed images from starting values nearby.
+class FixedImages {
+public:
+    FixedImages(const CameraSystem& system, const Images& images)
+        : system_(tracked_system(system, standard_chart())),
+          images_(moving_images(system, standard_constants(system), images, images)) {}
+
+    /// Newton's method from each start; nothing where it does not converge at once.
+    std::vector<std::optional<CameraPoint>> solve(const std::vector<CameraPoint>& starts) const {
+        TrackSettings settings;
+        settings.prediction = 2e-3;
+        settings.noise = 1e-9;
+        settings.largest_step = settings.first_step = 1;
+        settings.precise = true;
+        std::vector<CameraPoint> ends(starts.size());
+        std::vector<TrackOutcome> outcomes(starts.size());
+        fastest_tracker()(system_, images_, settings, starts.size(), starts.data(), ends.data(),
+                          outcomes.data());
+        std::vector<std::optional<CameraPoint>> result(starts.size());
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            if (outcomes[i] == TrackOutcome::arrived) result[i] = ends[i];
+        return result;
+    }
+
+private:
+    TrackedSystem system_;
+    TrackedImages images_;
+};
+
+/// Finds for each solution how many bits after the binary point are enough, and adds a few.
+void choose_bits(std::vector<Found>& found, const FixedImages& fixed) {
+    constexpr int margin = 2;
+    for (const int bits : {4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 20, 25, 30, 36, 42}) {
+        std::vector<Found*> open;
+        std::vector<CameraPoint> starts;
+        for (Found& solution : found)
+            if (solution.bits == 0) {
+                open.push_back(&solution);
+                starts.push_back(rounded(solution.point, bits));
+            }
+        const auto ends = fixed.solve(starts);
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            if (!ends[i]) continue;
+            SolutionSet same;
+            same.add(open[i]->point);
+            if (same.find(*ends[i])) open[i]->bits = bits + margin;
+        }
+    }
+}
+
+ApproximateSolution approximate(const Found& solution) {
+    ApproximateSolution result{solution.real, solution.bits, {}};
+    const auto put = [&](double x) {
+        result.values.push_back(std::llrint(std::ldexp(x, solution.bits)));
+    };
+    for (const Complex& x : solution.point) {
+        put(x.real());
+        if (!solution.real) put(x.imag());
+    }
+    return result;
+}
+
+} // namespace
+
+DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, Random& random) {
+    DegreeCertificate certificate;
+    const auto vectors = integer_vectors(system.free.size(), random);
+    certificate.images = feature_images(system, vectors);
+    Images images;
+    for (const auto& x : vectors)
+        images.push_back(
+            {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])});
+    Images unit = images; // of similar size as those that the path comes from
+    for (Complex3& x : unit) {
+        const double scale = 1 / std::sqrt(std::norm(x[0]) + std::norm(x[1]) + std::norm(x[2]));
+        for (Complex& coordinate : x)
+            coordinate *= scale;
+    }
+    const auto path =
+        moving_images(system, monodromy.constants(), monodromy.images(), turned(unit, random));
+    const auto ends = monodromy.follower().follow(path, monodromy.solutions().points());
+
+    const FixedImages fixed(system, unit);
+    const CameraChart chart = standard_chart();
+    std::vector<CameraPoint> starts;
+    for (const auto& end : ends)
+        if (end) starts.push_back(chart.point(monodromy.chart().cameras(*end)));
+    const std::vector<Complex3> standard_vectors =
+        image_vectors(system, standard_constants(system), unit);
+    SolutionSet seen;
+    std::vector<Found> found;
+    for (const auto& point : fixed.solve(starts)) {
+        if (!point || seen.find(*point) ||
+            nondegeneracy(system, standard_vectors, chart.cameras(*point)) < least_nondegeneracy)
+            continue;
+        Found solution{*point, is_real(*point), 0};
+        seen.add(*point);
+        if (solution.real)
+            for (Complex& x : solution.point)
+                x = x.real();
+        else
+            seen.add(conjugate(*point));
+        found.push_back(solution);
+    }
+    choose_bits(found, fixed);
+    std::ranges::sort(found, {}, [](const Found& solution) {
+        return std::pair(solution.point[0].real(), std::abs(solution.point[0].imag()));
+    });
+    for (const Found& solution : found)
+        if (solution.bits > 0) certificate.solutions.push_back(approximate(solution));
+    return certificate;
+}
+
+} // namespace plprove
