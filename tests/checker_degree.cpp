@@ -510,6 +510,7 @@ TEST_CASE("degree files are read to the letter") {
     const std::string good = images() + solution();
     CHECK(replayed(good).conforms);
     CHECK(replayed("").conforms);
+    CHECK(replayed(with(good, "none", "complete edges 0 trace none")).degrees.at(0).complete);
     const std::string second = with(good, "degree 2394", "degree 2395");
     CHECK(replayed(good + second).conforms);
     CHECK(violation(good + good) == "7: class 2394: comes too late");
@@ -521,7 +522,8 @@ TEST_CASE("degree files are read to the letter") {
     CHECK(altered("2394", "-1").starts_with("2: found `-1`"));
     CHECK(altered("none", "some") == "2: found `some`, expected `none`");
     CHECK(altered("none", "complete") == "2: found nothing, expected `edges`");
-    CHECK(altered("none", "complete edges 0 trace -9").starts_with("2: found `0`"));
+    CHECK(altered("none", "complete edges -1 trace -9").starts_with("2: found `-1`"));
+    CHECK(altered("none", "complete edges 3 trace some").starts_with("2: found `some`"));
     CHECK(altered("none", "complete edges 100 trace -9").starts_with("2: found `100`"));
     CHECK(altered("none", "complete edges 3 trace 0").starts_with("2: found `0`"));
     CHECK(altered("none", "complete edges 3 trace -100").starts_with("2: found `-100`"));
