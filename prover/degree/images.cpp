@@ -78,11 +78,12 @@ Images images_of_scene(const CameraSystem& system, const Cameras& cameras, Rando
     return images;
 }
 
-Images random_images(const CameraSystem& system, Random& random) {
-    Images images;
-    for (std::size_t f = 0; f < system.free.size(); ++f)
-        images.push_back(unit(random.complex3()));
-    return images;
+Images random_neighbour(const Images& images, Random& random) {
+    constexpr double radius = 0.8;
+    Images result;
+    for (const Complex3& x : images)
+        result.push_back(combine(x, unit(random.complex3()), radius));
+    return result;
 }
 
 Images turned(Images images, Random& random) {

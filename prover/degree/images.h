@@ -18,7 +18,9 @@ Complex3 rotate(const std::array<Complex, 4>& quaternion, const Complex3& x);
 /// Images of a random scene in these cameras.
 Images images_of_scene(const CameraSystem& system, const Cameras& cameras, Random& random);
 
-Images random_images(const CameraSystem& system, Random& random);
+/// Random images in the neighbourhood: far enough for loops to mix the solutions, near enough for
+/// the paths to be short.
+Images random_neighbour(const Images& images, Random& random);
 
 /// The same images with each vector multiplied by a random number of modulus 1: another path leads
 /// there.

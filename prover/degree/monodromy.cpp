@@ -68,8 +68,8 @@ std::vector<std::optional<CameraPoint>> PathFollower::follow(const TrackedImages
     TrackSettings usual, precise;
     precise.precise = true;
     precise.noise = 1e-10;
-    precise.smallest_step = 1e-12;
-    precise.largest_steps = 5000;
+    precise.smallest_step = 1e-11;
+    precise.largest_steps = 3000;
     if (closely) {
         usual.prediction = precise.prediction = 1e-5;
         usual.contraction = precise.contraction = 0.02;
@@ -112,7 +112,7 @@ Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64
         x = random_.complex();
     nodes_[0].images = images_of_scene(system, chart_.cameras(start), random_);
     nodes_[0].solutions.add(start);
-    nodes_[1].images = random_images(system, random_);
+    nodes_[1].images = random_neighbour(nodes_[0].images, random_);
     for (Node& node : nodes_)
         node.vectors = image_vectors(system, constants_, node.images);
 }

@@ -27,10 +27,10 @@ public:
         }
     }
 
-    /// On the unit circle.
+    /// On the unit circle, in the half with positive real part and rather near 1.
     Complex phase() {
-        const Complex z = complex();
-        return z / std::sqrt(z.real() * z.real() + z.imag() * z.imag());
+        const double slope = 4 * real(), scale = 1 / std::sqrt(1 + slope * slope);
+        return {scale, slope * scale};
     }
 
     Complex3 complex3() {

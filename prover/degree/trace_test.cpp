@@ -149,7 +149,13 @@ std::vector<Pencil> pencils(const CameraSystem& system, Random& random) {
         const Complex3 direction = random.complex3();
         result.push_back({v, equation, direction, random.complex3()});
     }
-    return result;
+    // A few of them, of different features if possible, are as good as all.
+    constexpr std::size_t enough = 3;
+    if (result.size() <= enough) return result;
+    std::vector<Pencil> chosen;
+    for (std::size_t i = 0; i < enough; ++i)
+        chosen.push_back(result[i * (result.size() - 1) / (enough - 1)]);
+    return chosen;
 }
 
 } // namespace

@@ -31,7 +31,7 @@ struct TrackedImages {
 };
 
 struct TrackSettings {
-    double prediction = 1e-3; ///< relative error of a prediction that the step size aims at
+    double prediction = 3e-3; ///< relative error of a prediction that the step size aims at
     double contraction = 0.1; ///< Newton's second correction is at most that much of the first ...
     double noise = 1e-6;      ///< ... or as small as rounding may make it, relative to the point
     double first_step = 0.01;
