@@ -1,0 +1,233 @@
+// Files of upper bounds by the letter of FORMAT.md, section 10: what the committed one certifies,
+// laws that its bounds obey, and templates that are altered in one place, each refused for that.
+#include "checker/claims.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <set>
+
+using namespace checker;
+
+namespace {
+
+const Classification& classes() {
+    static const Classification all = classify();
+    return all;
+}
+
+const FileReport& committed() {
+    static const FileReport report = [] {
+        std::ifstream in(CERTS_DIR "/bounds.plc", std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+        return replay(classes(), "bounds.plc", bytes);
+    }();
+    return report;
+}
+
+bool extends_five_points(const Signature& s) {
+    return std::ranges::any_of(view_pairs, [&](Views pair) { return shared_points(s, pair) == 5; });
+}
+
+std::size_t class_of(const std::string& wanted) {
+    for (std::size_t n = 0; n < classes().representatives.size(); ++n)
+        if (notation(classes().representatives[n]) == wanted) return n;
+    FAIL("no such class: ", wanted);
+    return 0;
+}
+
+/// What the checker makes of templates: `holds`, or the first complaint.
+std::string outcome(const std::string& templates) {
+    const FileReport report =
+        replay(classes(), "file", "plcert 1 bounds\nmodulus 2305843009213693951\n" + templates);
+    if (report.complaints.empty()) return "holds";
+    return (report.conforms ? "" : "syntax: ") + report.complaints[0].reason;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != text.npos;
+}
+
+std::string with(std::string text, const std::string& old, const std::string& replacement) {
+    REQUIRE(contains(text, old));
+    return text.replace(text.find(old), old.size(), replacement);
+}
+
+/// Two known points and a line: the smallest template of the committed file.
+const std::string two_points_and_a_line = R"(template line degree 1 3
+star point 0 0 0 image 66 4 -66
+star point 33 -62 79 image -88 -4 -92
+line point 78 -86 -9 direction 1 0 0 image 0 0 1
+basis 1 2 5 6
+rows 1 1 2 5 8 9 12 15 16 19
+rows 2 1 2 3 5
+rows 3 1 2 3 5
+minor 594677692319771619
+)";
+
+/// Two known points, one with a pin, and a ray.
+const std::string on_the_axis = R"(template points degree 4 2
+star point 0 0 0 image 66 4 0
+star point 33 0 0 image -88 -4 0 pin 78 -86 -9 toward 15 16 -47
+transversals point -74 -58 32 direction -36 70 38 image -29 11 -94
+basis 1 2 4 6 9 11 26 27 29 31 34 36
+rows 1 1 2 4 6 7 9 11 12 14 16 17 19 26 27 29 31 32 34 36 37 39
+rows 2 1 2 4 6 7 9 11 12 14 26 27 32
+minor 1764528126404496281
+)";
+
+} // namespace
+
+TEST_CASE("the committed templates hold, and bound all extensions but those of two types") {
+    CHECK(committed().conforms);
+    CHECK(committed().refused == 0);
+    CHECK(committed().templates == 87);
+    REQUIRE(committed().upper.size() == classes().representatives.size());
+    std::size_t extensions = 0, bounded = 0, terminal = 0;
+    for (std::size_t n = 0; n < classes().representatives.size(); ++n) {
+        const Signature& s = classes().representatives[n];
+        const bool extension = obstruction(s).minimal() && extends_five_points(s);
+        extensions += extension;
+        bounded += committed().upper[n] > 0;
+        terminal += committed().upper[n] > 0 && classes().swap_class[n] == n;
+        if (!extension) CHECK(committed().upper[n] == 0);
+    }
+    CHECK(extensions == 6413);
+    CHECK(bounded == 6413 - 21);
+    CHECK(terminal == 3615 - 21);
+}
+
+TEST_CASE("upper bounds are multiples of 80, and the same for all members of a swap class") {
+    for (std::size_t n = 0; n < classes().representatives.size(); ++n) {
+        CHECK(committed().upper[n] % 80 == 0); // 20 poses; cameras come in fours
+        CHECK(committed().upper[n] == committed().upper[classes().swap_class[n]]);
+    }
+}
+
+TEST_CASE("upper bounds of problems with known degrees") {
+    const auto upper = [](const std::string& problem) {
+        return committed().upper[class_of(problem)];
+    };
+    // The registration problems among the PL0Ps (section 6 of the paper): 160, and 80 with a line.
+    CHECK(upper("2*P/P/P + a/a/a + 3*-/P/P") == 80);
+    CHECK(upper("3*P/P/P + 2*-/P/P") == 160);
+    CHECK(upper("P/P/P + 4*a/a/a") == 0); // no extension
+}
+
+TEST_CASE("small templates hold; without that of the relative pose they bound no class") {
+    CHECK(outcome(two_points_and_a_line) == "holds");
+    CHECK(outcome(on_the_axis) == "holds");
+    CHECK(outcome(on_the_axis + two_points_and_a_line) == "holds");
+    const FileReport report =
+        replay(classes(), "file", "plcert 1 bounds\nmodulus 2305843009213693951\n" + on_the_axis);
+    CHECK(report.templates == 1);
+    CHECK(std::ranges::count(report.upper, 0U) == std::ssize(classes().representatives));
+}
+
+TEST_CASE("a minor other than the true one, or of too few or many rows, is refused") {
+    const std::string& good = two_points_and_a_line;
+    CHECK(outcome(with(good, "771619", "771618")) == "the minor is 594677692319771619 modulo q");
+    CHECK(outcome(with(good, "rows 3 1 2 3 5", "rows 3 1 2 3")) ==
+          "there are 16 rows for 17 columns");
+    CHECK(outcome(with(good, "rows 1 1 2 5", "rows 1 1 2 3 5")) ==
+          "there are 18 rows for 17 columns");
+    // One solution less than there are.
+    CHECK(outcome(with(good, "basis 1 2 5 6", "basis 1 2 5")) ==
+          "there are 17 rows for 18 columns");
+    CHECK(contains(outcome(with(with(good, "basis 1 2 5 6", "basis 1 2 5"), "rows 2 1 2 3 5",
+                                "rows 2 1 2 3 5 6")),
+                   "the minor is 0 modulo q"));
+    // Rows in another place: the sign of the determinant changes, or it vanishes.
+    CHECK(outcome(with(good, "rows 2 1 2 3 5", "rows 2 1 2 3 6")).starts_with("the minor is "));
+}
+
+TEST_CASE("a monomial of too large a degree is refused, in the basis and in a row") {
+    CHECK(outcome(with(two_points_and_a_line, "basis 1 2 5 6", "basis 1 2 5 8")) ==
+          "monomial 8 is of too large a degree for the basis");
+    CHECK(outcome(with(two_points_and_a_line, "rows 2 1 2 3 5", "rows 2 1 2 3 4")) ==
+          "equation 2 times monomial 4 is of too large a degree");
+    CHECK(outcome(with(two_points_and_a_line, "rows 1 1 2 5 8 9 12 15 16 19",
+                       "rows 1 1 2 3 8 9 12 15 16 19")) ==
+          "equation 1 times monomial 3 is of too large a degree");
+    CHECK(contains(outcome(with(two_points_and_a_line, "basis 1 2 5 6", "basis 1 2 5 22")),
+                   "syntax: found `22`, expected an integer from 6 to 21"));
+    CHECK(contains(outcome(with(two_points_and_a_line, "rows 3 1", "rows 9 1")),
+                   "syntax: found `9`, expected an integer from 3 to "));
+}
+
+TEST_CASE("what a frame requires is refused where it is missing") {
+    const std::string axis = "the first line is not the axis", star = "a star is not on the axis";
+    CHECK(outcome(with(two_points_and_a_line, "direction 1 0 0", "direction 2 0 0")) == axis);
+    CHECK(outcome(with(two_points_and_a_line, "direction 1 0 0", "direction 1 1 0")) == axis);
+    CHECK(outcome(with(two_points_and_a_line, "image 0 0 1", "image 0 1 1")) == axis);
+    CHECK(outcome(with(two_points_and_a_line, "point 0 0 0", "point 0 0 1")) ==
+          "the first star is not at the origin");
+    CHECK(outcome(with(on_the_axis, "point 0 0 0", "point 1 0 0")) ==
+          "the first star is not at the origin");
+    CHECK(outcome(with(on_the_axis, "point 33 0 0", "point 33 1 0")) == star);
+    CHECK(outcome(with(on_the_axis, "point 33 0 0", "point 33 0 1")) == star);
+    CHECK(outcome(with(on_the_axis, "image -88 -4 0", "image -88 -4 1")) == star);
+    CHECK(outcome(with(on_the_axis, "points", "line")) == "the frame does not fit the constraints");
+    CHECK(contains(outcome(with(on_the_axis, "points", "plane")),
+                   "syntax: found `plane`, expected `general`, `line` or `points`"));
+}
+
+TEST_CASE("constraints have weight six, except those of the relative pose") {
+    CHECK(outcome(with(on_the_axis, " pin 78 -86 -9 toward 15 16 -47", "")) != "holds"); // weight 5
+    CHECK(contains(outcome(with(on_the_axis, "image -29 11 -94",
+                                "image -29 11 -94 direction 1 2 3 image 4 5 6")),
+                   "expected constraints of weight 6"));
+    CHECK(contains(outcome(with(on_the_axis, "toward 15 16 -47",
+                                "toward 15 16 -47 pin 1 2 3 toward 3 4 5 pin 1 2 4 toward 3 5 5")),
+                   "expected constraints of weight 6"));
+    const std::string general = R"(template general degree 1
+incidence point 1 2 3 line 4 5 7
+basis 1
+rows 1 1
+minor 1
+)";
+    CHECK(contains(outcome(general), "syntax: found `1`, expected an integer from 1 to 0"));
+}
+
+TEST_CASE("templates have one spelling") {
+    CHECK(contains(outcome(with(on_the_axis, "degree 4 2", "degree 4")), "syntax"));
+    CHECK(contains(outcome(with(on_the_axis, "degree 4 2", "degree 7 2")),
+                   "syntax: found `7`, expected an integer from 1 to 6"));
+    CHECK(contains(outcome(with(on_the_axis, "basis 1 2", "basis 2 1")), "syntax"));
+    CHECK(contains(outcome(with(on_the_axis, "rows 1 1 2 4", "rows 1 1 4 2")), "syntax"));
+    CHECK(contains(outcome(with(on_the_axis, "rows 2", "rows 1")), "syntax"));
+    CHECK(contains(outcome(with(on_the_axis, "minor 1764528126404496281", "minor 0")), "syntax"));
+    CHECK(contains(outcome(with(on_the_axis, "transversals point -74 -58 32",
+                                "transversals point -74 -58 1000000")),
+                   "syntax"));
+    CHECK(contains(outcome("template"), "syntax"));
+    CHECK(contains(outcome(on_the_axis.substr(0, on_the_axis.find("minor"))), "syntax"));
+}
+
+TEST_CASE("a degree is certified exact where the bounds meet, and not a solution earlier") {
+    FileReport all{.name = "all", .kind = "classification"};
+    for (std::size_t n = 0; n < classes().representatives.size(); ++n)
+        all.verdicts.push_back({n, 1, obstruction(classes().representatives[n])});
+    const std::string problem = "2*P/P/P + a/a/a + 3*-/P/P";
+    const std::size_t number = class_of(problem);
+    const auto claim = [&](std::size_t solutions) {
+        const FileReport degrees{
+            .name = "degrees", .kind = "degrees", .degrees = {{number, 1, solutions, false}}};
+        const Report report = summarize(classes(), {all, committed(), degrees});
+        const auto about = [&](const DegreeClaim& c) { return contains(c.claim, problem); };
+        const auto found = std::ranges::find_if(report.degrees, about);
+        REQUIRE(found != report.degrees.end());
+        return std::pair(*found, report.status);
+    };
+    const auto [exact, status] = claim(80);
+    CHECK(status == 0);
+    CHECK(exact.certified == "80");
+    CHECK(exact.exact == "80");
+    CHECK(exact.paper == "80");
+    const auto [less, still] = claim(79);
+    CHECK(still == 0);
+    CHECK(less.certified == "79");
+    CHECK(less.exact == "-");
+    CHECK(less.evidence == "-");
+    CHECK(claim(81).second == 1); // a contradiction
+}

@@ -1,0 +1,45 @@
+// `plprove bounds` writes the committed bytes; `plcheck` reports them to people and machines.
+#include "program.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+const std::string plprove = PLPROVE;
+const std::string plcheck = PLCHECK;
+const std::string committed = std::string(SOURCE_DIR) + "/certs/bounds.plc";
+} // namespace
+
+TEST_CASE("plprove bounds writes the committed file, byte by byte") {
+    const Outcome outcome = run(plprove + " bounds -o -");
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out == read_file(committed));
+}
+
+TEST_CASE("plcheck tells how many problems are bounded") {
+    const Outcome text = run(plcheck + " " + committed);
+    CHECK(text.status == 0);
+    CHECK(text.err.empty());
+    CHECK(text.out.find("87 templates hold, 0 refused\n"
+                        "- certified: 8 terminal problems have at most 80 solutions\n"
+                        "- certified: 548 terminal problems have at most 160 solutions\n") !=
+          std::string::npos);
+    const auto json = nlohmann::json::parse(run(plcheck + " --json " + committed).out);
+    CHECK(json["files"][0]["templates"] == 87);
+    int problems = 0;
+    for (const auto& [solutions, count] : json["files"][0]["terminal_problems_at_most"].items())
+        problems += count.get<int>();
+    CHECK(problems == 3615 - 21);
+}
+
+TEST_CASE("an altered file of bounds is refused with the line of the template") {
+    const TemporaryFolder folder;
+    std::string text = read_file(committed);
+    const std::size_t place = text.find("minor ");
+    REQUIRE(place != std::string::npos);
+    text[place + 6] = text[place + 6] == '1' ? '2' : '1';
+    write_file(folder / "bounds.plc", text);
+    const Outcome outcome = run(plcheck + " " + (folder / "bounds.plc").string());
+    CHECK(outcome.status == 1);
+    CHECK(outcome.err.find("bounds.plc:3: refused: the minor is ") != std::string::npos);
+}
