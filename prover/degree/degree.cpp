@@ -51,7 +51,8 @@ DegreeCertificate certify(const CameraSystem& system, Monodromy& monodromy, int 
                           Random& random) {
     DegreeCertificate best;
     for (int attempt = 0; attempt < most_integer_images && best.degree() < wanted; ++attempt) {
-        DegreeCertificate certificate = certify_degree(system, monodromy, random);
+        DegreeCertificate certificate =
+            certify_degree(system, monodromy, monodromy.solutions().size(), random);
         if (attempt == 0 || certificate.degree() > best.degree()) best = std::move(certificate);
     }
     return best;
@@ -75,8 +76,9 @@ DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
     // With integer images the conjugates of solutions are solutions, too: with a certificate, a
     // little more than half of the target is enough at first.
     if (options.target > 0 && options.certificate) {
-        monodromy.run(first_edges, options.target * 11 / 20 + 1);
-        run.certificate = certify_degree(system, monodromy, random);
+        const int enough = options.target * 11 / 20 + 4;
+        monodromy.run(first_edges, enough);
+        run.certificate = certify_degree(system, monodromy, enough, random);
     }
     if (!run.certificate || run.certificate->degree() < options.target || options.target == 0) {
         run.evidence = complete(system, monodromy, options.target, random, run.notes);

@@ -84,12 +84,13 @@ public:
           images_(moving_images(system, standard_constants(system), images, images)) {}
 
     /// Newton's method from each start; nothing where it does not converge at once.
-    std::vector<std::optional<CameraPoint>> solve(const std::vector<CameraPoint>& starts) const {
+    std::vector<std::optional<CameraPoint>> solve(const std::vector<CameraPoint>& starts,
+                                                  bool precise) const {
         TrackSettings settings;
         settings.prediction = 2e-3;
-        settings.noise = 1e-9;
+        settings.noise = precise ? 1e-9 : 1e-7;
         settings.largest_step = settings.first_step = 1;
-        settings.precise = true;
+        settings.precise = precise;
         std::vector<CameraPoint> ends(starts.size());
         std::vector<TrackOutcome> outcomes(starts.size());
         fastest_tracker()(system_, images_, settings, starts.size(), starts.data(), ends.data(),
@@ -116,7 +117,7 @@ void choose_bits(std::vector<Found>& found, const FixedImages& fixed) {
                 open.push_back(&solution);
                 starts.push_back(rounded(solution.point, bits));
             }
-        const auto ends = fixed.solve(starts);
+        const auto ends = fixed.solve(starts, false);
         for (std::size_t i = 0; i < open.size(); ++i) {
             if (!ends[i]) continue;
             SolutionSet same;
@@ -140,7 +141,8 @@ ApproximateSolution approximate(const Found& solution) {
 
 } // namespace
 
-DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, Random& random) {
+DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, int most,
+                                 Random& random) {
     DegreeCertificate certificate;
     const auto vectors = integer_vectors(system.free.size(), random);
     certificate.images = feature_images(system, vectors);
@@ -156,7 +158,9 @@ DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodrom
     }
     const auto path =
         moving_images(system, monodromy.constants(), monodromy.images(), turned(unit, random));
-    const auto ends = monodromy.follower().follow(path, monodromy.solutions().points());
+    std::vector<CameraPoint> solutions = monodromy.solutions().points();
+    if (std::ssize(solutions) > most) solutions.resize(static_cast<std::size_t>(most));
+    const auto ends = monodromy.follower().follow(path, solutions);
 
     const FixedImages fixed(system, unit);
     const CameraChart chart = standard_chart();
@@ -167,7 +171,7 @@ DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodrom
         image_vectors(system, standard_constants(system), unit);
     SolutionSet seen;
     std::vector<Found> found;
-    for (const auto& point : fixed.solve(starts)) {
+    for (const auto& point : fixed.solve(starts, true)) {
         if (!point || seen.find(*point) ||
             nondegeneracy(system, standard_vectors, chart.cameras(*point)) < least_nondegeneracy)
             continue;

@@ -7,8 +7,10 @@
 
 namespace plprove {
 
-/// Follows the solutions that `monodromy` has found to random integer images. The certificate shows
-/// all that arrive, each real solution and pair once, ordered by their coordinates.
-DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, Random& random);
+/// Follows the first `most` solutions that `monodromy` has found to random integer images. The
+/// certificate shows all that arrive, each real solution and pair once, ordered by their
+/// coordinates.
+DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, int most,
+                                 Random& random);
 
 } // namespace plprove

@@ -3,6 +3,7 @@
 #include "prover/degree/scene.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace plprove {
 
@@ -124,13 +125,13 @@ void Monodromy::add_edge() {
                       {}});
 }
 
-bool Monodromy::follow_edge(Edge& edge, int from) {
+bool Monodromy::follow_edge(Edge& edge, int from, int most) {
     const auto source = static_cast<std::size_t>(from), target = 1 - source;
     auto &partner = edge.partner[source], &inverse = edge.partner[target];
     partner.resize(static_cast<std::size_t>(nodes_[source].solutions.size()), open);
     std::vector<int> starting;
     std::vector<CameraPoint> starts;
-    for (int i = 0; i < nodes_[source].solutions.size(); ++i)
+    for (int i = 0; i < nodes_[source].solutions.size() && std::ssize(starting) < most; ++i)
         if (partner[static_cast<std::size_t>(i)] == open) {
             starting.push_back(i);
             starts.push_back(nodes_[source].solutions[i]);
@@ -181,8 +182,12 @@ void Monodromy::run(int edges, int target) {
         moving = false;
         for (const int from : {0, 1})
             for (Edge& edge : edges_) {
-                if (target > 0 && nodes_[0].solutions.size() >= target) return;
-                if (follow_edge(edge, from)) moving = true;
+                // Not many more than are wanted, but enough to fill the lanes.
+                const int wanted = target - nodes_[0].solutions.size();
+                if (target > 0 && wanted <= 0) return;
+                const int most =
+                    target > 0 ? std::max(16, wanted) : std::numeric_limits<int>::max();
+                if (follow_edge(edge, from, most)) moving = true;
             }
     }
 }

@@ -92,7 +92,9 @@ private:
 
     void add_edge();
     int unmatched(const Edge& edge) const;
-    bool follow_edge(Edge& edge, int from);
+    /// Follows solutions of node `from` that have no partner, `most` of them; false if there are
+    /// none.
+    bool follow_edge(Edge& edge, int from, int most);
 
     const CameraSystem& system_;
     Random random_;
