@@ -17,6 +17,7 @@ Box certify(const System&, const Start&) {
 #endif
 
 #include <cmath>
+#include <complex>
 
 namespace checker {
 bool has_arb() {
@@ -80,16 +81,58 @@ struct Matrix {
     acb_mat_t entries;
 };
 
-/// Proves with so many bits, after so many Newton steps, that a box contains one solution, and that
-/// not degenerate (proofs/degrees.md, section 1). Returns why there is no proof, if there is none.
+using Complex = std::complex<double>;
+
+/// Solves linear equations, rows with the right side last, by elimination; garbage if it cannot.
+static Coordinates<Complex>
+solve(std::array<std::array<Complex, camera_unknowns + 1>, camera_unknowns> m) {
+    Coordinates<Complex> solution;
+    for (std::size_t c = 0; c < m.size(); ++c) {
+        const auto size = [&](const auto& row) { return std::norm(row[c]); };
+        std::swap(m[c],
+                  *std::ranges::max_element(m.begin() + std::ptrdiff_t(c), m.end(), {}, size));
+        for (std::size_t r = 0; r < m.size(); ++r) {
+            const Complex factor = m[r][c] / m[c][c];
+            for (std::size_t k = c; r != c && k < m[r].size(); ++k) m[r][k] -= factor * m[c][k];
+        }
+    }
+    for (std::size_t i = 0; i < m.size(); ++i) solution[i] = m[i].back() / m[i][i];
+    return solution;
+}
+
+/// Where Newton steps in doubles lead from the starting values.
+static Coordinates<Complex> approach(const System& system, const Start& start) {
+    Coordinates<Complex> z, row;
+    for (std::size_t i = 0; i < z.size(); ++i)
+        z[i] = std::ldexp(1.0, -int(start.bits)) *
+               Complex(double(start.coordinates[i][0]), double(start.coordinates[i][1]));
+    Scene<Complex> scene;
+    double relative = 1; // size of the last step
+    for (int step = 0; step < 8 && relative > 1e-10; ++step) {
+        std::array<std::array<Complex, camera_unknowns + 1>, camera_unknowns> rows;
+        look(system, z, scene);
+        for (std::size_t e = 0; e < z.size(); ++e) {
+            rows[e].back() = evaluate(system, system.equations[e], scene, row);
+            std::copy(row.begin(), row.end(), rows[e].begin());
+        }
+        const Coordinates<Complex> change = solve(rows);
+        relative = 0;
+        for (std::size_t i = 0; i < z.size(); ++i) {
+            z[i] -= start.real ? change[i].real() : change[i];
+            relative = std::max(relative, std::abs(change[i]) / (1 + std::abs(z[i])));
+        }
+    }
+    return z;
+}
+
+/// Proves with so many bits, after at most so many Newton steps, that a box contains one solution,
+/// and that not degenerate (proofs/degrees.md, section 1). Returns why not, if there is no proof.
 template <slong bits>
-static std::string_view prove(const System& system, const Start& start, int steps, Box& box) {
+static std::string_view prove(const System& system, const Coordinates<Complex>& start, bool real,
+                              int steps, Box& box) {
     constexpr std::size_t n = camera_unknowns;
     Coordinates<Ball<bits>> z, row;
-    for (std::size_t i = 0; i < n; ++i) {
-        acb_set_si_si(z[i].get(), start.coordinates[i][0], start.coordinates[i][1]);
-        acb_mul_2exp_si(z[i].get(), z[i].get(), -start.bits);
-    }
+    for (std::size_t i = 0; i < n; ++i) acb_set_d_d(z[i].get(), start[i].real(), start[i].imag());
     Scene<Ball<bits>> scene;
     Matrix values(1), change(1), jacobian(n), inverse(n);
     const auto evaluate_all = [&] {
@@ -100,28 +143,27 @@ static std::string_view prove(const System& system, const Start& start, int step
             for (std::size_t k = 0; k < n; ++k) acb_swap(jacobian.at(e, k), row[k].get());
         }
     };
-    for (evaluate_all();; evaluate_all(), --steps) {
+    // The radii are four times the next step, and equal relative to the sizes of the coordinates.
+    std::array<double, n> radius;
+    for (;; --steps) {
+        evaluate_all();
         if (!acb_mat_approx_inv(inverse.entries, jacobian.entries, bits)) return "no inverse";
         acb_mat_mul(change.entries, inverse.entries, values.entries, bits);
-        if (steps == 0) break;
+        double relative = std::ldexp(1.0, 8 - bits);
+        for (std::size_t i = 0; i < n; ++i) {
+            radius[i] = 1 + magnitude(z[i].get());
+            relative = std::max(relative, 4 * magnitude(change.at(i, 0)) / radius[i]);
+        }
+        for (double& r : radius) r *= relative;
+        if (steps == 0 || relative < std::ldexp(1.0, -bits / 3)) break;
         for (std::size_t i = 0; i < n; ++i) {
             acb_sub(z[i].get(), z[i].get(), change.at(i, 0), bits);
             acb_get_mid(z[i].get(), z[i].get());
-            if (start.real) arb_zero(acb_imagref(z[i].get()));
+            if (real) arb_zero(acb_imagref(z[i].get()));
         }
     }
-
-    // The radii: four times the next step, and equal relative to the sizes of the coordinates.
-    std::array<double, n> radius;
-    double relative = std::ldexp(1.0, 8 - bits);
-    for (std::size_t i = 0; i < n; ++i) {
-        radius[i] = 1 + magnitude(z[i].get());
-        relative = std::max(relative, 4 * magnitude(change.at(i, 0)) / radius[i]);
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-        const Ball<bits> error(radius[i] *= relative);
-        acb_add_error_arb(z[i].get(), acb_realref(error.get()));
-    }
+    for (std::size_t i = 0; i < n; ++i)
+        acb_add_error_arb(z[i].get(), acb_realref(Ball<bits>(radius[i]).get()));
 
     evaluate_all();
     acb_mat_mul(jacobian.entries, inverse.entries, jacobian.entries, bits);
@@ -143,10 +185,10 @@ static std::string_view prove(const System& system, const Start& start, int step
 
 Box certify(const System& system, const Start& start) {
     Box box;
-    std::string_view reason = prove<64>(system, start, 0, box);
-    if (!reason.empty()) reason = prove<64>(system, start, 2, box);
-    if (!reason.empty()) reason = prove<128>(system, start, 5, box);
-    if (!reason.empty()) reason = prove<256>(system, start, 9, box);
+    const Coordinates<Complex> z = approach(system, start);
+    std::string_view reason = prove<64>(system, z, start.real, 2, box);
+    if (!reason.empty()) reason = prove<128>(system, z, start.real, 6, box);
+    if (!reason.empty()) reason = prove<256>(system, z, start.real, 9, box);
     if (!reason.empty()) throw Refused(reason);
     return box;
 }
