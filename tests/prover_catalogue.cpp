@@ -294,7 +294,6 @@ TEST_CASE("a malformed file of degrees is refused with its line") {
         {"5,80,claimed,x", "five fields"},
         {"5,80,exact,proved,x", "certified, evidence or claimed"},
         {"5,80,about,claimed,x", "exact or at-least"},
-        {"5,80,exact,certified,x", "lower bounds"},
         {"5,0,exact,claimed,x", "positive"},
         {"143494,8,exact,claimed,x", "143493"},
         {"-1,8,exact,claimed,x", "143493"},

@@ -161,8 +161,7 @@ constexpr Remark about[] = {
                  "certs/classification.plc holds a certificate for each class: check it with "
                  "plcheck certs/classification.plc"},
     {"families", "plmp, five_point, registration and trifocal hold for minimal classes only"},
-    {"degree: exact, at-least",
-     "a degree, or a lower bound on it; certificates prove lower bounds"},
+    {"degree: exact, at-least", "a degree, or a lower bound on it"},
     {"degree: certified", "follows from certificates that plcheck replays"},
     {"degree: evidence", "computed by this project; completeness is not proved"},
     {"degree: claimed", "stated by others; neither computed nor proved here"},

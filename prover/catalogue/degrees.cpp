@@ -61,8 +61,6 @@ DegreeRecord read_record(std::string_view line) {
     const DegreeBound bound = named(bounds, bound_text, "expected a bound: exact or at-least");
     const DegreeStatus status =
         named(statuses, status_text, "expected a status: certified, evidence or claimed");
-    if (status == DegreeStatus::certified && bound == DegreeBound::exact)
-        throw std::invalid_argument("certificates prove lower bounds: expected at-least");
     if (source.empty()) throw std::invalid_argument("expected the source of the degree");
     return {static_cast<std::size_t>(*number), *degree, bound, status, std::string(source)};
 }
@@ -159,9 +157,9 @@ DegreeTable::DegreeTable(std::vector<DegreeRecord> records, const std::vector<Si
 std::vector<DegreeRecord> DegreeTable::find(std::size_t number,
                                             std::size_t constraint_class) const {
     std::vector<DegreeRecord> found;
-    for (const Key& key :
-         std::ranges::equal_range(keys_, constraint_class, {}, &Key::constraint_class))
-        found.push_back(records_[key.index]);
+    auto key = std::ranges::lower_bound(keys_, constraint_class, {}, &Key::constraint_class);
+    for (; key != keys_.end() && key->constraint_class == constraint_class; ++key)
+        found.push_back(records_[key->index]);
     const auto rank = [&](const DegreeRecord& record) {
         return std::tuple(
             record.status == DegreeStatus::claimed, record.bound != DegreeBound::exact,

@@ -42,7 +42,7 @@ std::span<const std::string_view> degree_lines();
 
 /// Reads the lines of such a file: comments (#), the line of column names, one record a line.
 /// Throws std::runtime_error with the number of the line that is wrong, which includes a number and
-/// status given twice, and a certified degree that is no lower bound: certificates prove no more.
+/// status given twice.
 std::vector<DegreeRecord> parse_degrees(std::span<const std::string_view> lines);
 
 /// The inverse of parse_degrees, but for comments: `remark` is written as comments, in lines.

@@ -99,8 +99,8 @@ ClassResult merged(ClassResult old, ClassResult recent) {
     }
     std::ranges::copy(old.attempts, std::back_inserter(recent.attempts));
     std::ranges::sort(recent.attempts);
-    const auto repeated = std::ranges::unique(recent.attempts);
-    recent.attempts.erase(repeated.begin(), repeated.end());
+    recent.attempts.erase(std::unique(recent.attempts.begin(), recent.attempts.end()),
+                          recent.attempts.end()); // clang 14 knows no subranges
     return recent;
 }
 
