@@ -61,17 +61,22 @@ struct Equation {
     Bidegree degree{};
 };
 
-/// The constraints of a template, in the frame `general`, `line` or `points`, and the equations
-/// that they put on the rotation.
+Residue residue(const mpz_class& x) {
+    return {mpz_fdiv_ui(x.get_mpz_t(), modulus)};
+}
+
+/// The constraints of a template, in a frame, and the equations that they put on the rotation.
 struct Constraints {
-    bool line, aligned; // the frame: line, points
-    RotationRing ring{!line && !aligned};
+    bool line, aligned, paired; // the frame: line, points, lines
+    RotationRing ring{!line && !aligned && !paired};
     std::array<Polynomial, 9> turn = ring.matrix();
     Registration type{};
     std::vector<Condition> conditions{};
     std::vector<Equation> equations{};
     unsigned weight = 0, stars = 0, lines = 0;
-    std::array<Vector, 2> points{}, images{}; // of the first two stars
+    std::array<Vector, 2> points{}, images{};  // of the first two stars
+    std::vector<std::array<Vector, 3>> seen{}; // lines: point, direction, image
+    std::vector<std::array<Vector, 2>> met{};  // directions of lines, image points
     std::string flaw{};
 
     void read(Reader& reader) {
@@ -83,8 +88,11 @@ struct Constraints {
             incident(x, l, ring.unit());
         }
         while (reader.comes("transversals")) read_group(reader);
-        if ((line && lines == 0) || (aligned && stars < 2))
+        const bool four = lines == 2 && conditions.size() == 4 && conditions[2].ray;
+        if ((line && lines == 0) || (aligned && stars < 2) || (paired && !four))
             flaw = "the frame does not fit the constraints";
+        else if (paired)
+            add_reduced_minor();
         for (std::size_t l = 0; l < conditions.size(); ++l)
             for (std::size_t k = 0; k < l; ++k)
                 for (std::size_t j = 0; j < k; ++j)
@@ -107,10 +115,8 @@ private:
     /// l · R x
     Polynomial turned(const Vector& l, const Vector& x) const {
         Polynomial sum;
-        for (std::size_t i = 0; i < 9; ++i) {
-            const mpz_class factor = l[i / 3] * x[i % 3];
-            ring.add(sum, turn[i], {{{}, {1}}}, {mpz_fdiv_ui(factor.get_mpz_t(), modulus)});
-        }
+        for (std::size_t i = 0; i < 9; ++i)
+            ring.add(sum, turn[i], {{{}, {1}}}, residue(l[i / 3] * x[i % 3]));
         return sum;
     }
 
@@ -118,8 +124,7 @@ private:
     void incident(const Vector& x, const Vector& l, std::optional<Bidegree> degree,
                   bool axis = false) {
         Condition& condition = conditions.emplace_back(Condition{.degree = degree, .axis = axis});
-        for (std::size_t i = 0; i < 3; ++i)
-            condition.linear[i][{}] = {mpz_fdiv_ui(l[i].get_mpz_t(), modulus)};
+        for (std::size_t i = 0; i < 3; ++i) condition.linear[i][{}] = residue(l[i]);
         if (degree) condition.free = turned(l, x);
     }
 
@@ -148,12 +153,16 @@ private:
     void read_line(Reader& reader) {
         const auto [point, direction, l] =
             take<3>(reader, "line point @ @ @ direction @ @ @ image @ @ @ $");
-        const bool axis = lines++ == 0 && line;
+        const bool first = lines++ == 0, axis = first && (line || paired);
         if (axis && (direction != Vector{1, 0, 0} || l != Vector{0, 0, 1}))
             flaw = "the first line is not the axis";
-        incident(point, l, axis ? Bidegree{0, 1} : ring.unit(), axis);
+        if (paired && (point[0] != 0 || point[1] != 0 || (first ? point : direction)[2] != 0))
+            flaw = "the third axis is not the common perpendicular";
+        seen.push_back({point, direction, l});
+        const Bidegree degree = axis ? Bidegree{0, 1} : ring.unit();
+        incident(point, l, axis && paired ? std::nullopt : std::optional(degree), axis);
         if (!axis) equations.push_back({turned(l, direction), ring.unit()});
-        if (axis && stars >= 2) add_distance(point);
+        if (axis && line && stars >= 2) add_distance(point);
         type.insert("line");
         weight += 2;
     }
@@ -168,8 +177,7 @@ private:
             Polynomial w = turned({0, 0, x}, point);
             ring.add(w, turned({0, 0, y}, points[1]), {{{}, {1}}}, {1});
             ring.add(all, w, w, {1});
-            const mpz_class length = -points[1][i] * points[1][i] * a * a * b * b;
-            ring.add(all, {}, {mpz_fdiv_ui(length.get_mpz_t(), modulus)});
+            ring.add(all, {}, -residue(points[1][i] * points[1][i] * a * a * b * b));
         }
         equations.push_back({all, {0, 2}});
     }
@@ -179,6 +187,7 @@ private:
         const std::size_t first = conditions.size();
         for (; conditions.size() == first || !reader.at_end(); ++weight) {
             const auto [direction, x] = take<2>(reader, "direction @ @ @ image @ @ @");
+            met.push_back({direction, x});
             // The ray of x meets the line: x · ((R point + t) × R direction) = 0.
             Condition& condition =
                 conditions.emplace_back(Condition{.degree = ring.unit(), .ray = true});
@@ -191,6 +200,26 @@ private:
         for (std::size_t k = first; k < conditions.size(); ++k)
             for (std::size_t j = first; j < k; ++j)
                 for (std::size_t i = first; i < j; ++i) equations.push_back(minor({i, j, k}));
+    }
+
+    /// A multiple of the determinant of two lines and two rays, less one of the equation of the
+    /// second line (FORMAT.md): it has a smaller degree.
+    void add_reduced_minor() {
+        const auto& [point, direction, l] = seen[1];
+        const auto& [d, x] = met[0];
+        const auto& [e, y] = met[1];
+        const mpz_class &a = direction[0], &b = direction[1], &h = point[2];
+        const Vector first{1, 0, 0}, third{0, 0, 1};
+        const Vector across{-b * e[1] * h * l[1], b * e[1] * h * l[0], 0};
+        const Vector around{0, a * e[2] * h, -a * e[1] * h};
+        Polynomial all, g = turned(across, first);
+        g[{}] = residue(b * e[2] * h * l[2]);
+        ring.add(g, turned(l, first), turned(third, around), {1});
+        ring.add(all, g, turned(cross(x, y), d), {1});
+        ring.add(all, conditions[1].free, turned(x, cross(e, d)), -residue(b * y[2]));
+        ring.add(all, conditions[2].free, minor({0, 1, 3}).polynomial, -residue(b));
+        ring.add(all, conditions[3].free, minor({0, 1, 2}).polynomial, residue(b));
+        equations.push_back({all, {2, 2}});
     }
 
     /// The determinant of the coefficients of three conditions at t.
@@ -235,13 +264,13 @@ private:
 std::pair<Registration, std::size_t> read_template(Reader& reader) {
     reader.take("template");
     const std::string_view frame = reader.word();
-    if (frame != "general" && frame != "line" && frame != "points")
-        reader.fail(frame, "`general`, `line` or `points`");
+    if (frame != "general" && frame != "line" && frame != "points" && frame != "lines")
+        reader.fail(frame, "`general`, `line`, `points` or `lines`");
     reader.take("degree");
     Bidegree most{static_cast<unsigned>(reader.integer(1, 6)), 0};
     if (frame != "general") most[1] = static_cast<unsigned>(reader.integer(1, 6));
     reader.end_line();
-    Constraints given{frame == "line", frame == "points"};
+    Constraints given{frame == "line", frame == "points", frame == "lines"};
     given.read(reader);
     reader.take("basis");
     const std::vector<Exponents> columns = given.ring.monomials(most);

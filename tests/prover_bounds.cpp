@@ -23,7 +23,7 @@ const std::map<Registration, int>& types() {
 
 std::vector<Frame> frames(const Registration& type) {
     std::vector<Frame> suitable;
-    for (const Frame frame : {Frame::general, Frame::line, Frame::points})
+    for (const Frame frame : {Frame::general, Frame::line, Frame::points, Frame::lines})
         if (suits(frame, type)) suitable.push_back(frame);
     return suitable;
 }
@@ -82,7 +82,7 @@ RegistrationData seen_by(const Planted& camera, RegistrationData data, Frame fra
     }
     for (std::size_t i = 0; i < data.lines.size(); ++i) {
         auto& line = data.lines[i];
-        if (frame != Frame::line || i > 0)
+        if ((frame != Frame::line && frame != Frame::lines) || i > 0)
             line.image = cross(camera.image(line.point), camera.image(line.point + line.direction));
     }
     int salt = 0;
@@ -130,7 +130,7 @@ TEST_CASE("all equations vanish at the rotation of a camera that satisfies the c
             Planted camera = plant(frame);
             RegistrationData data = small(draw_data(type, frame, 5));
             // The third coordinate of the image of what is on the axis has to be 0.
-            if (frame == Frame::points) camera.translation[2] = 0;
+            if (frame == Frame::points || frame == Frame::lines) camera.translation[2] = 0;
             if (frame == Frame::line)
                 camera.translation[2] = -(camera.matrix * data.lines[0].point)[2];
             data = seen_by(camera, data, frame);
@@ -191,6 +191,7 @@ TEST_CASE("bounds are the numbers of solutions that Groebner bases modulo a prim
     CHECK(bound({0, 0}, 0, 2, {}) == 8);
     CHECK(bound({0, 0}, 0, 1, {1}) == 12);
     CHECK(bound({}, 0, 5, {1}) == 16);
+    CHECK(bound({}, 2, 0, {1, 1}) == 16);
     CHECK(bound({0, 0}, 0, 0, {1, 1}) == 16);
     CHECK(bound({}, 0, 4, {1, 1}) == 32);
     CHECK(bound({0}, 0, 0, {1, 1, 1, 1}) == 32);

@@ -45,6 +45,11 @@ public:
     }
 
     void add(const RegistrationData::Line& line, std::size_t index) {
+        lines_.push_back(line);
+        if (frame_ == Frame::lines && index == 0) {
+            add_incidence(line.point, line.image, {}).is_axis = true;
+            return;
+        }
         if (frame_ == Frame::line && index == 0) {
             // The rotations of the frame take the direction into the plane of the image.
             add_incidence(line.point, line.image, BiDegree{0, 1}).is_axis = true;
@@ -70,6 +75,7 @@ public:
             condition.free = turned(x, cross(group.point, ray.direction));
             condition.free_degree = ring_.unit();
             condition.is_ray = true;
+            rays_.push_back(ray);
         }
         // A camera in the point that the lines share would satisfy their conditions.
         for (std::size_t k = first; k < conditions_.size(); ++k)
@@ -79,6 +85,7 @@ public:
     }
 
     std::vector<Equation> take() {
+        if (frame_ == Frame::lines) add_reduced_minor();
         for (std::size_t l = 0; l < conditions_.size(); ++l)
             for (std::size_t k = 0; k < l; ++k)
                 for (std::size_t j = 0; j < k; ++j)
@@ -124,6 +131,38 @@ private:
         }
         equations_.push_back(
             {difference(total, scaled(scaled(constant(length), factor), factor)), {0, 2}});
+    }
+
+    /// A multiple of the determinant of the conditions of two lines and two rays, made smaller in
+    /// degree by a multiple of the second line's other equation (proofs/upper_bounds.md, Lemma 4).
+    void add_reduced_minor() {
+        const auto times = [&](const Polynomial& a, const Polynomial& b) {
+            return ring_.product(a, b);
+        };
+        const auto ray_minor = [&](std::size_t ray) { // of both lines and a ray
+            return linear_minor({0, 1, ray}).polynomial;
+        };
+        const std::int64_t a = lines_[1].direction[0];
+        const std::int64_t b = lines_[1].direction[1];
+        const std::int64_t height = lines_[1].point[2];
+        const Vector3& l = lines_[1].image;
+        const Vector3& x = rays_[0].image;
+        const Vector3& y = rays_[1].image;
+        const Vector3& d = rays_[0].direction;
+        const Vector3& e = rays_[1].direction;
+        const Polynomial along = turned(l, first_axis); // l · S (1, 0, 0)
+        const Polynomial across = difference(scaled(matrix_[0], l[1]), scaled(matrix_[3], l[0]));
+        const Polynomial& s2 = matrix_[7];
+        const Polynomial& c2 = matrix_[8];
+        const Polynomial sine = sum(scaled(across, -b), scaled(times(along, c2), -a));
+        const Polynomial cosine = sum(constant(b * l[2]), scaled(times(along, s2), a));
+        const Polynomial reduced = scaled(sum(scaled(sine, e[1]), scaled(cosine, e[2])), height);
+        Polynomial total = times(reduced, turned(cross(x, y), d));
+        total =
+            difference(total, scaled(times(conditions_[1].free, turned(x, cross(e, d))), b * y[2]));
+        total = difference(total, scaled(times(conditions_[2].free, ray_minor(3)), b));
+        total = sum(total, scaled(times(conditions_[3].free, ray_minor(2)), b));
+        equations_.push_back({total, {2, 2}});
     }
 
     /// The determinant of the coefficients of three conditions at t.
@@ -174,6 +213,8 @@ private:
     RotationRing ring_;
     std::array<Polynomial, 9> matrix_;
     std::vector<RegistrationData::Star> stars_;
+    std::vector<RegistrationData::Line> lines_;
+    std::vector<RegistrationData::Ray> rays_;
     std::vector<Condition> conditions_;
     std::vector<Equation> equations_;
 };
@@ -181,11 +222,22 @@ private:
 } // namespace
 
 std::string name(Frame frame) {
-    return frame == Frame::general ? "general" : frame == Frame::line ? "line" : "points";
+    switch (frame) {
+    case Frame::general:
+        return "general";
+    case Frame::line:
+        return "line";
+    case Frame::points:
+        return "points";
+    case Frame::lines:
+        return "lines";
+    }
+    return {};
 }
 
 bool suits(Frame frame, const Registration& type) {
     if (frame == Frame::line) return type.lines > 0;
+    if (frame == Frame::lines) return type.lines == 2 && type.stars.empty() && type.incidences == 0;
     return frame == Frame::general || type.stars.size() >= 2;
 }
 
@@ -217,6 +269,9 @@ RegistrationData draw_data(const Registration& type, Frame frame, std::uint64_t 
     for (int i = 0; i < type.lines; ++i) {
         RegistrationData::Line line{vector(), vector(), vector()};
         if (frame == Frame::line && i == 0) line = {line.point, first_axis, third_axis};
+        if (frame == Frame::lines && i == 0) line = {{}, first_axis, third_axis};
+        if (frame == Frame::lines && i == 1)
+            line = {{0, 0, line.point[2]}, {line.direction[0], line.direction[1], 0}, line.image};
         data.lines.push_back(line);
     }
     for (int i = 0; i < type.incidences; ++i)

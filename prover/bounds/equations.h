@@ -17,6 +17,7 @@ enum class Frame {
     general, // all rotations
     line,    // those that take the first known line into the plane of its image
     points,  // those that take the line through the first two known points into that of its image
+    lines,   // like `line`; the common perpendicular of the first two lines is the third axis
 };
 
 std::string name(Frame frame);

@@ -123,7 +123,7 @@ std::optional<Template> find_template(const RegistrationData& data, Frame frame)
 
 std::optional<Template> best_template(const Registration& type) {
     std::optional<Template> best;
-    for (const Frame frame : {Frame::general, Frame::line, Frame::points})
+    for (const Frame frame : {Frame::general, Frame::line, Frame::points, Frame::lines})
         if (suits(frame, type)) {
             auto found = find_template(draw_data(type, frame, 1), frame);
             if (found && (!best || found->basis.size() < best->basis.size()))
