@@ -79,16 +79,20 @@ static void add_table(const Table& table,
             return bound.exact() && from <= bound.solutions && bound.solutions <= to;
         }));
     };
+    const auto grounds = [&](std::size_t degree) { // of statements on the degrees up to this one
+        const bool proved = exact(0, degree) + count(degree + 1, false) == problems.size();
+        return proved ? "certified" : "by evidence";
+    };
     for (const auto& [degree, line] : lines)
         claims.push_back({say(table.name, ", degree ", degree), say(line.claimed),
                           say(count(degree, false)), say(exact(degree, degree)), say(line.found),
-                          compare(line.claimed, line.found, count(degree, true), "by evidence"),
+                          compare(line.claimed, line.found, count(degree, true), grounds(degree)),
                           line.witness});
     const std::size_t open = count(table.limit - 1, true), rest = table.problems - below.claimed;
     const std::size_t least = count(table.limit, false);
     claims.push_back({say(table.name, ", degree below ", table.limit), say(below.claimed), "-",
                       say(exact(0, table.limit - 1)), say(below.found),
-                      compare(below.claimed, below.found, open, "by evidence")});
+                      compare(below.claimed, below.found, open, grounds(table.limit - 1))});
     claims.push_back({say(table.name, ", degree at least ", table.limit), say(rest), say(least),
                       "-", "-", compare(rest, least, open, "certified")});
     const std::size_t complete = problems.size() - count(SIZE_MAX, true);
@@ -101,9 +105,10 @@ static DegreeClaim claim_on(const std::string& problem, std::size_t claimed, con
     const std::string at_least = say(bound.solutions), paper = say(claimed);
     std::string verdict = "not in the text of the paper";
     if (claimed > 0)
-        verdict = bound.solutions > claimed ? "differs, certified"
-                                            : compare(claimed, bound.solutions,
-                                                      bound.complete ? 0 : claimed, "by evidence");
+        verdict = bound.solutions > claimed
+                      ? "differs, certified"
+                      : compare(claimed, bound.solutions, bound.complete ? 0 : claimed,
+                                bound.exact() ? "certified" : "by evidence");
     if (bound.solutions == 0) verdict = "not covered by these files";
     return {problem,
             claimed == 0 ? "-" : paper,
