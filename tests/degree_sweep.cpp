@@ -1,4 +1,5 @@
 // What a sweep keeps and collects, in process, with a double in the place of the engine.
+#include "prover/bundle/sha256.h"
 #include "prover/catalogue/degrees.h"
 #include "prover/degree_sweep/classes.h"
 #include "prover/degree_sweep/collect.h"
@@ -46,6 +47,17 @@ std::size_t class_with(const std::function<bool(std::size_t)>& condition) {
 
 bool is_well(std::size_t number) {
     return !degree_double::throws(number) && !degree_double::falls_short(number);
+}
+
+/// What plcheck would say of degrees.plc in the folder, if it accepted these classes: read back.
+Checked checked(const std::filesystem::path& folder, const std::vector<std::size_t>& accepted) {
+    nlohmann::json file = {{"file", "elsewhere/degrees.plc"},
+                           {"sha256", sha256(read_file(folder / "degrees.plc"))}};
+    for (const std::size_t number : accepted)
+        file["degrees"].push_back({{"class", number}, {"certified_at_least", 1}});
+    const std::filesystem::path path = folder / "report";
+    write_file(path, nlohmann::json({{"files", nlohmann::json::array({file})}}).dump());
+    return Checked(path, folder);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -324,6 +336,15 @@ TEST_CASE("a collection is read as the project's own files are, in parts and as 
     const std::string whole = read_file(folder / "degrees.plc");
     CHECK(all.files == std::vector<std::string>{"degrees.plc"});
     std::size_t certified = 0, previous = 0;
+    std::vector<std::size_t> all_classes; // that have a certificate
+    for (const std::size_t number : classes)
+        if (!results.read(number, true)->record.empty()) all_classes.push_back(number);
+    CHECK(std::ranges::none_of(read_degrees(), [](const DegreeRecord& record) {
+        return record.status == DegreeStatus::certified;
+    }));
+    CHECK(collect(results, {0, {}, checked(folder.path(), all_classes)}).certificates ==
+          all.certificates);
+    CHECK(read_file(folder / "degrees.plc") == whole);
     for (const DegreeRecord& record : read_degrees()) {
         CHECK(record.number >= previous);
         previous = record.number;
@@ -338,7 +359,7 @@ TEST_CASE("a collection is read as the project's own files are, in parts and as 
             CHECK(record.source == "plprove degrees: 5 edges; trace 1e-11");
         }
     }
-    CHECK(certified == all.certified);
+    CHECK(certified == all.certificates);
     // In parts: the same records in the same order, no part too large.
     const std::size_t size = 40'000;
     const Collected parts = collect(results, {}, size);
@@ -354,14 +375,49 @@ TEST_CASE("a collection is read as the project's own files are, in parts and as 
     // Chosen ones; the parts of the earlier collection are gone.
     const std::size_t large =
         class_with([](std::size_t n) { return is_well(n) && degree_double::degree(n) >= 40; });
-    const Collected chosen = collect(results, {20, {large}});
+    const Collected chosen = collect(results, {20, {large}, {}});
     CHECK(chosen.files.size() == 1);
     CHECK(!std::filesystem::exists(folder / "degrees-2.plc"));
-    CHECK(chosen.certified < all.certified);
+    CHECK(chosen.certificates < all.certificates);
     CHECK(chosen.classes == all.classes);
-    for (const DegreeRecord& record : read_degrees())
-        if (record.status == DegreeStatus::certified)
-            CHECK((record.degree < 20 || record.number == large));
+    const std::string some = read_file(folder / "degrees.plc");
+    for (const std::size_t number : classes) {
+        const auto result = results.read(number, true);
+        const bool expected = !result->record.empty() &&
+                              ((result->complete() && result->degree() < 20) || number == large);
+        CHECK((some.find("\ndegree " + std::to_string(number) + " ") != std::string::npos) ==
+              expected);
+    }
+}
+
+TEST_CASE("nothing is certified but the very certificates that plcheck accepted") {
+    const std::vector<std::size_t> classes = some_classes();
+    const TemporaryFolder folder;
+    const SweepFolder results(folder.path(), 0);
+    run_sweep(results, classes, {40, 0, true});
+    collect(results, {});
+    // One is refused, and one is replaced after the check.
+    std::vector<std::size_t> accepted;
+    std::ranges::copy_if(classes, std::back_inserter(accepted), is_well);
+    const std::size_t refused = accepted.back();
+    accepted.pop_back();
+    const Checked report = checked(folder.path(), accepted);
+    DegreeRun other = degree_double::compute(accepted[0], {40, 1, true});
+    results.save(class_result(std::move(other), {40, 0, true}, 1));
+    CHECK(report.accepts(*results.read(accepted[1], true)));
+    CHECK(!report.accepts(*results.read(accepted[0], true)));
+    CHECK(!report.accepts(*results.read(refused, true)));
+    CHECK(collect(results, {0, {}, report}).certificates == accepted.size() - 1);
+    // The file is another one now, and the report stale.
+    CHECK_THROWS_WITH_AS(Checked(folder / "report", folder.path()),
+                         doctest::Contains("is not the file"), std::runtime_error);
+    for (const char* text : {"", "{", "{}", "{\"files\": 3}", "{\"files\": [{}]}"}) {
+        write_file(folder / "report", text);
+        CHECK_THROWS_WITH_AS(Checked(folder / "report", folder.path()),
+                             doctest::Contains("no report"), std::runtime_error);
+    }
+    CHECK_THROWS_WITH_AS(Checked(folder / "nothing", folder.path()),
+                         doctest::Contains("cannot read"), std::runtime_error);
 }
 
 TEST_CASE("a folder is locked once") {

@@ -352,6 +352,7 @@ TEST_CASE("what is no minimal problem, or no command, is refused") {
     refused("degrees -o d --classes 0", 2, "no minimal class passes the filter");
     refused("degrees -o d --collect --exact", 3, "--collect");
     refused("degrees -o d --also pl0p", 3, "--below");
+    refused("degrees -o d --checked report", 3, "--collect");
     refused("degrees -o d --collect", 2, "no results in d");
     for (const char* command : {"degree", "degrees"}) {
         const Outcome help = run(plprove + " " + command + " --help");

@@ -78,11 +78,11 @@ ClassResult class_result(DegreeRun run, const DegreeOptions& options, double sec
     result.seed = options.seed;
     result.attempts = {{options.target, options.certificate}};
     result.seconds = seconds;
-    if (run.certificate) {
+    if (run.certificate && !run.certificate->solutions.empty()) {
         result.certified = run.certificate->degree();
         result.record = write_record(*run.certificate);
-        run.certificate.reset();
     }
+    run.certificate.reset();
     result.run = std::move(run);
     return result;
 }

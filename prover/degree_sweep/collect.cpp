@@ -53,6 +53,7 @@ private:
 
 bool selects(const Selection& selection, const ClassResult& result) {
     if (result.record.empty()) return false;
+    if (selection.checked) return selection.checked->accepts(result);
     return selection.below == 0 || (result.complete() && result.degree() < selection.below) ||
            selection.also.contains(result.run.number);
 }
@@ -111,10 +112,12 @@ Collected collect(const SweepFolder& folder, const Selection& selection, std::si
         collected.exact += result->complete();
         records.push_back(computed_record(*result));
         if (!selects(selection, *result)) continue;
-        ++collected.certified;
+        ++collected.certificates;
         collected.solutions += static_cast<std::uint64_t>(result->certified);
-        records.push_back({number, result->certified, DegreeBound::at_least,
-                           DegreeStatus::certified, parts.add(result->record)});
+        std::string file = parts.add(result->record);
+        if (selection.checked)
+            records.push_back({number, result->certified, DegreeBound::at_least,
+                               DegreeStatus::certified, std::move(file)});
     }
     add_claims(records);
     std::ranges::sort(records, {}, order);

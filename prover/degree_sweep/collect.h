@@ -2,6 +2,7 @@
 // certificates in files of certs/FORMAT.md, section 9. The bytes depend on the results alone.
 #pragma once
 
+#include "prover/degree_sweep/checked.h"
 #include "prover/degree_sweep/folder.h"
 
 #include <functional>
@@ -10,16 +11,17 @@
 namespace plprove {
 
 /// Which certificates go in: of complete classes whose degree is below `below` (0: of every class),
-/// and of these classes besides.
+/// and of these classes besides; or else those that plcheck accepted.
 struct Selection {
     int below = 0;
     std::set<std::size_t> also;
+    std::optional<Checked> checked;
 };
 
 struct Collected {
     std::size_t classes = 0;        ///< with a degree or a lower bound
     std::size_t exact = 0;          ///< of these, complete by evidence
-    std::size_t certified = 0;      ///< classes whose certificate is in the files
+    std::size_t certificates = 0;   ///< classes whose certificate is in the files
     std::uint64_t solutions = 0;    ///< that the certificates show
     std::size_t damaged = 0;        ///< files that could not be used
     std::vector<std::string> files; ///< the names of those with certificates
@@ -31,8 +33,8 @@ inline constexpr std::size_t collected_file_size = 60U << 20U;
 /// Writes into the folder, each file whole or not at all:
 /// - degrees.plc, then degrees-2.plc and so on: certificates, ascending, in parts of at most
 ///   `file_size` bytes (a class is never split). Parts of an earlier collection are removed;
-/// - degrees.csv: what is computed, what the certificates written show, and what certs/degrees.csv
-///   has of others' claims;
+/// - degrees.csv: what is computed, what the certificates show if plcheck accepted them, and what
+///   certs/degrees.csv has of others' claims;
 /// - runs.jsonl: how each run went, one JSON object a line.
 Collected collect(const SweepFolder& folder, const Selection& selection,
                   std::size_t file_size = collected_file_size);

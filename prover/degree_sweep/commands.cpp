@@ -44,7 +44,9 @@ constexpr const char* degrees_examples =
     "  plprove degrees --collect --below 300 --also pl0p -o sweep\n"
     "                                               write the files again, with fewer "
     "certificates\n"
-    "  plcheck sweep/degrees.plc                    believe nothing, replay everything\n";
+    "  plcheck --json sweep/degrees.plc >report     believe nothing, replay everything\n"
+    "  plprove degrees --collect --checked report -o sweep\n"
+    "                                               and call certified what it accepted\n";
 
 /// The problem's decision. Throws BadInput where it has no degree that can be computed.
 Decision decided(const std::string& spec) {
@@ -95,6 +97,7 @@ struct DegreesRequest {
     unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     std::vector<ClassFilter> classes;
     std::vector<ClassFilter> also;
+    std::string checked;
     Selection selection;
 };
 
@@ -166,6 +169,7 @@ bool all_fulfilled(const SweepFolder& folder, const std::vector<std::size_t>& cl
 
 void write_collection(const SweepFolder& folder, const DegreesRequest& request) {
     Selection selection = request.selection;
+    if (!request.checked.empty()) selection.checked.emplace(request.checked, folder.path());
     if (!request.also.empty()) {
         const std::vector<std::size_t> also = chosen_classes(request.also);
         selection.also = {also.begin(), also.end()};
@@ -178,8 +182,10 @@ void write_collection(const SweepFolder& folder, const DegreesRequest& request) 
     for (const std::string& file : collected.files)
         std::cout << (folder.path() / file).string()
                   << (file == collected.files.back() ? ": " : " ");
-    std::cout << collected.certified << " classes, " << collected.solutions
-              << " solutions, certified once plcheck accepts them" << std::endl;
+    std::cout << collected.certificates << " classes, " << collected.solutions << " solutions, "
+              << (selection.checked ? "all accepted by plcheck"
+                                    : "certified once plcheck accepts them")
+              << std::endl;
     if (collected.damaged > 0)
         std::cerr << "plprove: " << collected.damaged
                   << " files are damaged and were left out; a sweep computes them again\n";
@@ -289,6 +295,14 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
                      "degree below this (default: of all)")
         ->check(CLI::Range(1, largest_target));
     add_class_filters(*command, "--also", request->also, "... and of these")->needs("--below");
+    command
+        ->add_option("--checked", request->checked,
+                     "what plcheck --json printed of degrees.plc: keep what it accepted, and call "
+                     "that certified in degrees.csv")
+        ->type_name("REPORT")
+        ->needs(collect)
+        ->excludes("--below")
+        ->excludes("--also");
     command->footer(degrees_examples);
     return {command,
             [request, compute = std::move(compute)] { return find_degrees(*request, compute); }};
