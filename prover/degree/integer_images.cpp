@@ -106,23 +106,28 @@ private:
     TrackedImages images_;
 };
 
-/// Finds for each solution how many bits after the binary point are enough, and adds a few.
+/// Finds for each solution how many bits after the binary point are enough. A single success may be
+/// luck, as the region that Newton's method converges from has a ragged edge: two coarser roundings
+/// must lead to the solution as well.
 void choose_bits(std::vector<Found>& found, const FixedImages& fixed) {
-    constexpr int margin = 2;
-    for (const int bits : {4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 20, 25, 30, 36, 42}) {
-        std::vector<Found*> open;
+    constexpr int wanted = 3;
+    std::vector<int> successes(found.size(), 0);
+    for (const int bits : {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44}) {
+        std::vector<std::size_t> open;
         std::vector<CameraPoint> starts;
-        for (Found& solution : found)
-            if (solution.bits == 0) {
-                open.push_back(&solution);
-                starts.push_back(rounded(solution.point, bits));
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (found[i].bits == 0) {
+                open.push_back(i);
+                starts.push_back(rounded(found[i].point, bits));
             }
         const auto ends = fixed.solve(starts, false);
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            if (!ends[i]) continue;
-            SolutionSet same;
-            same.add(open[i]->point);
-            if (same.find(*ends[i])) open[i]->bits = bits + margin;
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            Found& solution = found[open[k]];
+            SolutionSet target;
+            target.add(solution.point);
+            int& count = successes[open[k]];
+            count = ends[k] && target.find(*ends[k]) ? count + 1 : 0;
+            if (count == wanted) solution.bits = bits;
         }
     }
 }
