@@ -330,13 +330,17 @@ void replay_bounds(Reader& reader, const Classification& classes, FileReport& re
     for (std::size_t n = 0; n < classes.representatives.size(); ++n) {
         const Signature& signature = classes.representatives[n];
         std::size_t& best = report.upper.emplace_back(0);
+        std::string& name = report.types.emplace_back();
         for (const Views pair : view_pairs) {
             const auto found = bounds.find(registration(signature, pair));
             if (shared_points(signature, pair) != 5 || !obstruction(signature).minimal() ||
                 poses == bounds.end() || found == bounds.end())
                 continue;
             const std::size_t bound = poses->second * found->second;
-            best = best == 0 ? bound : std::min(best, bound);
+            if (best > 0 && best <= bound) continue;
+            best = bound;
+            name.clear();
+            for (const std::string& constraint : found->first) name += constraint + ", ";
         }
         if (best > 0 && classes.swap_class[n] == n) ++report.at_most[best];
     }

@@ -4,6 +4,7 @@
 #include "checker/claims.h"
 
 #include <map>
+#include <set>
 
 namespace checker {
 /// By constraint class (proofs/problems.md, section 8), whose problems have the same degree.
@@ -84,10 +85,12 @@ static void add_table(const Table& table,
         return proved ? "certified" : "by evidence";
     };
     for (const auto& [degree, line] : lines)
-        claims.push_back({say(table.name, ", degree ", degree), say(line.claimed),
-                          say(count(degree, false)), say(exact(degree, degree)), say(line.found),
-                          compare(line.claimed, line.found, count(degree, true), grounds(degree)),
-                          line.witness});
+        claims.push_back(
+            {say(table.name, ", degree ", degree), say(line.claimed), say(count(degree, false)),
+             say(exact(degree, degree)), say(line.found),
+             compare(line.claimed, line.found, count(degree, true),
+                     exact(degree, degree) > line.claimed ? "certified" : grounds(degree)),
+             line.witness});
     const std::size_t open = count(table.limit - 1, true), rest = table.problems - below.claimed;
     const std::size_t least = count(table.limit, false);
     claims.push_back({say(table.name, ", degree below ", table.limit), say(below.claimed), "-",
@@ -138,6 +141,20 @@ std::vector<DegreeClaim> degree_claims(const Classification& classes,
             bound.upper = std::min(bound.upper == 0 ? SIZE_MAX : bound.upper, file.upper[n]);
             bound.complete |= bound.exact();
         }
+    // The degree of an extension of the five-point problem depends only on the type of registration
+    // (proofs/upper_bounds.md, Proposition U7): where one class attains the bound, all do.
+    for (const FileReport& file : files) {
+        std::set<std::string> attained;
+        const auto bound_of = [&](std::size_t n) -> Bound& {
+            return bounds[constraint_class(all_classes[n])];
+        };
+        for (std::size_t n = 0; n < file.upper.size(); ++n)
+            if (file.upper[n] > 0 && bound_of(n).solutions == file.upper[n])
+                attained.insert(file.types[n]);
+        for (std::size_t n = 0; n < file.upper.size(); ++n)
+            if (file.upper[n] > 0 && attained.contains(file.types[n]))
+                bound_of(n) = {file.upper[n], true, file.upper[n]};
+    }
     std::vector<std::pair<std::string, Bound>> terminal, one_pin;
     for (std::size_t n = 0; n < described.size(); ++n) {
         const Class& c = described[n];

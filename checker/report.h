@@ -31,6 +31,7 @@ struct FileReport {
     std::vector<Degree> degrees{};
     std::size_t templates = 0;                    // that hold
     std::vector<std::size_t> upper{};             // of the degree, by label class; 0 if none
+    std::vector<std::string> types{};             // of what gives it (FORMAT.md, section 10)
     std::map<std::size_t, std::size_t> at_most{}; // how many terminal problems have this one
     std::vector<std::pair<std::string, std::string>> listed{}; // digests and names
     std::vector<std::string> unverified{};                     // names of files not given

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
-#include <set>
+#include <tuple>
 
 using namespace checker;
 
@@ -243,17 +243,23 @@ TEST_CASE("a degree is certified exact where the bounds meet, and not a solution
         const auto about = [&](const DegreeClaim& c) { return contains(c.claim, problem); };
         const auto found = std::ranges::find_if(report.degrees, about);
         REQUIRE(found != report.degrees.end());
-        return std::pair(*found, report.status);
+        const auto total =
+            std::ranges::find(report.degrees, "terminal, of any degree", &DegreeClaim::claim);
+        REQUIRE(total != report.degrees.end());
+        return std::tuple(*found, report.status, total->exact);
     };
-    const auto [exact, status] = claim(80);
+    const auto [exact, status, all_exact] = claim(80);
     CHECK(status == 0);
     CHECK(exact.certified == "80");
     CHECK(exact.exact == "80");
     CHECK(exact.paper == "80");
-    const auto [less, still] = claim(79);
+    // ... and with it the degree of all classes with the same type of registration.
+    CHECK(all_exact == "8");
+    const auto [less, still, none_exact] = claim(79);
     CHECK(still == 0);
     CHECK(less.certified == "79");
     CHECK(less.exact == "-");
+    CHECK(none_exact == "0");
     CHECK(less.evidence == "-");
-    CHECK(claim(81).second == 1); // a contradiction
+    CHECK(std::get<1>(claim(81)) == 1); // a contradiction
 }
