@@ -1,6 +1,6 @@
 // Speed, each figure beside that of a peer in the same run: the minor of a class in the checker
 // against FLINT's determinant of the same matrix; certifying and checking classes against FLINT's
-// determinant of their whole Jacobians.
+// determinant of their whole Jacobians. See degrees.cpp for degrees.
 #include "checker/modular.h"
 #include "checker/report.h"
 #include "prover/classification/archive.h"
@@ -138,13 +138,16 @@ public:
         ratio("prover_minor", "flint_whole_jacobian");
         ratio("prove_classification", "flint_whole_jacobian");
         ratio("check_classification", "flint_whole_jacobian");
+        ratio("track_chicago", "track_chicago_one_lane", "track");
+        ratio("track_chicago_precisely", "track_chicago", "track");
+        ratio("check_solutions", "track_chicago", "solution and track");
     }
 
 private:
-    void ratio(const std::string& ours, const std::string& peer) {
+    void ratio(const std::string& ours, const std::string& peer, const char* item = "class") {
         if (!per_second_.contains(ours) || !per_second_.contains(peer)) return;
-        GetOutputStream() << "time of " << ours << " / " << peer
-                          << ", per class: " << per_second_[peer] / per_second_[ours] << '\n';
+        GetOutputStream() << "time of " << ours << " / " << peer << ", per " << item << ": "
+                          << per_second_[peer] / per_second_[ours] << '\n';
     }
 
     std::map<std::string, double> per_second_;

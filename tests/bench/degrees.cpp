@@ -1,0 +1,82 @@
+// Speed of the degree engine: paths of the Chicago problem (class 2394) with the widest lanes of
+// this machine, with one lane, and with twice as many digits, and proving solutions in the checker.
+#include "checker/report.h"
+#include "prover/degree/degree.h"
+#include "prover/degree/monodromy.h"
+#include "prover/degree_sweep/write.h"
+
+#include <algorithm>
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace plprove;
+
+constexpr std::size_t chicago = 2394;
+
+/// Images of the Chicago problem with all solutions, and an edge that leads elsewhere.
+struct Paths {
+    CameraSystem system = camera_system(label_classes()[chicago]);
+    Monodromy monodromy{system, 0, chicago};
+    TrackedSystem tracked;
+    TrackedImages edge;
+
+    Paths() {
+        monodromy.run(5, 0);
+        Random random(1, 1);
+        tracked = tracked_system(system, monodromy.chart());
+        edge = moving_images(system, monodromy.constants(), monodromy.images(),
+                             turned(random_neighbour(monodromy.images(), random), random));
+    }
+};
+
+const Paths& paths() {
+    static const Paths value;
+    return value;
+}
+
+void follow(benchmark::State& state, TrackFunction* track, bool precise) {
+    const std::vector<CameraPoint>& starts = paths().monodromy.solutions().points();
+    std::vector<CameraPoint> ends(starts.size());
+    std::vector<TrackOutcome> outcomes(starts.size());
+    TrackSettings settings;
+    settings.precise = precise;
+    std::uint64_t steps = 0;
+    for (auto _ : state)
+        steps += track(paths().tracked, paths().edge, settings, starts.size(), starts.data(),
+                       ends.data(), outcomes.data())
+                     .steps;
+    const auto count = static_cast<std::int64_t>(starts.size());
+    state.SetItemsProcessed(state.iterations() * count);
+    state.counters["steps_a_track"] =
+        static_cast<double>(steps) / static_cast<double>(state.iterations() * count);
+    state.counters["lost"] = static_cast<double>(
+        std::count_if(outcomes.begin(), outcomes.end(),
+                      [](TrackOutcome outcome) { return outcome != TrackOutcome::arrived; }));
+}
+
+void track_chicago(benchmark::State& state) {
+    follow(state, fastest_tracker(), false);
+}
+void track_chicago_one_lane(benchmark::State& state) {
+    follow(state, portable::track, false);
+}
+void track_chicago_precisely(benchmark::State& state) {
+    follow(state, fastest_tracker(), true);
+}
+
+void check_solutions(benchmark::State& state) {
+    const DegreeRun run = compute_degree(chicago, {});
+    const std::string bytes = write_degree_file(std::vector{*run.certificate});
+    const checker::Classification classes = checker::classify();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(checker::replay(classes, "degrees", bytes));
+    state.SetItemsProcessed(state.iterations() * run.certificate->degree());
+}
+
+} // namespace
+
+BENCHMARK(track_chicago)->Unit(benchmark::kMillisecond);
+BENCHMARK(track_chicago_one_lane)->Unit(benchmark::kMillisecond);
+BENCHMARK(track_chicago_precisely)->Unit(benchmark::kMillisecond);
+BENCHMARK(check_solutions)->Unit(benchmark::kMillisecond);
