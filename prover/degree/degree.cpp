@@ -1,15 +1,19 @@
 #include "prover/degree/degree.h"
 
 #include "prover/degree/integer_images.h"
+#include "prover/degree/subproblems.h"
 #include "prover/degree/trace_test.h"
+
+#include <algorithm>
 
 namespace plprove {
 
 namespace {
 
 constexpr int first_edges = 3;
-constexpr int most_edges = 8;
-constexpr int enough_edges = 6; ///< of these, where no trace test can be made, must be bijections
+/// Where the trace test says nothing, or not enough, more edges must have agreed.
+constexpr int untested_edges = 6;
+constexpr int most_edges = 12;
 /// What the trace test leaves of its terms where no solution is missing is rounding, 1e-6 at the
 /// very worst; where one of a thousand is missing, some 1e-4.
 constexpr double vanishing = 2e-5;
@@ -23,26 +27,27 @@ int exponent_above(double residual) {
     return exponent;
 }
 
-/// Adds edges until the trace test finds nothing missing. Where no trace test can be made, most
-/// edges must agree.
+/// Follows solutions along more and more edges, at least `edges`, until nothing speaks against
+/// their being all, or there are `target` of them.
 std::optional<CompletenessEvidence> complete(const CameraSystem& system, Monodromy& monodromy,
-                                             int target, Random& random,
+                                             int edges, int target, Random& random,
                                              std::vector<std::string>& notes) {
-    for (int edges = first_edges; edges <= most_edges; ++edges) {
+    const Subproblems parts = subproblems(system);
+    for (edges = std::max(edges, parts.tested ? first_edges : untested_edges); edges <= most_edges;
+         ++edges) {
         monodromy.run(edges, target);
-        if (target > 0 && monodromy.solutions().size() >= target) return std::nullopt;
-        const auto residual =
-            trace_residual(system, monodromy.chart(), monodromy.constants(), monodromy.images(),
-                           monodromy.solutions().points(), random);
+        const std::vector<CameraPoint>& solutions = monodromy.solutions().points();
+        if (target > 0 && std::ssize(solutions) >= target) return std::nullopt;
+        const auto residual = trace_residual(system, monodromy.chart(), monodromy.constants(),
+                                             monodromy.images(), solutions, random);
+        if (!has_all_poses(parts, monodromy.chart(), solutions)) continue;
         const CompletenessEvidence evidence{monodromy.bijective_edges(), std::nullopt};
         if (residual && *residual < vanishing)
             return CompletenessEvidence{evidence.edges, exponent_above(*residual)};
-        if (edges < most_edges) continue;
-        if (!residual && evidence.edges >= enough_edges) return evidence;
-        if (residual)
-            notes.push_back("the trace test left 1e" + std::to_string(exponent_above(*residual)) +
-                            " of its terms: solutions are missing");
+        if (!residual && evidence.edges >= untested_edges) return evidence;
     }
+    notes.push_back("after " + std::to_string(most_edges) +
+                    " edges the trace test, or a law, says that solutions are missing");
     return std::nullopt;
 }
 
@@ -56,6 +61,22 @@ DegreeCertificate certify(const CameraSystem& system, Monodromy& monodromy, int 
         if (attempt == 0 || certificate.degree() > best.degree()) best = std::move(certificate);
     }
     return best;
+}
+
+/// Finds all solutions, or as many as are wanted, and certifies them. Conjugates of solutions for
+/// integer images are solutions, too: if there are more of these than were found, some are missing.
+void find_all(const CameraSystem& system, Monodromy& monodromy, const DegreeOptions& options,
+              Random& random, DegreeRun& run) {
+    for (int edges = first_edges; edges <= most_edges; edges = monodromy.edges() + 1) {
+        run.evidence = complete(system, monodromy, edges, options.target, random, run.notes);
+        if (!options.certificate) return;
+        const int found = monodromy.solutions().size();
+        const bool all = run.evidence || options.target == 0;
+        run.certificate = certify(system, monodromy, all ? found : options.target, random);
+        if (!run.evidence || run.certificate->degree() <= found) return;
+        run.evidence.reset();
+    }
+    run.notes.push_back("there are more solutions for integer images than were found");
 }
 
 } // namespace
@@ -80,24 +101,14 @@ DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
         monodromy.run(first_edges, enough);
         run.certificate = certify_degree(system, monodromy, enough, random);
     }
-    if (!run.certificate || run.certificate->degree() < options.target || options.target == 0) {
-        run.evidence = complete(system, monodromy, options.target, random, run.notes);
-        const int found = monodromy.solutions().size();
-        if (options.certificate)
-            run.certificate =
-                certify(system, monodromy,
-                        run.evidence || options.target == 0 ? found : options.target, random);
-    }
+    if (!run.certificate || run.certificate->degree() < options.target || options.target == 0)
+        find_all(system, monodromy, options, random, run);
     run.degree = monodromy.solutions().size();
     if (run.certificate) {
         const int shown = run.certificate->degree();
-        if (run.evidence && shown > run.degree) {
-            run.evidence.reset();
-            run.notes.push_back("there are more solutions for integer images than were found");
-        } else if (run.evidence && shown < run.degree) {
+        if (run.evidence && shown < run.degree)
             run.notes.push_back(std::to_string(run.degree - shown) +
                                 " solutions were lost on the way to integer images");
-        }
         run.degree = std::max(run.degree, shown);
         run.certificate->number = number;
         run.certificate->evidence = shown == run.degree ? run.evidence : std::nullopt;

@@ -95,6 +95,15 @@ Images turned(Images images, Random& random) {
     return images;
 }
 
+Images turned_around(Images images, Random& random) {
+    for (Complex3& x : images) {
+        const Complex phase = random.any_phase();
+        for (Complex& coordinate : x)
+            coordinate *= phase;
+    }
+    return images;
+}
+
 std::vector<Complex3> random_constants(const CameraSystem& system, Random& random) {
     std::vector<Complex3> constants;
     for (int i = 0; i < system.constants; ++i)

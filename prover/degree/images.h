@@ -26,6 +26,9 @@ Images random_neighbour(const Images& images, Random& random);
 /// there.
 Images turned(Images images, Random& random);
 
+/// The same with any numbers of modulus 1: a longer path.
+Images turned_around(Images images, Random& random);
+
 /// The constants that the auxiliary lines and points of the system are made with.
 std::vector<Complex3> random_constants(const CameraSystem& system, Random& random);
 

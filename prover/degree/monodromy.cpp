@@ -119,7 +119,11 @@ Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64
 }
 
 void Monodromy::add_edge() {
-    const Images to = turned(nodes_[1].images, random_);
+    // Short paths are quicker, but have fewer branch points in their loops.
+    constexpr int short_edges = 3;
+    const Images& images = nodes_[1].images;
+    const Images to =
+        edges() < short_edges ? turned(images, random_) : turned_around(images, random_);
     edges_.push_back({{moving_images(system_, constants_, nodes_[0].images, to),
                        moving_images(system_, constants_, to, nodes_[0].images)},
                       {}});

@@ -27,6 +27,12 @@ public:
         }
     }
 
+    /// On the unit circle.
+    Complex any_phase() {
+        const Complex z = complex();
+        return z / std::sqrt(z.real() * z.real() + z.imag() * z.imag());
+    }
+
     /// On the unit circle, in the half with positive real part and rather near 1.
     Complex phase() {
         const double slope = 4 * real(), scale = 1 / std::sqrt(1 + slope * slope);

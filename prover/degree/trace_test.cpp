@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <set>
 
 namespace plprove {
 
@@ -139,23 +140,26 @@ struct Pencil {
     Complex3 direction, other; ///< m and m'
 };
 
+/// One for each kind of equation and choice of views: images that move in one view only may leave a
+/// part of the problem as it is.
 std::vector<Pencil> pencils(const CameraSystem& system, Random& random) {
     std::vector<Pencil> result;
+    std::set<std::pair<EquationKind, std::array<int, 3>>> covered;
     for (int v = 0; v < static_cast<int>(system.vectors.size()); ++v) {
         const ImageVector& vector = system.vectors[static_cast<std::size_t>(v)];
         if (vector.kind != VectorKind::free) continue;
-        const int equation = system.free[static_cast<std::size_t>(vector.base)].single_equation;
-        if (equation < 0) continue;
+        const int index = system.free[static_cast<std::size_t>(vector.base)].single_equation;
+        if (index < 0) continue;
+        const CameraEquation& equation = system.equations[static_cast<std::size_t>(index)];
+        std::array<int, 3> views{-1, -1, -1};
+        for (std::size_t k = 0; k < 3; ++k)
+            if (equation.vectors[k] >= 0)
+                views[k] = system.vectors[static_cast<std::size_t>(equation.vectors[k])].view;
+        if (!covered.emplace(equation.kind, views).second) continue;
         const Complex3 direction = random.complex3();
-        result.push_back({v, equation, direction, random.complex3()});
+        result.push_back({v, index, direction, random.complex3()});
     }
-    // A few of them, of different features if possible, are as good as all.
-    constexpr std::size_t enough = 3;
-    if (result.size() <= enough) return result;
-    std::vector<Pencil> chosen;
-    for (std::size_t i = 0; i < enough; ++i)
-        chosen.push_back(result[i * (result.size() - 1) / (enough - 1)]);
-    return chosen;
+    return result;
 }
 
 } // namespace
@@ -193,7 +197,9 @@ std::optional<double> trace_residual(const CameraSystem& system, const CameraCha
             const Complex bend =
                 (above.c[2] - quotient * below.c[2] - slope * below.c[1]) / below.c[0];
             sum[p] += bend;
-            size[p] += std::abs(bend);
+            // Where phi is linear for each solution, its second derivative is nothing but rounding.
+            constexpr double rounding = 1e-6;
+            size[p] += std::abs(bend) + rounding * (std::abs(slope) + std::abs(quotient));
         }
     }
     double residual = 0;
