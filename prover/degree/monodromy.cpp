@@ -68,6 +68,7 @@ std::vector<std::optional<CameraPoint>> PathFollower::follow(const TrackedImages
     // What is lost is nearly always lost to rounding, where both rotations are nearly isotropic.
     TrackSettings usual, precise;
     precise.precise = true;
+    precise.prediction = 1e-4; // near clusters of degenerate solutions longer steps go astray
     precise.noise = 1e-10;
     precise.smallest_step = 1e-11;
     precise.largest_steps = 3000;
