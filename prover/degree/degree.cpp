@@ -46,8 +46,8 @@ std::optional<CompletenessEvidence> complete(const CameraSystem& system, Monodro
             return CompletenessEvidence{evidence.edges, exponent_above(*residual)};
         if (!residual && evidence.edges >= untested_edges) return evidence;
     }
-    notes.push_back("after " + std::to_string(most_edges) +
-                    " edges the trace test, or a law, says that solutions are missing");
+    notes.push_back(std::to_string(most_edges) +
+                    " edges gave no evidence that no solution is missing");
     return std::nullopt;
 }
 
@@ -57,7 +57,7 @@ DegreeCertificate certify(const CameraSystem& system, Monodromy& monodromy, int 
     DegreeCertificate best;
     for (int attempt = 0; attempt < most_integer_images && best.degree() < wanted; ++attempt) {
         DegreeCertificate certificate =
-            certify_degree(system, monodromy, monodromy.solutions().size(), random);
+            certify_degree(system, monodromy, monodromy.solutions().size(), wanted, random);
         if (attempt == 0 || certificate.degree() > best.degree()) best = std::move(certificate);
     }
     return best;
@@ -99,7 +99,7 @@ DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
     if (options.target > 0 && options.certificate) {
         const int enough = options.target * 11 / 20 + 4;
         monodromy.run(first_edges, enough);
-        run.certificate = certify_degree(system, monodromy, enough, random);
+        run.certificate = certify_degree(system, monodromy, enough, options.target, random);
     }
     if (!run.certificate || run.certificate->degree() < options.target || options.target == 0)
         find_all(system, monodromy, options, random, run);

@@ -120,7 +120,8 @@ void choose_bits(std::vector<Found>& found, const FixedImages& fixed) {
                 open.push_back(i);
                 starts.push_back(rounded(found[i].point, bits));
             }
-        const auto ends = fixed.solve(starts, false);
+        const auto ends =
+            fixed.solve(starts, bits >= 12); // few are left, which are ill-conditioned
         for (std::size_t k = 0; k < open.size(); ++k) {
             Found& solution = found[open[k]];
             SolutionSet target;
@@ -144,57 +145,85 @@ ApproximateSolution approximate(const Found& solution) {
     return result;
 }
 
+/// Images of the same directions as the integer ones, and of length 1 as those that paths come
+/// from.
+Images unit_images(const std::vector<std::array<int, 3>>& vectors) {
+    Images result;
+    for (const auto& [x, y, z] : vectors) {
+        const double scale = 1 / std::sqrt(static_cast<double>(x * x + y * y + z * z));
+        result.push_back({x * scale, y * scale, z * scale});
+    }
+    return result;
+}
+
+/// The solutions at the integer images, as they arrive there.
+class Arrivals {
+public:
+    Arrivals(const CameraSystem& system, const Images& images)
+        : system_(system), fixed_(system, images),
+          vectors_(image_vectors(system, standard_constants(system), images)) {}
+
+    /// Adds solutions, in the standard chart, that are new, and their conjugates.
+    void add(const std::vector<CameraPoint>& approximations) {
+        for (const auto& point : fixed_.solve(approximations, true)) {
+            if (!point || seen_.find(*point) ||
+                nondegeneracy(system_, vectors_, standard_chart().cameras(*point)) <
+                    least_nondegeneracy)
+                continue;
+            Found solution{*point, is_real(*point), 0};
+            seen_.add(*point);
+            if (solution.real)
+                for (Complex& x : solution.point)
+                    x = x.real();
+            else
+                seen_.add(conjugate(*point));
+            found_.push_back(solution);
+        }
+    }
+
+    /// How many there are, pairs counted twice.
+    int size() const { return seen_.size(); }
+
+    std::vector<ApproximateSolution> written() {
+        choose_bits(found_, fixed_);
+        std::ranges::sort(found_, {}, [](const Found& solution) {
+            return std::pair(solution.point[0].real(), std::abs(solution.point[0].imag()));
+        });
+        std::vector<ApproximateSolution> result;
+        for (const Found& solution : found_)
+            if (solution.bits > 0) result.push_back(approximate(solution));
+        return result;
+    }
+
+private:
+    const CameraSystem& system_;
+    FixedImages fixed_;
+    std::vector<Complex3> vectors_;
+    SolutionSet seen_;
+    std::vector<Found> found_;
+};
+
 } // namespace
 
 DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, int most,
-                                 Random& random) {
-    DegreeCertificate certificate;
+                                 int wanted, Random& random) {
+    constexpr int most_paths = 3;
     const auto vectors = integer_vectors(system.free.size(), random);
-    certificate.images = feature_images(system, vectors);
-    Images images;
-    for (const auto& x : vectors)
-        images.push_back(
-            {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])});
-    Images unit = images; // of similar size as those that the path comes from
-    for (Complex3& x : unit) {
-        const double scale = 1 / std::sqrt(std::norm(x[0]) + std::norm(x[1]) + std::norm(x[2]));
-        for (Complex& coordinate : x)
-            coordinate *= scale;
-    }
-    const auto path =
-        moving_images(system, monodromy.constants(), monodromy.images(), turned(unit, random));
+    const Images images = unit_images(vectors);
     std::vector<CameraPoint> solutions = monodromy.solutions().points();
     if (std::ssize(solutions) > most) solutions.resize(static_cast<std::size_t>(most));
-    const auto ends = monodromy.follower().follow(path, solutions);
-
-    const FixedImages fixed(system, unit);
-    const CameraChart chart = standard_chart();
-    std::vector<CameraPoint> starts;
-    for (const auto& end : ends)
-        if (end) starts.push_back(chart.point(monodromy.chart().cameras(*end)));
-    const std::vector<Complex3> standard_vectors =
-        image_vectors(system, standard_constants(system), unit);
-    SolutionSet seen;
-    std::vector<Found> found;
-    for (const auto& point : fixed.solve(starts, true)) {
-        if (!point || seen.find(*point) ||
-            nondegeneracy(system, standard_vectors, chart.cameras(*point)) < least_nondegeneracy)
-            continue;
-        Found solution{*point, is_real(*point), 0};
-        seen.add(*point);
-        if (solution.real)
-            for (Complex& x : solution.point)
-                x = x.real();
-        else
-            seen.add(conjugate(*point));
-        found.push_back(solution);
+    Arrivals arrivals(system, images);
+    for (int path = 0; path < most_paths && arrivals.size() < wanted; ++path) {
+        const TrackedImages moving = moving_images(system, monodromy.constants(),
+                                                   monodromy.images(), turned(images, random));
+        std::vector<CameraPoint> ends;
+        for (const auto& end : monodromy.follower().follow(moving, solutions))
+            if (end) ends.push_back(standard_chart().point(monodromy.chart().cameras(*end)));
+        arrivals.add(ends);
     }
-    choose_bits(found, fixed);
-    std::ranges::sort(found, {}, [](const Found& solution) {
-        return std::pair(solution.point[0].real(), std::abs(solution.point[0].imag()));
-    });
-    for (const Found& solution : found)
-        if (solution.bits > 0) certificate.solutions.push_back(approximate(solution));
+    DegreeCertificate certificate;
+    certificate.images = feature_images(system, vectors);
+    certificate.solutions = arrivals.written();
     return certificate;
 }
 

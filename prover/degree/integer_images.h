@@ -7,10 +7,10 @@
 
 namespace plprove {
 
-/// Follows the first `most` solutions that `monodromy` has found to random integer images. The
-/// certificate shows all that arrive, each real solution and pair once, ordered by their
-/// coordinates.
+/// Follows the first `most` solutions that `monodromy` has found to random integer images, on
+/// another path again if fewer than `wanted` arrive. The certificate shows all that arrive, each
+/// real solution and pair once, ordered by their coordinates.
 DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, int most,
-                                 Random& random);
+                                 int wanted, Random& random);
 
 } // namespace plprove
