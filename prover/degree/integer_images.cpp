@@ -10,7 +10,7 @@ namespace plprove {
 namespace {
 
 constexpr double small_imaginary_part = 1e-8; ///< of a real solution, relative; tried, not believed
-constexpr double least_nondegeneracy = 1e-11;
+constexpr double least_nondegeneracy = 1e-9;
 
 /// Random vectors of small integers, with a third coordinate that is not zero.
 std::vector<std::array<int, 3>> integer_vectors(std::size_t count, Random& random) {
@@ -106,6 +106,14 @@ private:
     TrackedImages images_;
 };
 
+/// Whether the coordinates are written with at most 18 digits.
+bool has_few_digits(const CameraPoint& point, int bits) {
+    constexpr double limit = 1e18;
+    return std::ranges::all_of(point, [&](const Complex& x) {
+        return std::ldexp(std::max(std::abs(x.real()), std::abs(x.imag())), bits) < limit;
+    });
+}
+
 /// Finds for each solution how many bits after the binary point are enough. A single success may be
 /// luck, as the region that Newton's method converges from has a ragged edge: two coarser roundings
 /// must lead to the solution as well.
@@ -128,7 +136,7 @@ void choose_bits(std::vector<Found>& found, const FixedImages& fixed) {
             target.add(solution.point);
             int& count = successes[open[k]];
             count = ends[k] && target.find(*ends[k]) ? count + 1 : 0;
-            if (count == wanted) solution.bits = bits;
+            if (count >= wanted && has_few_digits(solution.point, bits)) solution.bits = bits;
         }
     }
 }

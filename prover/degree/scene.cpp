@@ -66,7 +66,7 @@ double nondegeneracy(const CameraSystem& system, const std::vector<Complex3>& ve
         const Complex3 point = along(from, depth, d);
         for (std::size_t v = 0; v < 3; ++v) {
             const Complex3 seen = along(point, -1.0, centre[v]);
-            const double scale = norm(point) + norm(centre[v]);
+            const double scale = norm(point) + norm(centre[1]) + norm(centre[2]);
             if (place.sees_point[v]) require(norm(seen), scale);
             for (const auto& line : place.lines) {
                 if (line[v] < 0) continue;
