@@ -289,8 +289,9 @@ TEST_CASE("list prints numbers, problems or the columns of the export") {
 TEST_CASE("wrong filters and exports without a file are refused as usage") {
     for (const char* arguments :
          {"list --points x", "list --points 5..2", "list --points", "list --obstruction E",
-          "list --points-in-views 1,2", "list --degree-bound about", "list --format xml", "list --not-minimal --terminal",
-          "list --minimal --not-minimal", "list nonsense", "export", "export a.db b.db"}) {
+          "list --points-in-views 1,2", "list --degree-bound about", "list --format xml",
+          "list --not-minimal --terminal", "list --minimal --not-minimal", "list nonsense",
+          "export", "export a.db b.db"}) {
         CAPTURE(arguments);
         const Outcome outcome = run(plprove_program + " " + arguments);
         CHECK(outcome.status == 3);
