@@ -136,7 +136,7 @@ TEST_CASE("every instruction set tracks the same paths to the same bits, with ei
     const Solved solved(number_of("3*P/P/P + a/a/a"));
     const Monodromy& monodromy = solved.monodromy;
     Random random(4, 0);
-    const Images to = turned(random_neighbour(monodromy.images(), random), random);
+    const Images to = turned(random_neighbour(monodromy.images(), random), Turn::near, random);
     const TrackedSystem system = tracked_system(solved.system, monodromy.chart());
     const TrackedImages images =
         moving_images(solved.system, monodromy.constants(), monodromy.images(), to);

@@ -86,18 +86,9 @@ Images random_neighbour(const Images& images, Random& random) {
     return result;
 }
 
-Images turned(Images images, Random& random) {
+Images turned(Images images, Turn turn, Random& random) {
     for (Complex3& x : images) {
-        const Complex phase = random.phase();
-        for (Complex& coordinate : x)
-            coordinate *= phase;
-    }
-    return images;
-}
-
-Images turned_around(Images images, Random& random) {
-    for (Complex3& x : images) {
-        const Complex phase = random.any_phase();
+        const Complex phase = turn == Turn::near ? random.phase() : random.any_phase();
         for (Complex& coordinate : x)
             coordinate *= phase;
     }

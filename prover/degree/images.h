@@ -22,12 +22,12 @@ Images images_of_scene(const CameraSystem& system, const Cameras& cameras, Rando
 /// the paths to be short.
 Images random_neighbour(const Images& images, Random& random);
 
-/// The same images with each vector multiplied by a random number of modulus 1: another path leads
-/// there.
-Images turned(Images images, Random& random);
+/// Which numbers of modulus 1 there are to choose from: those nearer to 1, or all.
+enum class Turn : std::uint8_t { near, anywhere };
 
-/// The same with any numbers of modulus 1: a longer path.
-Images turned_around(Images images, Random& random);
+/// The same images with each vector multiplied by a random number of modulus 1: another path leads
+/// there, a longer one the farther the numbers are from 1.
+Images turned(Images images, Turn turn, Random& random);
 
 /// The constants that the auxiliary lines and points of the system are made with.
 std::vector<Complex3> random_constants(const CameraSystem& system, Random& random);

@@ -10,6 +10,7 @@ namespace plprove {
 namespace {
 
 constexpr double small_imaginary_part = 1e-8; ///< of a real solution, relative; tried, not believed
+/// Larger than for complex images: nothing that the checker would refuse is to be written.
 constexpr double least_nondegeneracy = 1e-9;
 
 /// Random vectors of small integers, with a third coordinate that is not zero.
@@ -132,10 +133,8 @@ void choose_bits(std::vector<Found>& found, const FixedImages& fixed) {
             fixed.solve(starts, bits >= 12); // few are left, which are ill-conditioned
         for (std::size_t k = 0; k < open.size(); ++k) {
             Found& solution = found[open[k]];
-            SolutionSet target;
-            target.add(solution.point);
             int& count = successes[open[k]];
-            count = ends[k] && target.find(*ends[k]) ? count + 1 : 0;
+            count = ends[k] && approximates(*ends[k], solution.point) ? count + 1 : 0;
             if (count >= wanted && has_few_digits(solution.point, bits)) solution.bits = bits;
         }
     }
@@ -222,8 +221,8 @@ DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodrom
     if (std::ssize(solutions) > most) solutions.resize(static_cast<std::size_t>(most));
     Arrivals arrivals(system, images);
     for (int path = 0; path < most_paths && arrivals.size() < wanted; ++path) {
-        const TrackedImages moving = moving_images(system, monodromy.constants(),
-                                                   monodromy.images(), turned(images, random));
+        const TrackedImages moving = moving_images(
+            system, monodromy.constants(), monodromy.images(), turned(images, Turn::near, random));
         std::vector<CameraPoint> ends;
         for (const auto& end : monodromy.follower().follow(moving, solutions))
             if (end) ends.push_back(standard_chart().point(monodromy.chart().cameras(*end)));

@@ -5,16 +5,22 @@
 //
 // A file that includes this may use inline functions of the standard library only with care: the
 // linker keeps one copy of them, which must not contain instructions that the machine lacks.
+//
+// A loop marked PLC_UNROLLED is unrolled where there are vectors: a column of the matrix then fits
+// into the registers.
 #pragma once
 
 #if defined(__AVX512F__)
 #include <immintrin.h>
 #define PLC_LANES avx512
+#define PLC_UNROLLED _Pragma("GCC unroll 16")
 #elif defined(__AVX2__) && defined(__FMA__)
 #include <immintrin.h>
 #define PLC_LANES avx2
+#define PLC_UNROLLED _Pragma("GCC unroll 16")
 #else
 #define PLC_LANES portable
+#define PLC_UNROLLED
 #endif
 
 namespace plprove::PLC_LANES {

@@ -9,10 +9,6 @@ namespace plprove {
 
 namespace {
 
-double square(const Complex& z) {
-    return z.real() * z.real() + z.imag() * z.imag();
-}
-
 /// A linear function of the point, the same for approximations of the same point but for rounding.
 double key(const CameraPoint& point) {
     double sum = 0;
@@ -24,23 +20,26 @@ double key(const CameraPoint& point) {
 double norm(const CameraPoint& point) {
     double sum = 1;
     for (const Complex& x : point)
-        sum += square(x);
+        sum += std::norm(x);
     return std::sqrt(sum);
 }
 
 } // namespace
 
+bool approximates(const CameraPoint& point, const CameraPoint& other) {
+    const double radius = SolutionSet::same * norm(point);
+    double distance = 0;
+    for (std::size_t k = 0; k < point.size(); ++k)
+        distance += std::norm(point[k] - other[k]);
+    return distance < radius * radius;
+}
+
 std::optional<int> SolutionSet::find(const CameraPoint& point) const {
-    const double radius = same * norm(point), key_radius = 20 * radius;
+    const double key_radius = 20 * same * norm(point);
     const double centre = key(point);
     for (auto i = by_key_.lower_bound(centre - key_radius);
-         i != by_key_.end() && i->first <= centre + key_radius; ++i) {
-        double distance = 0;
-        const CameraPoint& other = points_[static_cast<std::size_t>(i->second)];
-        for (std::size_t k = 0; k < point.size(); ++k)
-            distance += square(point[k] - other[k]);
-        if (distance < radius * radius) return i->second;
-    }
+         i != by_key_.end() && i->first <= centre + key_radius; ++i)
+        if (approximates(point, points_[static_cast<std::size_t>(i->second)])) return i->second;
     return std::nullopt;
 }
 
@@ -123,8 +122,7 @@ void Monodromy::add_edge() {
     // Short paths are quicker, but have fewer branch points in their loops.
     constexpr int short_edges = 3;
     const Images& images = nodes_[1].images;
-    const Images to =
-        edges() < short_edges ? turned(images, random_) : turned_around(images, random_);
+    const Images to = turned(images, edges() < short_edges ? Turn::near : Turn::anywhere, random_);
     edges_.push_back({{moving_images(system_, constants_, nodes_[0].images, to),
                        moving_images(system_, constants_, to, nodes_[0].images)},
                       {}});
@@ -144,28 +142,28 @@ bool Monodromy::follow_edge(Edge& edge, int from, int most) {
     if (starting.empty()) return false;
     std::vector<std::optional<CameraPoint>> ends = follower_.follow(edge.images[source], starts);
 
-    // Returns another path that it has the end in common with: at least one has jumped, so both are
-    // followed again. A path that ends at a degenerate solution has jumped, too.
-    const auto match = [&](std::size_t k, bool last) -> std::optional<int> {
+    // Whether the path must have jumped, and is to be followed again: it ends where another one
+    // does, or at a degenerate solution.
+    const auto has_jumped = [&](std::size_t k) {
         auto& mine = partner[static_cast<std::size_t>(starting[k])];
         mine = lost;
-        if (!ends[k]) return std::nullopt;
+        if (!ends[k]) return false;
         SolutionSet& set = nodes_[target].solutions;
         const int end = set.find(*ends[k]).value_or(-1);
         if (end < 0 && nondegeneracy(system_, nodes_[target].vectors, chart_.cameras(*ends[k])) <
                            least_nondegeneracy)
-            return last ? std::nullopt : std::optional<int>(starting[k]);
+            return true;
         const int index = end >= 0 ? end : set.add(*ends[k]);
         inverse.resize(static_cast<std::size_t>(set.size()), open);
         auto& theirs = inverse[static_cast<std::size_t>(index)];
-        if (theirs >= 0) return last ? std::nullopt : std::optional<int>(theirs);
+        if (theirs >= 0) return true;
         theirs = starting[k];
         mine = index;
-        return std::nullopt;
+        return false;
     };
     std::vector<std::size_t> again;
     for (std::size_t k = 0; k < starting.size(); ++k)
-        if (match(k, false)) again.push_back(k);
+        if (has_jumped(k)) again.push_back(k);
     if (!again.empty()) {
         starts.clear();
         for (const std::size_t k : again)
@@ -173,7 +171,7 @@ bool Monodromy::follow_edge(Edge& edge, int from, int most) {
         const auto second = follower_.follow_closely(edge.images[source], starts);
         for (std::size_t i = 0; i < again.size(); ++i) {
             ends[again[i]] = second[i];
-            match(again[i], true);
+            has_jumped(again[i]); // matches it if it has not
         }
     }
     return true;

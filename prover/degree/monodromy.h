@@ -10,6 +10,9 @@
 
 namespace plprove {
 
+/// Whether these are approximations of one solution, up to SolutionSet::same.
+bool approximates(const CameraPoint& point, const CameraPoint& other);
+
 /// Different solutions for the same images, which can be found again from a numerical
 /// approximation.
 class SolutionSet {
@@ -83,7 +86,7 @@ private:
         SolutionSet solutions;
     };
     static constexpr int open = -1, lost = -2;
-    /// Generic solutions stay above 1e-6 or so; what is degenerate is a rounding error away from 0.
+    /// The least seen of a solution was 2e-8; what is degenerate is a rounding error away from 0.
     static constexpr double least_nondegeneracy = 1e-11;
     struct Edge {
         std::array<TrackedImages, 2> images;     ///< forth and back

@@ -1,9 +1,12 @@
-// The path tracker. Included
-// by one source file for each width of lanes.h, in its namespace.
+// The path tracker, with the lanes of the instruction set that the including file is compiled for.
 //
-// No function of the standard library is used here: see lanes.h. Loops marked
-// PLC_UNROLLED are unrolled if that file wants it: with vectors, a column of the matrix then fits
-// into the registers.
+// No function of the standard library is used here: see lanes.h.
+#pragma once
+
+#include "prover/degree/lanes.h"
+#include "prover/degree/tracker.h"
+
+namespace plprove::PLC_LANES {
 
 namespace {
 
@@ -564,7 +567,7 @@ private:
 
     /// One step of all lanes: predict, correct twice by Newton's method, accept or not.
     void advance() {
-        const Real one = Real::of(1), zero = Real::of(0);
+        const Real one = Real::of(1);
         const Real time = smaller(history_.time[0] + step_, one);
         Number point[n], first[n], second[n], speed[n];
         predict(history_, time - history_.time[0], point);
@@ -619,19 +622,17 @@ private:
         history_.time[0] = select(good, time, history_.time[0]);
         history_.points =
             select(good, smaller(history_.points + one, Real::of(3)), history_.points);
-        const Real taken = step_;
         step_ = select(good, smaller(step_ * stretch, Real::of(settings_.largest_step)),
                        step_ * bounded);
         step_ = select(both(good, starting), Real::of(settings_.first_step), step_);
-        settle(good, taken, zero);
+        settle(good);
     }
 
     /// Ends the paths that have arrived, and been corrected once more there, or are lost.
-    void settle(Mask good, Real taken, Real) {
-        double times[Real::width], steps[Real::width], before[Real::width];
+    void settle(Mask good) {
+        double times[Real::width], steps[Real::width];
         history_.time[0].store(times);
         step_.store(steps);
-        taken.store(before);
         for (int lane = 0; lane < Real::width; ++lane) {
             if (path_[lane] == idle) continue;
             ++cost_.steps;
@@ -667,3 +668,11 @@ private:
 };
 
 } // namespace
+
+TrackCost track(const TrackedSystem& system, const TrackedImages& images,
+                const TrackSettings& settings, std::size_t count, const CameraPoint* starts,
+                CameraPoint* ends, TrackOutcome* outcomes) {
+    return Tracker(system, images, settings, count, starts, ends, outcomes).run();
+}
+
+} // namespace plprove::PLC_LANES

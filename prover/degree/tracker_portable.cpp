@@ -1,16 +1,2 @@
-// The tracker with the lanes of this instruction set; compiled with its flags (CMakeLists.txt).
-#include "prover/degree/lanes.h"
-#include "prover/degree/tracker.h"
-
-namespace plprove::portable {
-
-#define PLC_UNROLLED
+// One path at a time, on any machine.
 #include "prover/degree/tracker_kernel.h"
-
-TrackCost track(const TrackedSystem& system, const TrackedImages& images,
-                const TrackSettings& settings, std::size_t count, const CameraPoint* starts,
-                CameraPoint* ends, TrackOutcome* outcomes) {
-    return Tracker(system, images, settings, count, starts, ends, outcomes).run();
-}
-
-} // namespace plprove::portable

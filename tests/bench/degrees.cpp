@@ -25,8 +25,9 @@ struct Paths {
         monodromy.run(5, 0);
         Random random(1, 1);
         tracked = tracked_system(system, monodromy.chart());
-        edge = moving_images(system, monodromy.constants(), monodromy.images(),
-                             turned(random_neighbour(monodromy.images(), random), random));
+        edge =
+            moving_images(system, monodromy.constants(), monodromy.images(),
+                          turned(random_neighbour(monodromy.images(), random), Turn::near, random));
     }
 };
 
