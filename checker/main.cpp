@@ -13,7 +13,7 @@ static constexpr std::string_view help = R"(usage:
     plcheck classification.plc         derive every count of the classification from certificates
     plcheck problem.plc                replay the verdict on one problem
     plcheck degrees.plc                prove that classes have at least so many solutions
-    plcheck classification.plc degrees.plc
+    plcheck classification.plc bounds.plc degrees.plc
                                        and compare the camera-degrees with the paper
     plcheck classification.plc SHA256SUMS
                                        and compare the files with the digests of a list

@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <regex>
-#include <sstream>
 
 using namespace plprove;
 
@@ -58,14 +57,6 @@ Checked checked(const std::filesystem::path& folder, const std::vector<std::size
     const std::filesystem::path path = folder / "report";
     write_file(path, nlohmann::json({{"files", nlohmann::json::array({file})}}).dump());
     return Checked(path, folder);
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-    return lines;
 }
 
 } // namespace

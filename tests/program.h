@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 /// What a command printed and how it ended.
 struct Outcome {
@@ -17,6 +18,9 @@ Outcome run(const std::string& command);
 /// The whole of a file.
 std::string read_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, const std::string& content);
+
+/// The lines of a text without their ends.
+std::vector<std::string> lines_of(const std::string& text);
 
 /// A folder that vanishes with the object.
 class TemporaryFolder {

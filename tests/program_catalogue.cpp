@@ -7,20 +7,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
-#include <sstream>
 
 namespace {
 
 const std::string plprove_program = PLPROVE;
-
-/// The lines of a text without their ends.
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-    return lines;
-}
 
 /// A database file, opened for reading.
 class Database {
