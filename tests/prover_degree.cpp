@@ -142,25 +142,23 @@ TEST_CASE("every instruction set tracks the same paths to the same bits, with ei
         moving_images(solved.system, monodromy.constants(), monodromy.images(), to);
     std::vector<CameraPoint> starts = monodromy.solutions().points();
     starts.resize(21); // no multiple of a number of lanes
-    for (const bool precise : {false, true}) {
-        CAPTURE(precise);
-        TrackSettings settings;
-        settings.precise = precise;
-        const auto ends = [&](TrackFunction* track) {
-            std::vector<CameraPoint> result(starts.size());
-            std::vector<TrackOutcome> outcomes(starts.size());
-            track(system, images, settings, starts.size(), starts.data(), result.data(),
-                  outcomes.data());
-            CHECK(std::ranges::count(outcomes, TrackOutcome::arrived) >= 20);
-            return result;
-        };
-        const std::vector<CameraPoint> expected = ends(portable::track);
-        CHECK(ends(fastest_tracker()) == expected);
+    const auto ends = [&](TrackFunction* track) {
+        std::vector<CameraPoint> result(starts.size());
+        std::vector<TrackOutcome> outcomes(starts.size());
+        track(system, images, {}, starts.size(), starts.data(), result.data(), outcomes.data());
+        CHECK(std::ranges::count(outcomes, TrackOutcome::arrived) >= 20);
+        return result;
+    };
+    const std::vector<CameraPoint> expected = ends(portable::track);
+    const std::vector<CameraPoint> expected_wide = ends(portable::track_wide);
+    CHECK(ends(fastest_tracker()) == expected);
+    CHECK(ends(fastest_wide_tracker()) == expected_wide);
 #if defined(__x86_64__)
-        if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-            CHECK(ends(avx2::track) == expected);
-#endif
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        CHECK(ends(avx2::track) == expected);
+        CHECK(ends(avx2::track_wide) == expected_wide);
     }
+#endif
 }
 
 TEST_CASE("the same class and seed give the same certificate, another seed another one") {
@@ -380,13 +378,13 @@ TEST_CASE("certified cameras see the scene that they come from, in exact arithme
             }
         }
         TrackSettings settings;
-        settings.precise = true;
         settings.first_step = settings.largest_step = 1;
         std::vector<CameraPoint> ends(starts.size());
         std::vector<TrackOutcome> outcomes(starts.size());
-        fastest_tracker()(tracked_system(system, standard_chart()),
-                          moving_images(system, standard_constants(system), images, images),
-                          settings, starts.size(), starts.data(), ends.data(), outcomes.data());
+        fastest_wide_tracker()(tracked_system(system, standard_chart()),
+                               moving_images(system, standard_constants(system), images, images),
+                               settings, starts.size(), starts.data(), ends.data(),
+                               outcomes.data());
         const ExactCamera first({1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
         for (std::size_t i = 0; i < ends.size(); i += 5) {
             REQUIRE(outcomes[i] == TrackOutcome::arrived);

@@ -13,17 +13,24 @@ constexpr double small_imaginary_part = 1e-8; ///< of a real solution, relative;
 /// Larger than for complex images: nothing that the checker would refuse is to be written.
 constexpr double least_nondegeneracy = 1e-9;
 
-/// Random vectors of small integers, with a third coordinate that is not zero.
+bool are_parallel(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+    return a[0] * b[1] == a[1] * b[0] && a[0] * b[2] == a[2] * b[0] && a[1] * b[2] == a[2] * b[1];
+}
+
+/// Random vectors of small integers that are not zero; no two are parallel, as a line through an
+/// image point is given by another point on it.
 std::vector<std::array<int, 3>> integer_vectors(std::size_t count, Random& random) {
     constexpr std::uint64_t largest = 19;
     const auto digit = [&] {
         return static_cast<int>(random.bits() % (2 * largest + 1)) - static_cast<int>(largest);
     };
-    std::vector<std::array<int, 3>> result(count);
-    for (auto& x : result)
-        do
-            x = {digit(), digit(), digit()};
-        while (x[0] == 0 || x[1] == 0 || x[2] == 0);
+    std::vector<std::array<int, 3>> result;
+    while (result.size() < count) {
+        const std::array<int, 3> x{digit(), digit(), digit()};
+        if (x[0] != 0 && x[1] != 0 && x[2] != 0 &&
+            std::ranges::none_of(result, [&](const auto& y) { return are_parallel(x, y); }))
+            result.push_back(x);
+    }
     return result;
 }
 
@@ -86,19 +93,32 @@ public:
 
     /// Newton's method from each start; nothing where it does not converge at once.
     std::vector<std::optional<CameraPoint>> solve(const std::vector<CameraPoint>& starts,
-                                                  bool precise) const {
+                                                  TrackFunction* track, double noise) const {
         TrackSettings settings;
         settings.prediction = 2e-3;
-        settings.noise = precise ? 1e-9 : 1e-7;
+        settings.noise = noise;
         settings.largest_step = settings.first_step = 1;
-        settings.precise = precise;
         std::vector<CameraPoint> ends(starts.size());
         std::vector<TrackOutcome> outcomes(starts.size());
-        fastest_tracker()(system_, images_, settings, starts.size(), starts.data(), ends.data(),
-                          outcomes.data());
+        track(system_, images_, settings, starts.size(), starts.data(), ends.data(),
+              outcomes.data());
         std::vector<std::optional<CameraPoint>> result(starts.size());
         for (std::size_t i = 0; i < starts.size(); ++i)
             if (outcomes[i] == TrackOutcome::arrived) result[i] = ends[i];
+        return result;
+    }
+
+    /// The same to the last digits of a double, whatever the condition.
+    std::vector<std::optional<CameraPoint>>
+    solve_well(const std::vector<CameraPoint>& starts) const {
+        auto result = solve(starts, fastest_tracker(), 1e-11);
+        std::vector<CameraPoint> open;
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            if (!result[i]) open.push_back(starts[i]);
+        const auto ends = solve(open, fastest_wide_tracker(), 1e-16);
+        auto end = ends.begin();
+        for (auto& point : result)
+            if (!point) point = *end++;
         return result;
     }
 
@@ -129,8 +149,9 @@ void choose_bits(std::vector<Found>& found, const FixedImages& fixed) {
                 open.push_back(i);
                 starts.push_back(rounded(found[i].point, bits));
             }
-        const auto ends =
-            fixed.solve(starts, bits >= 12); // few are left, which are ill-conditioned
+        // In the end few are left, which are ill-conditioned.
+        const auto ends = bits < 12 ? fixed.solve(starts, fastest_tracker(), 1e-7)
+                                    : fixed.solve(starts, fastest_wide_tracker(), 1e-16);
         for (std::size_t k = 0; k < open.size(); ++k) {
             Found& solution = found[open[k]];
             int& count = successes[open[k]];
@@ -172,7 +193,7 @@ public:
 
     /// Adds solutions, in the standard chart, that are new, and their conjugates.
     void add(const std::vector<CameraPoint>& approximations) {
-        for (const auto& point : fixed_.solve(approximations, true)) {
+        for (const auto& point : fixed_.solve_well(approximations)) {
             if (!point || seen_.find(*point) ||
                 nondegeneracy(system_, vectors_, standard_chart().cameras(*point)) <
                     least_nondegeneracy)
@@ -227,6 +248,7 @@ DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodrom
         for (const auto& end : monodromy.follower().follow(moving, solutions))
             if (end) ends.push_back(standard_chart().point(monodromy.chart().cameras(*end)));
         arrivals.add(ends);
+        if (2 * arrivals.size() < std::ssize(solutions)) break; // degenerate images
     }
     DegreeCertificate certificate;
     certificate.images = feature_images(system, vectors);

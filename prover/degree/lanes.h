@@ -192,11 +192,26 @@ inline Real select(Mask m, Real a, Real b) {
 
 #endif
 
+/// The number in one lane.
+inline double at(Real x, int lane) {
+    double lanes[Real::width];
+    x.store(lanes);
+    return lanes[lane];
+}
+inline void put(Real& x, int lane, double value) {
+    double lanes[Real::width];
+    x.store(lanes);
+    lanes[lane] = value;
+    x = Real::load(lanes);
+}
+
 /// About 32 decimal digits: the unevaluated sum of two numbers in each lane (T. J. Dekker, Numer.
 /// Math. 18, 1971; Y. Hida, X. S. Li, D. H. Bailey, ARITH-15, 2001).
 struct Wide {
+    static constexpr int width = Real::width;
     Real high, low;
     static Wide of(double x) { return {Real::of(x), Real::of(0)}; }
+    void store(double* x) const { high.store(x); }
 };
 inline Wide widen(Real x) {
     return {x, Real::of(0)};
@@ -226,11 +241,32 @@ inline Wide operator*(Wide a, Wide b) {
     const Real high = a.high * b.high, lacking = fnma(a.high, b.high, high);
     return quick_sum(high, fma(a.high, b.low, fma(a.low, b.high, Real::of(0) - lacking)));
 }
+inline Wide operator/(Wide a, Wide b) {
+    const Real high = a.high / b.high;
+    return quick_sum(high, (a - b * widen(high)).high / b.high);
+}
 inline Wide fma(Wide a, Wide b, Wide c) {
     return a * b + c;
 }
 inline Wide fnma(Wide a, Wide b, Wide c) {
     return c - a * b;
+}
+/// Only as accurate as Real's: enough for the sizes of steps.
+inline Wide sqrt(Wide a) {
+    return widen(sqrt(a.high));
+}
+inline Mask less(Wide a, Wide b) {
+    return less((a - b).high, Real::of(0));
+}
+inline Wide select(Mask m, Wide a, Wide b) {
+    return {select(m, a.high, b.high), select(m, a.low, b.low)};
+}
+inline double at(Wide x, int lane) {
+    return at(x.high, lane);
+}
+inline void put(Wide& x, int lane, double value) {
+    put(x.high, lane, value);
+    put(x.low, lane, 0);
 }
 
 } // namespace plprove::PLC_LANES

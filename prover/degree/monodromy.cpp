@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace plprove {
 
@@ -52,52 +53,51 @@ int SolutionSet::add(const CameraPoint& point) {
 std::vector<std::optional<CameraPoint>>
 PathFollower::follow(const TrackedImages& images, const std::vector<CameraPoint>& starts) {
     counts_.tracks += starts.size();
-    return follow(images, starts, false);
+    return follow(images, starts, {});
 }
 
 std::vector<std::optional<CameraPoint>>
 PathFollower::follow_closely(const TrackedImages& images, const std::vector<CameraPoint>& starts) {
     counts_.retried += starts.size();
-    return follow(images, starts, true);
+    TrackSettings tight;
+    tight.prediction = 1e-5;
+    tight.contraction = 0.02;
+    tight.largest_steps = 20000;
+    return follow(images, starts, tight);
 }
 
 std::vector<std::optional<CameraPoint>> PathFollower::follow(const TrackedImages& images,
                                                              const std::vector<CameraPoint>& starts,
-                                                             bool closely) {
-    // What is lost is nearly always lost to rounding, where both rotations are nearly isotropic.
-    TrackSettings usual, precise;
-    precise.precise = true;
-    precise.prediction = 1e-4; // near clusters of degenerate solutions longer steps go astray
-    precise.noise = 1e-10;
-    precise.smallest_step = 1e-11;
-    precise.largest_steps = 3000;
-    if (closely) {
-        usual.prediction = precise.prediction = 1e-5;
-        usual.contraction = precise.contraction = 0.02;
-        usual.largest_steps = 20000;
-    }
-    const std::array<TrackSettings, 2> settings{usual, precise};
+                                                             const TrackSettings& settings) {
     std::vector<std::optional<CameraPoint>> result(starts.size());
     std::vector<std::size_t> open(starts.size());
-    for (std::size_t i = 0; i < open.size(); ++i)
-        open[i] = i;
-    for (std::size_t attempt = 0; attempt < settings.size() && !open.empty(); ++attempt) {
-        if (attempt > 0) counts_.retried += open.size();
+    std::iota(open.begin(), open.end(), 0);
+    const auto attempt = [&](TrackFunction* track, const TrackSettings& attempt_settings) {
         std::vector<CameraPoint> from, to(open.size());
         for (const std::size_t i : open)
             from.push_back(starts[i]);
         std::vector<TrackOutcome> outcomes(open.size());
-        counts_.steps += fastest_tracker()(system_, images, settings[attempt], open.size(),
-                                           from.data(), to.data(), outcomes.data())
-                             .steps;
-        std::vector<std::size_t> still_open;
+        const TrackCost cost = track(system_, images, attempt_settings, open.size(), from.data(),
+                                     to.data(), outcomes.data());
+        counts_.steps += cost.steps;
+        std::vector<std::size_t> lost;
         for (std::size_t k = 0; k < open.size(); ++k)
             if (outcomes[k] == TrackOutcome::arrived)
                 result[open[k]] = to[k];
             else
-                still_open.push_back(open[k]);
-        open = std::move(still_open);
-    }
+                lost.push_back(open[k]);
+        open = std::move(lost);
+    };
+    attempt(fastest_tracker(), settings);
+    // What is lost is nearly always lost to rounding, where both rotations are nearly isotropic.
+    TrackSettings wide;
+    wide.prediction = 1e-4; // near clusters of degenerate solutions longer steps go astray
+    wide.contraction = 0.02;
+    wide.noise = 1e-16;
+    wide.smallest_step = 1e-13;
+    wide.largest_steps = 2000;
+    counts_.retried += open.size();
+    if (!open.empty()) attempt(fastest_wide_tracker(), wide);
     counts_.failed += open.size();
     return result;
 }

@@ -39,7 +39,7 @@ struct PathCounts {
     std::uint64_t steps = 0;
 };
 
-/// Follows paths, and those that are lost again with tighter settings, then with more digits.
+/// Follows paths, and those that are lost again with tighter settings and twice as many digits.
 class PathFollower {
 public:
     explicit PathFollower(const TrackedSystem& system) : system_(system) {}
@@ -53,8 +53,9 @@ public:
     const PathCounts& counts() const { return counts_; }
 
 private:
-    std::vector<std::optional<CameraPoint>>
-    follow(const TrackedImages& images, const std::vector<CameraPoint>& starts, bool closely);
+    std::vector<std::optional<CameraPoint>> follow(const TrackedImages& images,
+                                                   const std::vector<CameraPoint>& starts,
+                                                   const TrackSettings& settings);
     TrackedSystem system_;
     PathCounts counts_;
 };

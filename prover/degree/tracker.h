@@ -38,7 +38,6 @@ struct TrackSettings {
     double largest_step = 0.25;
     double smallest_step = 1e-9;
     int largest_steps = 3000;
-    bool precise = false; ///< evaluate the equations with twice as many digits
 };
 
 enum class TrackOutcome : std::uint8_t { arrived, stuck, endless };
@@ -55,16 +54,19 @@ using TrackFunction = TrackCost(const TrackedSystem& system, const TrackedImages
                                 TrackOutcome* outcomes);
 
 namespace avx512 {
-TrackFunction track;
+TrackFunction track, track_wide;
 }
 namespace avx2 {
-TrackFunction track;
+TrackFunction track, track_wide;
 }
 namespace portable {
-TrackFunction track;
+TrackFunction track, track_wide;
 }
 
-/// The widest of them that this machine can run. All give the same results, to the bit.
+/// The one with most lanes that this machine can run. All give the same results, to the bit.
 TrackFunction* fastest_tracker();
+/// The same, with about 32 digits throughout, some twenty times as slow; starts and ends are
+/// doubles.
+TrackFunction* fastest_wide_tracker();
 
 } // namespace plprove

@@ -1,4 +1,5 @@
-// The path tracker, with the lanes of the instruction set that the including file is compiled for.
+// The path tracker, with the lanes of the instruction set that the including file is compiled for;
+// with twice as many digits if that file defines PLC_WIDE.
 //
 // No function of the standard library is used here: see lanes.h.
 #pragma once
@@ -9,6 +10,12 @@
 namespace plprove::PLC_LANES {
 
 namespace {
+
+#if defined(PLC_WIDE)
+using Real = Wide;
+#undef PLC_UNROLLED
+#define PLC_UNROLLED // a column does not fit into the registers
+#endif
 
 template <class R>
 struct Complexes {
@@ -150,38 +157,6 @@ Vectors<R> image_vector(const TrackedImages& images, int index, R time) {
                   fma(time, fma(time, c2.im, c1.im), c0.im)};
     }
     return x;
-}
-
-/// The values of the equations alone, with twice as many digits: where the rotations are nearly
-/// isotropic, the terms of an equation cancel to far below the rounding errors of doubles.
-inline void precise_values(const TrackedSystem& system, const TrackedImages& images,
-                           const Number* point, Real time, Number* out) {
-    Complexes<Wide> wide[n];
-    for (int k = 0; k < n; ++k)
-        wide[k] = {widen(point[k].re), widen(point[k].im)};
-    const MovingCameras<Wide> cameras(system, wide);
-    for (int e = 0; e < n; ++e) {
-        const TrackedSystem::Equation& equation = system.equations[e];
-        const int i = equation.views[0], j = equation.views[1], k = equation.views[2];
-        Vectors<Wide> x[3];
-        for (int m = 0; m < (equation.kind == EquationKind::epipolar ? 2 : 3); ++m)
-            x[m] = cameras.back(equation.views[m],
-                                image_vector(images, equation.vectors[m], widen(time)));
-        Complexes<Wide> value;
-        switch (equation.kind) {
-        case EquationKind::epipolar:
-            value = dot(cameras.centre[j] - cameras.centre[i], cross(x[0], x[1]));
-            break;
-        case EquationKind::incidence:
-            value = subtract(dot(x[1], cameras.centre[i] - cameras.centre[j]) * dot(x[2], x[0]),
-                             dot(x[2], cameras.centre[i] - cameras.centre[k]), dot(x[1], x[0]));
-            break;
-        default:
-            value = dot(x[0], cross(x[1], x[2]));
-            break;
-        }
-        out[e] = {narrow(value.re), narrow(value.im)};
-    }
 }
 
 /// Evaluates the equations and their Jacobian and, if Moving, the derivatives with respect to time.
@@ -509,18 +484,6 @@ public:
 private:
     static constexpr std::size_t idle = ~std::size_t{0};
 
-    static void put(Real& x, int lane, double value) {
-        double lanes[Real::width];
-        x.store(lanes);
-        lanes[lane] = value;
-        x = Real::load(lanes);
-    }
-    static double at(const Real& x, int lane) {
-        double lanes[Real::width];
-        x.store(lanes);
-        return lanes[lane];
-    }
-
     /// Puts the next path into the lane, or leaves it idle.
     void begin(int lane) {
         path_[lane] = next_ < count_ ? next_++ : idle;
@@ -558,11 +521,6 @@ private:
     template <bool Moving>
     void evaluate(const Number* point, Real time) {
         Evaluator(system_, images_, point).evaluate<Moving>(time, equations_);
-        if (!settings_.precise) return;
-        Number values[n];
-        precise_values(system_, images_, point, time, values);
-        for (int e = 0; e < n; ++e)
-            equations_.entry[e][n] = values[e];
     }
 
     /// One step of all lanes: predict, correct twice by Newton's method, accept or not.
@@ -669,9 +627,13 @@ private:
 
 } // namespace
 
-TrackCost track(const TrackedSystem& system, const TrackedImages& images,
-                const TrackSettings& settings, std::size_t count, const CameraPoint* starts,
-                CameraPoint* ends, TrackOutcome* outcomes) {
+#if defined(PLC_WIDE)
+TrackCost track_wide(
+#else
+TrackCost track(
+#endif
+    const TrackedSystem& system, const TrackedImages& images, const TrackSettings& settings,
+    std::size_t count, const CameraPoint* starts, CameraPoint* ends, TrackOutcome* outcomes) {
     return Tracker(system, images, settings, count, starts, ends, outcomes).run();
 }
 

@@ -139,7 +139,7 @@ public:
         ratio("prove_classification", "flint_whole_jacobian");
         ratio("check_classification", "flint_whole_jacobian");
         ratio("track_chicago", "track_chicago_one_lane", "track");
-        ratio("track_chicago_precisely", "track_chicago", "track");
+        ratio("track_chicago_wide", "track_chicago", "track");
         ratio("check_solutions", "track_chicago", "solution and track");
     }
 

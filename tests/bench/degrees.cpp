@@ -36,16 +36,14 @@ const Paths& paths() {
     return value;
 }
 
-void follow(benchmark::State& state, TrackFunction* track, bool precise) {
+void follow(benchmark::State& state, TrackFunction* track) {
     const std::vector<CameraPoint>& starts = paths().monodromy.solutions().points();
     std::vector<CameraPoint> ends(starts.size());
     std::vector<TrackOutcome> outcomes(starts.size());
-    TrackSettings settings;
-    settings.precise = precise;
     std::uint64_t steps = 0;
     for (auto _ : state)
-        steps += track(paths().tracked, paths().edge, settings, starts.size(), starts.data(),
-                       ends.data(), outcomes.data())
+        steps += track(paths().tracked, paths().edge, {}, starts.size(), starts.data(), ends.data(),
+                       outcomes.data())
                      .steps;
     const auto count = static_cast<std::int64_t>(starts.size());
     state.SetItemsProcessed(state.iterations() * count);
@@ -57,13 +55,13 @@ void follow(benchmark::State& state, TrackFunction* track, bool precise) {
 }
 
 void track_chicago(benchmark::State& state) {
-    follow(state, fastest_tracker(), false);
+    follow(state, fastest_tracker());
 }
 void track_chicago_one_lane(benchmark::State& state) {
-    follow(state, portable::track, false);
+    follow(state, portable::track);
 }
-void track_chicago_precisely(benchmark::State& state) {
-    follow(state, fastest_tracker(), true);
+void track_chicago_wide(benchmark::State& state) {
+    follow(state, fastest_wide_tracker());
 }
 
 void check_solutions(benchmark::State& state) {
@@ -79,5 +77,5 @@ void check_solutions(benchmark::State& state) {
 
 BENCHMARK(track_chicago)->Unit(benchmark::kMillisecond);
 BENCHMARK(track_chicago_one_lane)->Unit(benchmark::kMillisecond);
-BENCHMARK(track_chicago_precisely)->Unit(benchmark::kMillisecond);
+BENCHMARK(track_chicago_wide)->Unit(benchmark::kMillisecond);
 BENCHMARK(check_solutions)->Unit(benchmark::kMillisecond);
