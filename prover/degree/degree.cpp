@@ -14,9 +14,9 @@ constexpr int first_edges = 3;
 /// Where the trace test says nothing, or not enough, more edges must have agreed.
 constexpr int untested_edges = 6;
 constexpr int most_edges = 12;
-/// What the trace test leaves of its terms where no solution is missing is rounding, 1e-6 at the
-/// very worst; where one of a thousand is missing, some 1e-4.
-constexpr double vanishing = 2e-5;
+/// What the trace test leaves of its terms where no solution is missing is rounding, 1e-9 at the
+/// very worst; where one of a thousand is missing, 1e-4 to 1e-6.
+constexpr double vanishing = 1e-8;
 constexpr int most_integer_images = 3;
 
 /// The smallest exponent with residual < 10^exponent.

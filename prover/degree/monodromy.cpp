@@ -3,8 +3,8 @@
 #include "prover/degree/scene.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
-#include <numeric>
 
 namespace plprove {
 
@@ -53,53 +53,48 @@ int SolutionSet::add(const CameraPoint& point) {
 std::vector<std::optional<CameraPoint>>
 PathFollower::follow(const TrackedImages& images, const std::vector<CameraPoint>& starts) {
     counts_.tracks += starts.size();
-    return follow(images, starts, {});
+    auto ends = attempt(fastest_tracker(), images, {}, starts);
+    // What is lost is nearly always lost to rounding, where both rotations are nearly isotropic.
+    std::vector<std::size_t> open;
+    std::vector<CameraPoint> from;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        if (!ends[i]) {
+            open.push_back(i);
+            from.push_back(starts[i]);
+        }
+    const auto again = follow_closely(images, from);
+    for (std::size_t k = 0; k < open.size(); ++k)
+        ends[open[k]] = again[k];
+    return ends;
 }
 
 std::vector<std::optional<CameraPoint>>
 PathFollower::follow_closely(const TrackedImages& images, const std::vector<CameraPoint>& starts) {
+    TrackSettings settings;
+    settings.prediction = 1e-4; // near clusters of degenerate solutions longer steps go astray
+    settings.contraction = 0.02;
+    settings.noise = 1e-16;
+    settings.smallest_step = 1e-13;
+    settings.largest_steps = 2000;
     counts_.retried += starts.size();
-    TrackSettings tight;
-    tight.prediction = 1e-5;
-    tight.contraction = 0.02;
-    tight.largest_steps = 20000;
-    return follow(images, starts, tight);
+    const auto ends = attempt(fastest_wide_tracker(), images, settings, starts);
+    counts_.failed += static_cast<std::uint64_t>(
+        std::ranges::count_if(ends, [](const auto& end) { return !end; }));
+    return ends;
 }
 
-std::vector<std::optional<CameraPoint>> PathFollower::follow(const TrackedImages& images,
-                                                             const std::vector<CameraPoint>& starts,
-                                                             const TrackSettings& settings) {
-    std::vector<std::optional<CameraPoint>> result(starts.size());
-    std::vector<std::size_t> open(starts.size());
-    std::iota(open.begin(), open.end(), 0);
-    const auto attempt = [&](TrackFunction* track, const TrackSettings& attempt_settings) {
-        std::vector<CameraPoint> from, to(open.size());
-        for (const std::size_t i : open)
-            from.push_back(starts[i]);
-        std::vector<TrackOutcome> outcomes(open.size());
-        const TrackCost cost = track(system_, images, attempt_settings, open.size(), from.data(),
-                                     to.data(), outcomes.data());
-        counts_.steps += cost.steps;
-        std::vector<std::size_t> lost;
-        for (std::size_t k = 0; k < open.size(); ++k)
-            if (outcomes[k] == TrackOutcome::arrived)
-                result[open[k]] = to[k];
-            else
-                lost.push_back(open[k]);
-        open = std::move(lost);
-    };
-    attempt(fastest_tracker(), settings);
-    // What is lost is nearly always lost to rounding, where both rotations are nearly isotropic.
-    TrackSettings wide;
-    wide.prediction = 1e-4; // near clusters of degenerate solutions longer steps go astray
-    wide.contraction = 0.02;
-    wide.noise = 1e-16;
-    wide.smallest_step = 1e-13;
-    wide.largest_steps = 2000;
-    counts_.retried += open.size();
-    if (!open.empty()) attempt(fastest_wide_tracker(), wide);
-    counts_.failed += open.size();
-    return result;
+std::vector<std::optional<CameraPoint>>
+PathFollower::attempt(TrackFunction* track, const TrackedImages& images,
+                      const TrackSettings& settings, const std::vector<CameraPoint>& starts) {
+    std::vector<CameraPoint> to(starts.size());
+    std::vector<TrackOutcome> outcomes(starts.size());
+    counts_.steps +=
+        track(system_, images, settings, starts.size(), starts.data(), to.data(), outcomes.data())
+            .steps;
+    std::vector<std::optional<CameraPoint>> ends(starts.size());
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        if (outcomes[i] == TrackOutcome::arrived) ends[i] = to[i];
+    return ends;
 }
 
 Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream)
@@ -142,38 +137,39 @@ bool Monodromy::follow_edge(Edge& edge, int from, int most) {
     if (starting.empty()) return false;
     std::vector<std::optional<CameraPoint>> ends = follower_.follow(edge.images[source], starts);
 
-    // Whether the path must have jumped, and is to be followed again: it ends where another one
-    // does, or at a degenerate solution.
-    const auto has_jumped = [&](std::size_t k) {
-        auto& mine = partner[static_cast<std::size_t>(starting[k])];
+    // Matches the end of a path. Returns the solutions whose paths may have jumped: two that have
+    // the same end, or one whose end is less nondegenerate than `least`.
+    const auto match = [&](int start, const std::optional<CameraPoint>& end,
+                           double least) -> std::vector<int> {
+        int& mine = partner[static_cast<std::size_t>(start)];
         mine = lost;
-        if (!ends[k]) return false;
+        if (!end) return {};
         SolutionSet& set = nodes_[target].solutions;
-        const int end = set.find(*ends[k]).value_or(-1);
-        if (end < 0 && nondegeneracy(system_, nodes_[target].vectors, chart_.cameras(*ends[k])) <
-                           least_nondegeneracy)
-            return true;
-        const int index = end >= 0 ? end : set.add(*ends[k]);
+        const std::optional<int> known = set.find(*end);
+        if (!known && nondegeneracy(system_, nodes_[target].vectors, chart_.cameras(*end)) < least)
+            return {start};
+        const int index = known ? *known : set.add(*end);
         inverse.resize(static_cast<std::size_t>(set.size()), open);
-        auto& theirs = inverse[static_cast<std::size_t>(index)];
-        if (theirs >= 0) return true;
-        theirs = starting[k];
-        mine = index;
-        return false;
-    };
-    std::vector<std::size_t> again;
-    for (std::size_t k = 0; k < starting.size(); ++k)
-        if (has_jumped(k)) again.push_back(k);
-    if (!again.empty()) {
-        starts.clear();
-        for (const std::size_t k : again)
-            starts.push_back(nodes_[source].solutions[starting[k]]);
-        const auto second = follower_.follow_closely(edge.images[source], starts);
-        for (std::size_t i = 0; i < again.size(); ++i) {
-            ends[again[i]] = second[i];
-            has_jumped(again[i]); // matches it if it has not
+        int& theirs = inverse[static_cast<std::size_t>(index)];
+        if (theirs >= 0) {
+            const int other = theirs;
+            partner[static_cast<std::size_t>(other)] = theirs = lost;
+            return {start, other};
         }
-    }
+        theirs = start;
+        mine = index;
+        return {};
+    };
+    std::vector<int> again;
+    for (std::size_t k = 0; k < starting.size(); ++k)
+        std::ranges::copy(match(starting[k], ends[k], suspicious), std::back_inserter(again));
+    if (again.empty()) return true;
+    starts.clear();
+    for (const int i : again)
+        starts.push_back(nodes_[source].solutions[i]);
+    ends = follower_.follow_closely(edge.images[source], starts);
+    for (std::size_t k = 0; k < again.size(); ++k)
+        match(again[k], ends[k], 0); // solutions nearly as degenerate as rounding do occur
     return true;
 }
 

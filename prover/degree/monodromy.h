@@ -39,7 +39,7 @@ struct PathCounts {
     std::uint64_t steps = 0;
 };
 
-/// Follows paths, and those that are lost again with tighter settings and twice as many digits.
+/// Follows paths, and those that are lost once more, closely.
 class PathFollower {
 public:
     explicit PathFollower(const TrackedSystem& system) : system_(system) {}
@@ -47,15 +47,16 @@ public:
     /// The ends of the paths from the starts; nothing for those that are lost for good.
     std::vector<std::optional<CameraPoint>> follow(const TrackedImages& images,
                                                    const std::vector<CameraPoint>& starts);
-    /// The same, with tighter settings from the beginning.
+    /// The same with tighter settings and twice as many digits.
     std::vector<std::optional<CameraPoint>> follow_closely(const TrackedImages& images,
                                                            const std::vector<CameraPoint>& starts);
     const PathCounts& counts() const { return counts_; }
 
 private:
-    std::vector<std::optional<CameraPoint>> follow(const TrackedImages& images,
-                                                   const std::vector<CameraPoint>& starts,
-                                                   const TrackSettings& settings);
+    std::vector<std::optional<CameraPoint>> attempt(TrackFunction* track,
+                                                    const TrackedImages& images,
+                                                    const TrackSettings& settings,
+                                                    const std::vector<CameraPoint>& starts);
     TrackedSystem system_;
     PathCounts counts_;
 };
@@ -87,8 +88,8 @@ private:
         SolutionSet solutions;
     };
     static constexpr int open = -1, lost = -2;
-    /// The least seen of a solution was 2e-8; what is degenerate is a rounding error away from 0.
-    static constexpr double least_nondegeneracy = 1e-11;
+    /// What is less nondegenerate than this is likely to be no solution, but a degenerate one.
+    static constexpr double suspicious = 1e-8;
     struct Edge {
         std::array<TrackedImages, 2> images;     ///< forth and back
         std::array<std::vector<int>, 2> partner; ///< of each solution of node 0, node 1

@@ -6,15 +6,17 @@ namespace {
 
 struct Trackers {
     TrackFunction *doubles, *wide;
+    TraceFunction* trace;
 };
 
 Trackers fastest() {
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f")) return {avx512::track, avx512::track_wide};
+    if (__builtin_cpu_supports("avx512f"))
+        return {avx512::track, avx512::track_wide, avx512::trace_terms};
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return {avx2::track, avx2::track_wide};
+        return {avx2::track, avx2::track_wide, avx2::trace_terms};
 #endif
-    return {portable::track, portable::track_wide};
+    return {portable::track, portable::track_wide, portable::trace_terms};
 }
 
 } // namespace
@@ -25,6 +27,10 @@ TrackFunction* fastest_tracker() {
 
 TrackFunction* fastest_wide_tracker() {
     return fastest().wide;
+}
+
+TraceFunction* fastest_trace() {
+    return fastest().trace;
 }
 
 } // namespace plprove

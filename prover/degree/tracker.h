@@ -53,20 +53,41 @@ using TrackFunction = TrackCost(const TrackedSystem& system, const TrackedImages
                                 const CameraPoint* starts, CameraPoint* ends,
                                 TrackOutcome* outcomes);
 
+/// A line p + s m of images of a vector p, and another direction m' (trace_test.h).
+struct TracePencil {
+    int equation = 0;                ///< the only one that p is in
+    TrackedImages along;             ///< p + s m, where the time is s
+    TrackedImages direction, across; ///< m and m' in the place of p, at rest
+};
+
+/// phi = G(m') / G(m) at a solution, to the second power of s.
+struct TraceTerm {
+    Complex value, slope, bend;
+};
+
+/// Computes terms[solution][pencil] from approximate solutions, with about 32 digits.
+using TraceFunction = void(const TrackedSystem& system, const TracePencil* pencils,
+                           std::size_t pencil_count, std::size_t count,
+                           const CameraPoint* solutions, TraceTerm* terms);
+
 namespace avx512 {
 TrackFunction track, track_wide;
-}
+TraceFunction trace_terms;
+} // namespace avx512
 namespace avx2 {
 TrackFunction track, track_wide;
-}
+TraceFunction trace_terms;
+} // namespace avx2
 namespace portable {
 TrackFunction track, track_wide;
-}
+TraceFunction trace_terms;
+} // namespace portable
 
 /// The one with most lanes that this machine can run. All give the same results, to the bit.
 TrackFunction* fastest_tracker();
 /// The same, with about 32 digits throughout, some twenty times as slow; starts and ends are
 /// doubles.
 TrackFunction* fastest_wide_tracker();
+TraceFunction* fastest_trace();
 
 } // namespace plprove
