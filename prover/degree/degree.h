@@ -60,9 +60,9 @@ struct DegreeRun {
     std::size_t number = 0;
     int degree = 0;
     std::optional<CompletenessEvidence> evidence;
-    std::uint64_t tracks = 0;  ///< paths followed
-    std::uint64_t retried = 0; ///< of these, followed again with tighter settings or more digits
-    std::uint64_t failed = 0;  ///< of these, lost for good
+    std::uint64_t tracks = 0;       ///< paths followed, to an end or until lost for good
+    std::uint64_t retried = 0;      ///< of these, followed with tighter settings and more digits
+    std::uint64_t failed = 0;       ///< of these, lost for good
     std::vector<std::string> notes; ///< why it is not complete, which edges are no bijections, ...
     std::optional<DegreeCertificate> certificate;
 

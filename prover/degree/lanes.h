@@ -246,10 +246,14 @@ inline Wide operator/(Wide a, Wide b) {
     return quick_sum(high, (a - b * widen(high)).high / b.high);
 }
 inline Wide fma(Wide a, Wide b, Wide c) {
-    return a * b + c;
+    const Real high = a.high * b.high, lacking = fnma(a.high, b.high, high);
+    const Wide sum = exact_sum(c.high, high);
+    const Real low = fma(a.high, b.low, fma(a.low, b.high, c.low + sum.low));
+    return quick_sum(sum.high, low - lacking);
 }
 inline Wide fnma(Wide a, Wide b, Wide c) {
-    return c - a * b;
+    const Real zero = Real::of(0);
+    return fma({zero - a.high, zero - a.low}, b, c);
 }
 /// Only as accurate as Real's: enough for the sizes of steps.
 inline Wide sqrt(Wide a) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace plprove {
 
@@ -50,11 +51,9 @@ int SolutionSet::add(const CameraPoint& point) {
     return size() - 1;
 }
 
-std::vector<std::optional<CameraPoint>>
-PathFollower::follow(const TrackedImages& images, const std::vector<CameraPoint>& starts) {
-    counts_.tracks += starts.size();
-    auto ends = attempt(fastest_tracker(), images, {}, starts);
-    // What is lost is nearly always lost to rounding, where both rotations are nearly isotropic.
+PathFollower::Ends PathFollower::follow(const TrackedImages& images,
+                                        const std::vector<CameraPoint>& starts) {
+    Ends ends = follow_quickly(images, starts);
     std::vector<std::size_t> open;
     std::vector<CameraPoint> from;
     for (std::size_t i = 0; i < starts.size(); ++i)
@@ -62,39 +61,52 @@ PathFollower::follow(const TrackedImages& images, const std::vector<CameraPoint>
             open.push_back(i);
             from.push_back(starts[i]);
         }
-    const auto again = follow_closely(images, from);
+    const Ends again = follow_closely(images, from);
     for (std::size_t k = 0; k < open.size(); ++k)
         ends[open[k]] = again[k];
     return ends;
 }
 
-std::vector<std::optional<CameraPoint>>
-PathFollower::follow_closely(const TrackedImages& images, const std::vector<CameraPoint>& starts) {
+PathFollower::Ends PathFollower::follow_quickly(const TrackedImages& images,
+                                                const std::vector<CameraPoint>& starts) {
+    Ends ends = attempt(fastest_tracker(), images, {}, starts);
+    counts_.tracks += arrived(ends);
+    return ends;
+}
+
+PathFollower::Ends PathFollower::follow_closely(const TrackedImages& images,
+                                                const std::vector<CameraPoint>& starts) {
+    // What is lost is nearly always lost to rounding, where both rotations are nearly isotropic.
     TrackSettings settings;
     settings.prediction = 1e-4; // near clusters of degenerate solutions longer steps go astray
     settings.contraction = 0.02;
     settings.noise = 1e-16;
     settings.smallest_step = 1e-13;
     settings.largest_steps = 2000;
+    Ends ends = attempt(fastest_wide_tracker(), images, settings, starts);
+    counts_.tracks += starts.size();
     counts_.retried += starts.size();
-    const auto ends = attempt(fastest_wide_tracker(), images, settings, starts);
-    counts_.failed += static_cast<std::uint64_t>(
-        std::ranges::count_if(ends, [](const auto& end) { return !end; }));
+    counts_.failed += starts.size() - arrived(ends);
     return ends;
 }
 
-std::vector<std::optional<CameraPoint>>
-PathFollower::attempt(TrackFunction* track, const TrackedImages& images,
-                      const TrackSettings& settings, const std::vector<CameraPoint>& starts) {
+PathFollower::Ends PathFollower::attempt(TrackFunction* track, const TrackedImages& images,
+                                         const TrackSettings& settings,
+                                         const std::vector<CameraPoint>& starts) {
     std::vector<CameraPoint> to(starts.size());
     std::vector<TrackOutcome> outcomes(starts.size());
     counts_.steps +=
         track(system_, images, settings, starts.size(), starts.data(), to.data(), outcomes.data())
             .steps;
-    std::vector<std::optional<CameraPoint>> ends(starts.size());
+    Ends ends(starts.size());
     for (std::size_t i = 0; i < starts.size(); ++i)
         if (outcomes[i] == TrackOutcome::arrived) ends[i] = to[i];
     return ends;
+}
+
+std::uint64_t PathFollower::arrived(const Ends& ends) {
+    return static_cast<std::uint64_t>(
+        std::ranges::count_if(ends, [](const auto& end) { return end.has_value(); }));
 }
 
 Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream)
@@ -119,13 +131,36 @@ void Monodromy::add_edge() {
     const Images& images = nodes_[1].images;
     const Images to = turned(images, edges() < short_edges ? Turn::near : Turn::anywhere, random_);
     edges_.push_back({{moving_images(system_, constants_, nodes_[0].images, to),
-                       moving_images(system_, constants_, to, nodes_[0].images)},
-                      {}});
+                       moving_images(system_, constants_, to, nodes_[0].images)}});
+}
+
+std::vector<int> Monodromy::match(Edge& edge, int from, int start,
+                                  const std::optional<CameraPoint>& end, double least) {
+    const auto source = static_cast<std::size_t>(from), target = 1 - source;
+    auto &partner = edge.partner[source], &inverse = edge.partner[target];
+    int& mine = partner[static_cast<std::size_t>(start)];
+    mine = lost;
+    if (!end) return {start};
+    SolutionSet& set = nodes_[target].solutions;
+    const std::optional<int> known = set.find(*end);
+    if (!known && nondegeneracy(system_, nodes_[target].vectors, chart_.cameras(*end)) < least)
+        return {start};
+    const int index = known ? *known : set.add(*end);
+    inverse.resize(static_cast<std::size_t>(set.size()), open);
+    int& theirs = inverse[static_cast<std::size_t>(index)];
+    if (theirs >= 0 && theirs != start) {
+        const int other = theirs;
+        partner[static_cast<std::size_t>(other)] = theirs = lost;
+        return {start, other};
+    }
+    theirs = start;
+    mine = index;
+    return {};
 }
 
 bool Monodromy::follow_edge(Edge& edge, int from, int most) {
-    const auto source = static_cast<std::size_t>(from), target = 1 - source;
-    auto &partner = edge.partner[source], &inverse = edge.partner[target];
+    const auto source = static_cast<std::size_t>(from);
+    auto& partner = edge.partner[source];
     partner.resize(static_cast<std::size_t>(nodes_[source].solutions.size()), open);
     std::vector<int> starting;
     std::vector<CameraPoint> starts;
@@ -135,60 +170,53 @@ bool Monodromy::follow_edge(Edge& edge, int from, int most) {
             starts.push_back(nodes_[source].solutions[i]);
         }
     if (starting.empty()) return false;
-    std::vector<std::optional<CameraPoint>> ends = follower_.follow(edge.images[source], starts);
-
-    // Matches the end of a path. Returns the solutions whose paths may have jumped: two that have
-    // the same end, or one whose end is less nondegenerate than `least`.
-    const auto match = [&](int start, const std::optional<CameraPoint>& end,
-                           double least) -> std::vector<int> {
-        int& mine = partner[static_cast<std::size_t>(start)];
-        mine = lost;
-        if (!end) return {};
-        SolutionSet& set = nodes_[target].solutions;
-        const std::optional<int> known = set.find(*end);
-        if (!known && nondegeneracy(system_, nodes_[target].vectors, chart_.cameras(*end)) < least)
-            return {start};
-        const int index = known ? *known : set.add(*end);
-        inverse.resize(static_cast<std::size_t>(set.size()), open);
-        int& theirs = inverse[static_cast<std::size_t>(index)];
-        if (theirs >= 0) {
-            const int other = theirs;
-            partner[static_cast<std::size_t>(other)] = theirs = lost;
-            return {start, other};
-        }
-        theirs = start;
-        mine = index;
-        return {};
-    };
-    std::vector<int> again;
+    const auto ends = follower_.follow_quickly(edge.images[source], starts);
     for (std::size_t k = 0; k < starting.size(); ++k)
-        std::ranges::copy(match(starting[k], ends[k], suspicious), std::back_inserter(again));
-    if (again.empty()) return true;
-    starts.clear();
-    for (const int i : again)
-        starts.push_back(nodes_[source].solutions[i]);
-    ends = follower_.follow_closely(edge.images[source], starts);
-    for (std::size_t k = 0; k < again.size(); ++k)
-        match(again[k], ends[k], 0); // solutions nearly as degenerate as rounding do occur
+        std::ranges::copy(match(edge, from, starting[k], ends[k], suspicious),
+                          std::back_inserter(edge.postponed[source]));
     return true;
+}
+
+bool Monodromy::follow_postponed() {
+    bool found = false;
+    for (Edge& edge : edges_)
+        for (const int from : {0, 1}) {
+            const auto source = static_cast<std::size_t>(from);
+            std::vector<int> starting;
+            std::vector<CameraPoint> starts;
+            for (const int i : std::exchange(edge.postponed[source], {}))
+                if (edge.partner[source][static_cast<std::size_t>(i)] == lost) {
+                    starting.push_back(i);
+                    starts.push_back(nodes_[source].solutions[i]);
+                }
+            const auto ends = follower_.follow_closely(edge.images[source], starts);
+            const int before = nodes_[1 - source].solutions.size();
+            // Solutions nearly as degenerate as rounding do occur.
+            for (std::size_t k = 0; k < starting.size(); ++k)
+                match(edge, from, starting[k], ends[k], 0);
+            if (nodes_[1 - source].solutions.size() > before) found = true;
+        }
+    return found;
 }
 
 void Monodromy::run(int edges, int target) {
     while (this->edges() < edges)
         add_edge();
-    bool moving = true;
-    while (moving) {
-        moving = false;
-        for (const int from : {0, 1})
-            for (Edge& edge : edges_) {
-                // Not many more than are wanted, but enough to fill the lanes.
-                const int wanted = target - nodes_[0].solutions.size();
-                if (target > 0 && wanted <= 0) return;
-                const int most =
-                    target > 0 ? std::max(16, wanted) : std::numeric_limits<int>::max();
-                if (follow_edge(edge, from, most)) moving = true;
-            }
-    }
+    do {
+        bool moving = true;
+        while (moving) {
+            moving = false;
+            for (const int from : {0, 1})
+                for (Edge& edge : edges_) {
+                    // Not many more than are wanted, but enough to fill the lanes.
+                    const int wanted = target - nodes_[0].solutions.size();
+                    if (target > 0 && wanted <= 0) return;
+                    const int most =
+                        target > 0 ? std::max(16, wanted) : std::numeric_limits<int>::max();
+                    if (follow_edge(edge, from, most)) moving = true;
+                }
+        }
+    } while (follow_postponed());
 }
 
 int Monodromy::unmatched(const Edge& edge) const {

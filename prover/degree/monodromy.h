@@ -33,30 +33,31 @@ private:
 };
 
 struct PathCounts {
-    std::uint64_t tracks = 0;
+    std::uint64_t tracks = 0; ///< to an end, or lost for good
     std::uint64_t retried = 0;
     std::uint64_t failed = 0;
     std::uint64_t steps = 0;
 };
 
-/// Follows paths, and those that are lost once more, closely.
+/// Follows paths. The ends that it returns are empty where a path was lost.
 class PathFollower {
 public:
+    using Ends = std::vector<std::optional<CameraPoint>>;
+
     explicit PathFollower(const TrackedSystem& system) : system_(system) {}
 
-    /// The ends of the paths from the starts; nothing for those that are lost for good.
-    std::vector<std::optional<CameraPoint>> follow(const TrackedImages& images,
-                                                   const std::vector<CameraPoint>& starts);
-    /// The same with tighter settings and twice as many digits.
-    std::vector<std::optional<CameraPoint>> follow_closely(const TrackedImages& images,
-                                                           const std::vector<CameraPoint>& starts);
+    /// Quickly, and those that are lost closely.
+    Ends follow(const TrackedImages& images, const std::vector<CameraPoint>& starts);
+    /// Loses about one of a hundred, which is not counted.
+    Ends follow_quickly(const TrackedImages& images, const std::vector<CameraPoint>& starts);
+    /// With tighter settings and twice as many digits; what is lost then is lost for good.
+    Ends follow_closely(const TrackedImages& images, const std::vector<CameraPoint>& starts);
     const PathCounts& counts() const { return counts_; }
 
 private:
-    std::vector<std::optional<CameraPoint>> attempt(TrackFunction* track,
-                                                    const TrackedImages& images,
-                                                    const TrackSettings& settings,
-                                                    const std::vector<CameraPoint>& starts);
+    Ends attempt(TrackFunction* track, const TrackedImages& images, const TrackSettings& settings,
+                 const std::vector<CameraPoint>& starts);
+    static std::uint64_t arrived(const Ends& ends);
     TrackedSystem system_;
     PathCounts counts_;
 };
@@ -91,15 +92,23 @@ private:
     /// What is less nondegenerate than this is likely to be no solution, but a degenerate one.
     static constexpr double suspicious = 1e-8;
     struct Edge {
-        std::array<TrackedImages, 2> images;     ///< forth and back
-        std::array<std::vector<int>, 2> partner; ///< of each solution of node 0, node 1
+        std::array<TrackedImages, 2> images{};       ///< forth and back
+        std::array<std::vector<int>, 2> partner{};   ///< of each solution of node 0, node 1
+        std::array<std::vector<int>, 2> postponed{}; ///< starts of paths to be followed closely
     };
 
     void add_edge();
     int unmatched(const Edge& edge) const;
+    /// Matches the end of a path from a solution of node `from`. Returns the solutions whose paths
+    /// are to be followed more closely: one that was lost, or has an end that is less nondegenerate
+    /// than `least`, or two that have the same end, as one of them must have jumped.
+    std::vector<int> match(Edge& edge, int from, int start, const std::optional<CameraPoint>& end,
+                           double least);
     /// Follows solutions of node `from` that have no partner, `most` of them; false if there are
     /// none.
     bool follow_edge(Edge& edge, int from, int most);
+    /// Follows closely what is to be. Whether that found solutions.
+    bool follow_postponed();
 
     const CameraSystem& system_;
     Random random_;

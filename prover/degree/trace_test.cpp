@@ -44,18 +44,20 @@ std::optional<double> trace_residual(const CameraSystem& system, const CameraCha
     std::vector<TraceTerm> terms(solutions.size() * moving.size());
     fastest_trace()(tracked_system(system, chart), moving.data(), moving.size(), solutions.size(),
                     solutions.data(), terms.data());
-    double residual = 0;
+    std::optional<double> residual;
     for (std::size_t p = 0; p < moving.size(); ++p) {
         Complex sum;
-        double size = 0;
+        double bends = 0, others = 0;
         for (std::size_t i = p; i < terms.size(); i += moving.size()) {
-            const TraceTerm& term = terms[i];
-            sum += term.bend;
-            // Where phi is linear for each solution, its second derivative is nothing but rounding.
-            constexpr double rounding = 1e-10;
-            size += std::abs(term.bend) + rounding * (std::abs(term.slope) + std::abs(term.value));
+            sum += terms[i].bend;
+            bends += std::abs(terms[i].bend);
+            others += std::abs(terms[i].slope) + std::abs(terms[i].value);
         }
-        residual = std::max(residual, std::abs(sum) / size);
+        // If phi is linear for each solution, its second derivative is nothing but rounding, and
+        // says nothing.
+        constexpr double rounding = 1e-11;
+        if (bends < rounding * others) continue;
+        residual = std::max(residual.value_or(0), std::abs(sum) / bends);
     }
     return residual;
 }

@@ -18,7 +18,7 @@
 namespace plprove {
 
 /// The largest of the relative residuals |sum of phi''| / sum of |phi''|, over all image vectors
-/// that such a test can move; nothing if there is none.
+/// that such a test can move; nothing if there is none for which a phi'' is not zero.
 std::optional<double> trace_residual(const CameraSystem& system, const CameraChart& chart,
                                      const std::vector<Complex3>& constants, const Images& images,
                                      std::span<const CameraPoint> solutions, Random& random);

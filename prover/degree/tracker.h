@@ -37,7 +37,7 @@ struct TrackSettings {
     double first_step = 0.01;
     double largest_step = 0.25;
     double smallest_step = 1e-9;
-    int largest_steps = 3000;
+    int largest_steps = 600;
 };
 
 enum class TrackOutcome : std::uint8_t { arrived, stuck, endless };

@@ -30,16 +30,17 @@ Complexes<R> operator-(Complexes<R> a, Complexes<R> b) {
     return {a.re - b.re, a.im - b.im};
 }
 template <class R>
-Complexes<R> operator*(Complexes<R> a, Complexes<R> b) {
+[[gnu::always_inline]] inline Complexes<R> operator*(Complexes<R> a, Complexes<R> b) {
     return {fnma(a.im, b.im, a.re * b.re), fma(a.re, b.im, a.im * b.re)};
 }
 /// sum + a b and sum - a b.
 template <class R>
-Complexes<R> add(Complexes<R> sum, Complexes<R> a, Complexes<R> b) {
+[[gnu::always_inline]] inline Complexes<R> add(Complexes<R> sum, Complexes<R> a, Complexes<R> b) {
     return {fnma(a.im, b.im, fma(a.re, b.re, sum.re)), fma(a.re, b.im, fma(a.im, b.re, sum.im))};
 }
 template <class R>
-Complexes<R> subtract(Complexes<R> sum, Complexes<R> a, Complexes<R> b) {
+[[gnu::always_inline]] inline Complexes<R> subtract(Complexes<R> sum, Complexes<R> a,
+                                                    Complexes<R> b) {
     return {fma(a.im, b.im, fnma(a.re, b.re, sum.re)), fnma(a.re, b.im, fnma(a.im, b.re, sum.im))};
 }
 template <class R>
@@ -60,16 +61,16 @@ struct Vectors {
     Complexes<R> x[3];
 };
 template <class R>
-Complexes<R> dot(const Vectors<R>& a, const Vectors<R>& b) {
+[[gnu::always_inline]] inline Complexes<R> dot(const Vectors<R>& a, const Vectors<R>& b) {
     return add(add(a.x[0] * b.x[0], a.x[1], b.x[1]), a.x[2], b.x[2]);
 }
 template <class R>
-Vectors<R> cross(const Vectors<R>& a, const Vectors<R>& b) {
+[[gnu::always_inline]] inline Vectors<R> cross(const Vectors<R>& a, const Vectors<R>& b) {
     return {{subtract(a.x[1] * b.x[2], a.x[2], b.x[1]), subtract(a.x[2] * b.x[0], a.x[0], b.x[2]),
              subtract(a.x[0] * b.x[1], a.x[1], b.x[0])}};
 }
 template <class R>
-Vectors<R> operator-(const Vectors<R>& a, const Vectors<R>& b) {
+[[gnu::always_inline]] inline Vectors<R> operator-(const Vectors<R>& a, const Vectors<R>& b) {
     return {{a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}};
 }
 
