@@ -78,12 +78,26 @@ Images images_of_scene(const CameraSystem& system, const Cameras& cameras, Rando
     return images;
 }
 
-Images random_neighbour(const Images& images, Random& random) {
-    constexpr double radius = 0.8;
+namespace {
+
+Images displaced(const Images& images, double radius, Random& random) {
     Images result;
     for (const Complex3& x : images)
         result.push_back(combine(x, unit(random.complex3()), radius));
     return result;
+}
+
+} // namespace
+
+Images random_neighbour(const Images& images, Random& random) {
+    return displaced(images, 0.8, random);
+}
+
+Images beside_way(const Images& from, const Images& to, Random& random) {
+    Images middle;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        middle.push_back(combine(from[i], difference(to[i], from[i]), 0.5));
+    return displaced(middle, 0.1, random);
 }
 
 Images turned(Images images, Turn turn, Random& random) {

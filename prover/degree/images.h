@@ -22,6 +22,9 @@ Images images_of_scene(const CameraSystem& system, const Cameras& cameras, Rando
 /// the paths to be short.
 Images random_neighbour(const Images& images, Random& random);
 
+/// Images near the middle of the straight way, for a detour.
+Images beside_way(const Images& from, const Images& to, Random& random);
+
 /// Which numbers of modulus 1 there are to choose from: those nearer to 1, or all.
 enum class Turn : std::uint8_t { near, anywhere };
 

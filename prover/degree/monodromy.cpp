@@ -74,19 +74,46 @@ PathFollower::Ends PathFollower::follow_quickly(const TrackedImages& images,
     return ends;
 }
 
-PathFollower::Ends PathFollower::follow_closely(const TrackedImages& images,
-                                                const std::vector<CameraPoint>& starts) {
-    // What is lost is nearly always lost to rounding, where both rotations are nearly isotropic.
+namespace {
+
+/// What doubles lose they nearly always lose to rounding, where both rotations are nearly
+/// isotropic.
+TrackSettings close_settings() {
     TrackSettings settings;
     settings.prediction = 1e-4; // near clusters of degenerate solutions longer steps go astray
     settings.contraction = 0.02;
     settings.noise = 1e-16;
     settings.smallest_step = 1e-13;
     settings.largest_steps = 2000;
-    Ends ends = attempt(fastest_wide_tracker(), images, settings, starts);
+    return settings;
+}
+
+} // namespace
+
+PathFollower::Ends PathFollower::follow_closely(const TrackedImages& images,
+                                                const std::vector<CameraPoint>& starts) {
+    Ends ends = attempt(fastest_wide_tracker(), images, close_settings(), starts);
     counts_.tracks += starts.size();
     counts_.retried += starts.size();
     counts_.failed += starts.size() - arrived(ends);
+    return ends;
+}
+
+PathFollower::Ends PathFollower::follow_detour(const std::array<TrackedImages, 2>& legs,
+                                               const std::vector<CameraPoint>& starts) {
+    const Ends middle = attempt(fastest_wide_tracker(), legs[0], close_settings(), starts);
+    std::vector<std::size_t> open;
+    std::vector<CameraPoint> from;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        if (middle[i]) {
+            open.push_back(i);
+            from.push_back(*middle[i]);
+        }
+    const Ends last = attempt(fastest_wide_tracker(), legs[1], close_settings(), from);
+    Ends ends(starts.size());
+    for (std::size_t k = 0; k < open.size(); ++k)
+        ends[open[k]] = last[k];
+    counts_.failed -= arrived(ends);
     return ends;
 }
 
@@ -130,8 +157,13 @@ void Monodromy::add_edge() {
     constexpr int short_edges = 3;
     const Images& images = nodes_[1].images;
     const Images to = turned(images, edges() < short_edges ? Turn::near : Turn::anywhere, random_);
-    edges_.push_back({{moving_images(system_, constants_, nodes_[0].images, to),
-                       moving_images(system_, constants_, to, nodes_[0].images)}});
+    const Images from = nodes_[0].images, beside = beside_way(from, to, random_);
+    const auto moving = [&](const Images& a, const Images& b) {
+        return moving_images(system_, constants_, a, b);
+    };
+    edges_.push_back({{moving(from, to), moving(to, from)},
+                      {{{moving(from, beside), moving(beside, to)},
+                        {moving(to, beside), moving(beside, from)}}}});
 }
 
 std::vector<int> Monodromy::match(Edge& edge, int from, int start,
@@ -177,6 +209,28 @@ bool Monodromy::follow_edge(Edge& edge, int from, int most) {
     return true;
 }
 
+void Monodromy::follow_detours(Edge& edge, int from, const std::vector<int>& starting,
+                               const PathFollower::Ends& ends) {
+    const auto source = static_cast<std::size_t>(from), target = 1 - source;
+    std::vector<int> again;
+    std::vector<CameraPoint> starts;
+    for (std::size_t k = 0; k < starting.size(); ++k)
+        if (!ends[k]) {
+            again.push_back(starting[k]);
+            starts.push_back(nodes_[source].solutions[starting[k]]);
+        }
+    const auto detoured = follower_.follow_detour(edge.detour[source], starts);
+    for (std::size_t k = 0; k < again.size(); ++k) {
+        if (!detoured[k]) continue;
+        // Past a branch point the detour leads elsewhere: to where the straight way leads another
+        // path, which takes precedence, or where it would lead another one that is lost.
+        const std::optional<int> known = nodes_[target].solutions.find(*detoured[k]);
+        const bool taken = known && std::ssize(edge.partner[target]) > *known &&
+                           edge.partner[target][static_cast<std::size_t>(*known)] >= 0;
+        if (!taken) match(edge, from, again[k], detoured[k], 0);
+    }
+}
+
 bool Monodromy::follow_postponed() {
     bool found = false;
     for (Edge& edge : edges_)
@@ -189,11 +243,12 @@ bool Monodromy::follow_postponed() {
                     starting.push_back(i);
                     starts.push_back(nodes_[source].solutions[i]);
                 }
-            const auto ends = follower_.follow_closely(edge.images[source], starts);
             const int before = nodes_[1 - source].solutions.size();
             // Solutions nearly as degenerate as rounding do occur.
+            const auto ends = follower_.follow_closely(edge.images[source], starts);
             for (std::size_t k = 0; k < starting.size(); ++k)
                 match(edge, from, starting[k], ends[k], 0);
+            follow_detours(edge, from, starting, ends);
             if (nodes_[1 - source].solutions.size() > before) found = true;
         }
     return found;

@@ -52,6 +52,9 @@ public:
     Ends follow_quickly(const TrackedImages& images, const std::vector<CameraPoint>& starts);
     /// With tighter settings and twice as many digits; what is lost then is lost for good.
     Ends follow_closely(const TrackedImages& images, const std::vector<CameraPoint>& starts);
+    /// Closely on two legs, what was lost on the straight way: what arrives was not lost for good.
+    Ends follow_detour(const std::array<TrackedImages, 2>& legs,
+                       const std::vector<CameraPoint>& starts);
     const PathCounts& counts() const { return counts_; }
 
 private:
@@ -92,7 +95,8 @@ private:
     /// What is less nondegenerate than this is likely to be no solution, but a degenerate one.
     static constexpr double suspicious = 1e-8;
     struct Edge {
-        std::array<TrackedImages, 2> images{};       ///< forth and back
+        std::array<TrackedImages, 2> images{};                ///< forth and back
+        std::array<std::array<TrackedImages, 2>, 2> detour{}; ///< the same, in two legs
         std::array<std::vector<int>, 2> partner{};   ///< of each solution of node 0, node 1
         std::array<std::vector<int>, 2> postponed{}; ///< starts of paths to be followed closely
     };
@@ -107,6 +111,9 @@ private:
     /// Follows solutions of node `from` that have no partner, `most` of them; false if there are
     /// none.
     bool follow_edge(Edge& edge, int from, int most);
+    /// Follows those of the paths on a detour that have no end, and matches what arrives.
+    void follow_detours(Edge& edge, int from, const std::vector<int>& starting,
+                        const PathFollower::Ends& ends);
     /// Follows closely what is to be. Whether that found solutions.
     bool follow_postponed();
 
