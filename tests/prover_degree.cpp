@@ -157,7 +157,7 @@ TEST_CASE("what doubles lose arrives with twice as many digits") {
         return std::ranges::count_if(ends, [](const auto& end) { return !end; });
     };
     CHECK(lost(follower.follow_quickly(images, starts)) >= 3);
-    CHECK(lost(follower.follow(images, starts)) <= 1);
+    CHECK(lost(follower.follow_closely(images, starts)) <= 1);
 }
 
 TEST_CASE("every instruction set tracks the same paths to the same bits, with either precision") {

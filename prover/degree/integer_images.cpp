@@ -13,30 +13,49 @@ constexpr double small_imaginary_part = 1e-8; ///< of a real solution, relative;
 /// Larger than for complex images: nothing that the checker would refuse is to be written.
 constexpr double least_nondegeneracy = 1e-9;
 
-bool are_parallel(const std::array<int, 3>& a, const std::array<int, 3>& b) {
-    return a[0] * b[1] == a[1] * b[0] && a[0] * b[2] == a[2] * b[0] && a[1] * b[2] == a[2] * b[1];
+using IntegerVector = std::array<int, 3>;
+
+bool are_dependent(const IntegerVector& a, const IntegerVector& b, const IntegerVector& c) {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]) ==
+           0;
 }
 
-/// Random vectors of small integers that are not zero; no two are parallel, as a line through an
-/// image point is given by another point on it.
-std::vector<std::array<int, 3>> integer_vectors(std::size_t count, Random& random) {
+/// Random vectors of small integers that are not zero. Images are hardly generic where three points
+/// or lines of a view are dependent, or a point is on a line: paths would end at degenerate
+/// solutions.
+std::vector<IntegerVector> integer_vectors(const CameraSystem& system, Random& random) {
     constexpr std::uint64_t largest = 19;
     const auto digit = [&] {
         return static_cast<int>(random.bits() % (2 * largest + 1)) - static_cast<int>(largest);
     };
-    std::vector<std::array<int, 3>> result;
-    while (result.size() < count) {
-        const std::array<int, 3> x{digit(), digit(), digit()};
-        if (x[0] != 0 && x[1] != 0 && x[2] != 0 &&
-            std::ranges::none_of(result, [&](const auto& y) { return are_parallel(x, y); }))
-            result.push_back(x);
+    std::vector<IntegerVector> result;
+    std::array<std::vector<IntegerVector>, 3> views;
+    const auto is_generic = [](const IntegerVector& x, const std::vector<IntegerVector>& others) {
+        if (x[0] == 0 || x[1] == 0 || x[2] == 0) return false;
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            const IntegerVector& y = others[i];
+            if (x[0] * y[0] + x[1] * y[1] + x[2] * y[2] == 0) return false;
+            for (std::size_t j = 0; j < i; ++j)
+                if (are_dependent(x, y, others[j])) return false;
+        }
+        return true;
+    };
+    for (const FreeVector& free : system.free) {
+        auto& others = views[static_cast<std::size_t>(free.view)];
+        IntegerVector x;
+        do
+            x = {digit(), digit(), digit()};
+        while (!is_generic(x, others));
+        others.push_back(x);
+        result.push_back(x);
     }
     return result;
 }
 
 /// The images as the certificate has them.
 std::vector<FeatureImage> feature_images(const CameraSystem& system,
-                                         const std::vector<std::array<int, 3>>& vectors) {
+                                         const std::vector<IntegerVector>& vectors) {
     std::vector<FeatureImage> result;
     for (const Feature& feature : system.features)
         result.push_back({feature, std::vector<ViewImage>(3)});
@@ -175,7 +194,7 @@ ApproximateSolution approximate(const Found& solution) {
 
 /// Images of the same directions as the integer ones, and of length 1 as those that paths come
 /// from.
-Images unit_images(const std::vector<std::array<int, 3>>& vectors) {
+Images unit_images(const std::vector<IntegerVector>& vectors) {
     Images result;
     for (const auto& [x, y, z] : vectors) {
         const double scale = 1 / std::sqrt(static_cast<double>(x * x + y * y + z * z));
@@ -236,16 +255,20 @@ private:
 DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, int most,
                                  int wanted, Random& random) {
     constexpr int most_paths = 3;
-    const auto vectors = integer_vectors(system.free.size(), random);
+    const auto vectors = integer_vectors(system, random);
     const Images images = unit_images(vectors);
     std::vector<CameraPoint> solutions = monodromy.solutions().points();
     if (std::ssize(solutions) > most) solutions.resize(static_cast<std::size_t>(most));
     Arrivals arrivals(system, images);
     for (int path = 0; path < most_paths && arrivals.size() < wanted; ++path) {
-        const TrackedImages moving = moving_images(
-            system, monodromy.constants(), monodromy.images(), turned(images, Turn::near, random));
+        const Images from = monodromy.images(), to = turned(images, Turn::near, random),
+                     beside = beside_way(from, to, random);
+        const auto moving = [&](const Images& a, const Images& b) {
+            return moving_images(system, monodromy.constants(), a, b);
+        };
         std::vector<CameraPoint> ends;
-        for (const auto& end : monodromy.follower().follow(moving, solutions))
+        for (const auto& end : monodromy.follower().follow(
+                 moving(from, to), {moving(from, beside), moving(beside, to)}, solutions))
             if (end) ends.push_back(standard_chart().point(monodromy.chart().cameras(*end)));
         arrivals.add(ends);
         if (2 * arrivals.size() < std::ssize(solutions)) break; // degenerate images

@@ -51,19 +51,34 @@ int SolutionSet::add(const CameraPoint& point) {
     return size() - 1;
 }
 
-PathFollower::Ends PathFollower::follow(const TrackedImages& images,
-                                        const std::vector<CameraPoint>& starts) {
-    Ends ends = follow_quickly(images, starts);
-    std::vector<std::size_t> open;
-    std::vector<CameraPoint> from;
+namespace {
+
+/// The starts of the paths that have no end, and their indices.
+std::pair<std::vector<CameraPoint>, std::vector<std::size_t>>
+without_end(const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends) {
+    std::pair<std::vector<CameraPoint>, std::vector<std::size_t>> result;
     for (std::size_t i = 0; i < starts.size(); ++i)
         if (!ends[i]) {
-            open.push_back(i);
-            from.push_back(starts[i]);
+            result.first.push_back(starts[i]);
+            result.second.push_back(i);
         }
-    const Ends again = follow_closely(images, from);
-    for (std::size_t k = 0; k < open.size(); ++k)
-        ends[open[k]] = again[k];
+    return result;
+}
+
+} // namespace
+
+PathFollower::Ends PathFollower::follow(const TrackedImages& images,
+                                        const std::array<TrackedImages, 2>& detour,
+                                        const std::vector<CameraPoint>& starts) {
+    Ends ends = follow_quickly(images, starts);
+    const auto fill = [&](auto follow_again) {
+        const auto [open, indices] = without_end(starts, ends);
+        const Ends again = follow_again(open);
+        for (std::size_t k = 0; k < indices.size(); ++k)
+            ends[indices[k]] = again[k];
+    };
+    fill([&](const auto& open) { return follow_closely(images, open); });
+    fill([&](const auto& open) { return follow_detour(detour, open); });
     return ends;
 }
 
@@ -101,18 +116,18 @@ PathFollower::Ends PathFollower::follow_closely(const TrackedImages& images,
 
 PathFollower::Ends PathFollower::follow_detour(const std::array<TrackedImages, 2>& legs,
                                                const std::vector<CameraPoint>& starts) {
+    Ends ends(starts.size());
     const Ends middle = attempt(fastest_wide_tracker(), legs[0], close_settings(), starts);
-    std::vector<std::size_t> open;
+    std::vector<std::size_t> indices;
     std::vector<CameraPoint> from;
     for (std::size_t i = 0; i < starts.size(); ++i)
         if (middle[i]) {
-            open.push_back(i);
+            indices.push_back(i);
             from.push_back(*middle[i]);
         }
     const Ends last = attempt(fastest_wide_tracker(), legs[1], close_settings(), from);
-    Ends ends(starts.size());
-    for (std::size_t k = 0; k < open.size(); ++k)
-        ends[open[k]] = last[k];
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        ends[indices[k]] = last[k];
     counts_.failed -= arrived(ends);
     return ends;
 }
@@ -210,24 +225,19 @@ bool Monodromy::follow_edge(Edge& edge, int from, int most) {
 }
 
 void Monodromy::follow_detours(Edge& edge, int from, const std::vector<int>& starting,
+                               const std::vector<CameraPoint>& starts,
                                const PathFollower::Ends& ends) {
     const auto source = static_cast<std::size_t>(from), target = 1 - source;
-    std::vector<int> again;
-    std::vector<CameraPoint> starts;
-    for (std::size_t k = 0; k < starting.size(); ++k)
-        if (!ends[k]) {
-            again.push_back(starting[k]);
-            starts.push_back(nodes_[source].solutions[starting[k]]);
-        }
-    const auto detoured = follower_.follow_detour(edge.detour[source], starts);
-    for (std::size_t k = 0; k < again.size(); ++k) {
+    const auto [again, indices] = without_end(starts, ends);
+    const auto detoured = follower_.follow_detour(edge.detour[source], again);
+    for (std::size_t k = 0; k < indices.size(); ++k) {
         if (!detoured[k]) continue;
         // Past a branch point the detour leads elsewhere: to where the straight way leads another
         // path, which takes precedence, or where it would lead another one that is lost.
         const std::optional<int> known = nodes_[target].solutions.find(*detoured[k]);
         const bool taken = known && std::ssize(edge.partner[target]) > *known &&
                            edge.partner[target][static_cast<std::size_t>(*known)] >= 0;
-        if (!taken) match(edge, from, again[k], detoured[k], 0);
+        if (!taken) match(edge, from, starting[indices[k]], detoured[k], 0);
     }
 }
 
@@ -248,7 +258,7 @@ bool Monodromy::follow_postponed() {
             const auto ends = follower_.follow_closely(edge.images[source], starts);
             for (std::size_t k = 0; k < starting.size(); ++k)
                 match(edge, from, starting[k], ends[k], 0);
-            follow_detours(edge, from, starting, ends);
+            follow_detours(edge, from, starting, starts, ends);
             if (nodes_[1 - source].solutions.size() > before) found = true;
         }
     return found;

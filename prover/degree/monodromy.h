@@ -46,8 +46,9 @@ public:
 
     explicit PathFollower(const TrackedSystem& system) : system_(system) {}
 
-    /// Quickly, and those that are lost closely.
-    Ends follow(const TrackedImages& images, const std::vector<CameraPoint>& starts);
+    /// Quickly, those that are lost closely, and those that are lost then on a detour.
+    Ends follow(const TrackedImages& images, const std::array<TrackedImages, 2>& detour,
+                const std::vector<CameraPoint>& starts);
     /// Loses about one of a hundred, which is not counted.
     Ends follow_quickly(const TrackedImages& images, const std::vector<CameraPoint>& starts);
     /// With tighter settings and twice as many digits; what is lost then is lost for good.
@@ -113,7 +114,7 @@ private:
     bool follow_edge(Edge& edge, int from, int most);
     /// Follows those of the paths on a detour that have no end, and matches what arrives.
     void follow_detours(Edge& edge, int from, const std::vector<int>& starting,
-                        const PathFollower::Ends& ends);
+                        const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends);
     /// Follows closely what is to be. Whether that found solutions.
     bool follow_postponed();
 
