@@ -14,9 +14,8 @@ struct Class {
     std::string name{};                   // in PLMP, if every view sees everything
 };
 
-/// Compares the degrees in the files with the paper. Of the classes, those that are minimal are
-/// certified to be so; these are `all` or some.
-std::vector<DegreeClaim> degree_claims(const Classification& classes,
-                                       const std::vector<Class>& described, bool all,
-                                       const std::vector<FileReport>& files);
+/// Compares the degrees in the report's files with the paper. Of the classes, those that are
+/// minimal are certified to be so; these are `all` or some.
+void add_degree_claims(const Classification& classes, const std::vector<Class>& described, bool all,
+                       Report& report);
 } // namespace checker

@@ -121,33 +121,30 @@ static DegreeClaim claim_on(const std::string& problem, std::size_t claimed, con
             verdict};
 }
 
-std::vector<DegreeClaim> degree_claims(const Classification& classes,
-                                       const std::vector<Class>& described, bool all,
-                                       const std::vector<FileReport>& files) {
-    const auto& all_classes = classes.representatives;
+void add_degree_claims(const Classification& classes, const std::vector<Class>& described, bool all,
+                       Report& report) {
     std::map<Signature, Bound> bounds;
-    for (const FileReport& file : files)
+    const auto bound_of = [&](std::size_t n) -> Bound& {
+        return bounds[constraint_class(classes.representatives[n])];
+    };
+    for (const FileReport& file : report.files)
         for (const auto& [number, line, solutions, complete] : file.degrees) {
-            Bound& bound = bounds[constraint_class(all_classes[number])];
+            Bound& bound = bound_of(number);
             if (solutions > bound.solutions) bound = {solutions, complete};
             if (solutions == bound.solutions) bound.complete |= complete;
         }
-    std::vector<DegreeClaim> claims;
-    if (bounds.empty()) return claims;
-    for (const FileReport& file : files)
+    if (bounds.empty()) return;
+    for (const FileReport& file : report.files)
         for (std::size_t n = 0; n < file.upper.size(); ++n) {
             if (file.upper[n] == 0) continue;
-            Bound& bound = bounds[constraint_class(all_classes[n])];
+            Bound& bound = bound_of(n);
             bound.upper = std::min(bound.upper == 0 ? SIZE_MAX : bound.upper, file.upper[n]);
             bound.complete |= bound.exact();
         }
     // The degree of an extension of the five-point problem depends only on the type of registration
     // (proofs/upper_bounds.md, Proposition U7): where one class attains the bound, all do.
-    for (const FileReport& file : files) {
+    for (const FileReport& file : report.files) {
         std::set<std::string> attained;
-        const auto bound_of = [&](std::size_t n) -> Bound& {
-            return bounds[constraint_class(all_classes[n])];
-        };
         for (std::size_t n = 0; n < file.upper.size(); ++n)
             if (file.upper[n] > 0 && bound_of(n).solutions == file.upper[n])
                 attained.insert(file.types[n]);
@@ -159,17 +156,18 @@ std::vector<DegreeClaim> degree_claims(const Classification& classes,
     for (std::size_t n = 0; n < described.size(); ++n) {
         const Class& c = described[n];
         if (!c.minimal) continue;
-        const Bound& bound = bounds[constraint_class(all_classes[n])];
-        const std::string problem = say("class ", n, ": ", notation(all_classes[n]));
+        const Bound& bound = bound_of(n);
+        if (bound.exact()) report.exact.emplace_back(n, bound.solutions);
+        const std::string problem = say("class ", n, ": ", notation(classes.representatives[n]));
         if (c.terminal) terminal.emplace_back(problem, bound);
         if (c.terminal && c.most_pins < 2) one_pin.emplace_back(problem, bound);
         const std::size_t registered = c.lines == 1 ? 80 : 160; // section 6 of the paper, in order
         if (c.most_pins == 0)
-            claims.push_back(claim_on("PL0P, " + problem, c.registers ? registered : 0, bound));
-        if (!c.name.empty()) claims.push_back(claim_on(c.name + ", " + problem, 0, bound));
+            report.degrees.push_back(
+                claim_on("PL0P, " + problem, c.registers ? registered : 0, bound));
+        if (!c.name.empty()) report.degrees.push_back(claim_on(c.name + ", " + problem, 0, bound));
     }
     for (const Table& table : tables)
-        if (all) add_table(table, table.one_pin ? one_pin : terminal, claims);
-    return claims;
+        if (all) add_table(table, table.one_pin ? one_pin : terminal, report.degrees);
 }
 } // namespace checker

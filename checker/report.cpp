@@ -157,7 +157,7 @@ Report summarize(const Classification& classes, std::vector<FileReport> files) {
         report.claims.push_back(compare(table[i].claim, paper, certified, table[i].difference));
     }
     report.claims.insert(report.claims.end(), named.begin(), named.end());
-    report.degrees = degree_claims(classes, described, complete, report.files);
+    add_degree_claims(classes, described, complete, report);
     return report;
 }
 
@@ -297,6 +297,9 @@ std::string json(const Report& report) {
              << ", \"certified_exactly\": " << cell(c.exact)
              << ", \"evidence_exactly\": " << cell(c.evidence)
              << ", \"verdict\": " << std::quoted(c.verdict) << '}';
+    comma = "],\n\"certified_exactly\": [\n";
+    for (const auto& [number, degree] : report.exact)
+        json << std::exchange(comma, ",\n") << '[' << number << ", " << degree << ']';
     return json.str() + "]}\n";
 }
 

@@ -58,7 +58,8 @@ struct DegreeClaim {
 struct Report {
     std::vector<FileReport> files{};
     std::vector<Claim> claims{};
-    std::vector<DegreeClaim> degrees{}; // none without a degree file
+    std::vector<DegreeClaim> degrees{};                       // none without a degree file
+    std::vector<std::pair<std::size_t, std::size_t>> exact{}; // certified: classes and degrees
     int status = 0; // of the command: 0 every certificate holds, 1 one is refused, 2 syntax error
 };
 
