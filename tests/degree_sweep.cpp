@@ -48,14 +48,18 @@ bool is_well(std::size_t number) {
     return !degree_double::throws(number) && !degree_double::falls_short(number);
 }
 
-/// What plcheck would say of degrees.plc in the folder, if it accepted these classes: read back.
-Checked checked(const std::filesystem::path& folder, const std::vector<std::size_t>& accepted) {
+/// What plcheck would say of degrees.plc in the folder, if it accepted these classes, and found
+/// degrees exact: read back.
+Checked checked(const std::filesystem::path& folder, const std::vector<std::size_t>& accepted,
+                const std::vector<std::pair<std::size_t, int>>& exact = {}) {
     nlohmann::json file = {{"file", "elsewhere/degrees.plc"},
                            {"sha256", sha256(read_file(folder / "degrees.plc"))}};
     for (const std::size_t number : accepted)
         file["degrees"].push_back({{"class", number}, {"certified_at_least", 1}});
     const std::filesystem::path path = folder / "report";
-    write_file(path, nlohmann::json({{"files", nlohmann::json::array({file})}}).dump());
+    write_file(path, nlohmann::json(
+                         {{"files", nlohmann::json::array({file})}, {"certified_exactly", exact}})
+                         .dump());
     return Checked(path, folder);
 }
 
@@ -347,10 +351,22 @@ TEST_CASE("a collection is read as the project's own files are, in parts and as 
                   std::string::npos);
         } else if (record.bound == DegreeBound::exact) {
             CHECK(record.degree == degree_double::degree(record.number));
-            CHECK(record.source == "plprove degrees: 5 edges; trace 1e-11");
+            CHECK(record.source == "5 edges; trace 1e-11");
         }
     }
     CHECK(certified == all.certificates);
+    // Where plcheck finds lower and upper bound to meet, the degree is certified.
+    const std::size_t met = all_classes.front();
+    const int degree = degree_double::degree(met);
+    collect(results, {0, {}, checked(folder.path(), all_classes, {{met, degree}})});
+    std::size_t exact = 0;
+    for (const DegreeRecord& record : read_degrees())
+        if (record.status == DegreeStatus::certified && record.bound == DegreeBound::exact) {
+            ++exact;
+            CHECK(record.number == met);
+            CHECK(record.degree == degree);
+        }
+    CHECK(exact == 1);
     // In parts: the same records in the same order, no part too large.
     const std::size_t size = 40'000;
     const Collected parts = collect(results, {}, size);

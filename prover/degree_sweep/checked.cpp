@@ -55,11 +55,20 @@ Checked::Checked(const fs::path& report, const fs::path& folder) {
                 digests_[number] = sha256(records.at(number));
             }
         }
+        const nlohmann::json none = nlohmann::json::array();
+        for (const auto& [number, degree] :
+             json.value("certified_exactly", none).get<std::vector<std::pair<std::size_t, int>>>())
+            exact_[number] = degree;
     } catch (const nlohmann::json::exception&) {
         throw std::runtime_error(report.string() + " is no report of plcheck --json on degrees");
     } catch (const std::out_of_range&) {
         throw std::runtime_error(report.string() + " speaks of classes that its file has not");
     }
+}
+
+std::optional<int> Checked::exact(std::size_t number) const {
+    const auto found = exact_.find(number);
+    return found == exact_.end() ? std::nullopt : std::optional(found->second);
 }
 
 bool Checked::accepts(const ClassResult& result) const {

@@ -17,8 +17,12 @@ public:
     /// Whether plcheck accepted this very certificate.
     bool accepts(const ClassResult& result) const;
 
+    /// The degree of a label class, if plcheck certified that it is exact.
+    std::optional<int> exact(std::size_t number) const;
+
 private:
     std::map<std::size_t, std::string> digests_; ///< of the records that were accepted
+    std::map<std::size_t, int> exact_;
 };
 
 } // namespace plprove

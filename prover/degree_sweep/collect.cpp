@@ -18,12 +18,10 @@ class Parts {
 public:
     Parts(const fs::path& folder, std::size_t file_size) : folder_(folder), file_size_(file_size) {}
 
-    /// The name of the file that the record is in.
-    std::string add(const std::string& record) {
+    void add(const std::string& record) {
         if (text_.size() > degree_file_head.size() && text_.size() + record.size() > file_size_)
             write();
         text_ += record;
-        return name(written_.size() + 1);
     }
 
     /// Writes what is left, if only an empty file, and removes what an earlier collection left.
@@ -60,16 +58,25 @@ bool selects(const Selection& selection, const ClassResult& result) {
 
 /// The degree as computed, and why to believe that it is no lower bound only.
 DegreeRecord computed_record(const ClassResult& result) {
-    DegreeRecord record{result.run.number, result.degree(), DegreeBound::at_least,
-                        DegreeStatus::evidence, "plprove degrees"};
-    if (!result.complete()) return record;
-    record.bound = DegreeBound::exact;
+    if (!result.complete())
+        return {result.run.number, result.degree(), DegreeBound::at_least, DegreeStatus::evidence,
+                "plprove degrees"};
     const CompletenessEvidence& evidence = *result.run.evidence;
-    record.source +=
-        ": " + std::to_string(evidence.edges) + " edges; " +
-        (evidence.trace_exponent ? "trace 1e" + std::to_string(*evidence.trace_exponent)
-                                 : "no trace test");
-    return record;
+    return {result.run.number, result.degree(), DegreeBound::exact, DegreeStatus::evidence,
+            std::to_string(evidence.edges) + " edges; " +
+                (evidence.trace_exponent ? "trace 1e" + std::to_string(*evidence.trace_exponent)
+                                         : "no trace test")};
+}
+
+/// What plcheck certified of the class, if it did: that its degree is exact, or a lower bound.
+std::optional<DegreeRecord> certified_record(const ClassResult& result, const Checked& checked) {
+    const std::size_t number = result.run.number;
+    if (const std::optional<int> degree = checked.exact(number))
+        return DegreeRecord{number, *degree, DegreeBound::exact, DegreeStatus::certified,
+                            "plcheck: lower and upper bound"};
+    if (!checked.accepts(result)) return std::nullopt;
+    return DegreeRecord{number, result.certified, DegreeBound::at_least, DegreeStatus::certified,
+                        "plcheck: lower bound"};
 }
 
 /// The comments at the head of certs/degrees.csv, without their marks.
@@ -111,13 +118,13 @@ Collected collect(const SweepFolder& folder, const Selection& selection, std::si
         ++collected.classes;
         collected.exact += result->complete();
         records.push_back(computed_record(*result));
+        if (selection.checked)
+            if (std::optional<DegreeRecord> record = certified_record(*result, *selection.checked))
+                records.push_back(std::move(*record));
         if (!selects(selection, *result)) continue;
         ++collected.certificates;
         collected.solutions += static_cast<std::uint64_t>(result->certified);
-        std::string file = parts.add(result->record);
-        if (selection.checked)
-            records.push_back({number, result->certified, DegreeBound::at_least,
-                               DegreeStatus::certified, std::move(file)});
+        parts.add(result->record);
     }
     add_claims(records);
     std::ranges::sort(records, {}, order);
