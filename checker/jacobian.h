@@ -137,9 +137,10 @@ inline Residue minor(const std::vector<const Block*>& blocks, std::span<const st
             block = &shorter;
         }
         row = end;
-        // The rows that the elimination used up move past those that earlier blocks have left.
+        // The rows that the elimination used up move past those that earlier blocks have left. If
+        // these are too many, another block has fewer rows than unknowns, and the minor is 0.
         factor = factor * (filled * block->unknowns % 2 == 0 ? block->factor : -block->factor);
-        if (factor == Residue{}) return {};
+        if (factor == Residue{} || filled + block->residues.size() > m.size()) return {};
         for (const Row& residues : block->residues) m[filled++] = residues;
     }
     for (const std::int64_t c : columns) { // expands by rows with a single 1, in a deleted column
