@@ -1,19 +1,20 @@
 // Soundness by mutation: the checker refuses a changed file, or what it then certifies is true, as
 // the referee finds by other means. Prints who refused what.
 //   mutation_tests [MUTANTS [SEED]]
+// So many mutants of classification and problem files, and a tenth as many each of degree files and
+// of files of upper bounds.
 #include "checker/report.h"
 #include "prover/classification/problem_certificate.h"
+#include "tests/mutation/degree_trial.h"
 #include "tests/mutation/mutants.h"
 #include "tests/mutation/referee.h"
 #include "tests/mutation/short_archive.h"
+#include "tests/mutation/table.h"
 #include "tests/random_problems.h"
 
 #include <fstream>
-#include <functional>
-#include <iomanip>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <sstream>
 #include <unordered_map>
 
@@ -27,18 +28,6 @@ struct Base {
     std::string text;
     checker::Classification classes{};
     std::vector<plprove::Signature> signatures{};
-};
-
-struct Tally {
-    std::size_t mutants = 0, refused = 0, accepted = 0;
-};
-
-struct Table {
-    std::map<std::string, Tally> by_mutator;
-    std::map<std::string, std::size_t> by_reason;
-    std::map<std::string, std::size_t> strict; ///< refused although the referee finds a proof
-    std::size_t verdicts = 0;                  ///< of records, each found true by the referee
-    std::vector<std::string> unsound;
 };
 
 plprove::Signature signature(const checker::Signature& counts) {
@@ -88,29 +77,6 @@ std::vector<Base> problem_bases() {
     return bases;
 }
 
-/// A reason without what varies: numbers and quotations.
-std::string kind_of(const std::string& reason, bool conforms) {
-    std::string kind;
-    bool quoted = false;
-    const std::size_t expected = reason.find(", expected ");
-    for (const char c : expected == reason.npos ? reason : reason.substr(expected + 2)) {
-        if (c == '`' && expected == reason.npos) quoted = !quoted;
-        if (quoted || c == '`') continue;
-        const bool digit =
-            (c >= '0' && c <= '9') || (c == '-' && !kind.empty() && kind.back() == ' ');
-        if (!digit)
-            kind += c;
-        else if (kind.empty() || kind.back() != 'N')
-            kind += 'N';
-    }
-    for (const char* stop :
-         {"the feature must be", "this is no rule for", "the pool lacks the feature",
-          "a rule still applies to", "its pool has too few", "the verdict is",
-          "class N: its pool has too few", "the number of the class is"})
-        if (kind.starts_with(stop)) kind = stop;
-    return (conforms ? "refused: " : "syntax: ") + kind;
-}
-
 /// Gives records the minors that they should have, so that other checks have to refuse.
 std::string with_true_minors(const std::string& text, const Base& base) {
     File file = mutation::split(text);
@@ -142,18 +108,13 @@ public:
         Random random(seed);
         for (std::size_t done = 0, tried = 0; done < mutants; ++tried) {
             const Base& base = bases[random.below(bases.size())];
-            const File other = mutation::split(bases[random.below(bases.size())].text);
-            const auto& mutator = mutation::mutators()[tried % mutation::mutators().size()];
-            File file = mutation::split(base.text);
-            mutator.apply(file, other, random);
-            if (mutation::join(file) == base.text) continue; // it does not apply here
-            if (random.below(8) == 0)                        // and a second change
-                mutation::mutators()[random.below(mutation::mutators().size())].apply(file, other,
-                                                                                      random);
-            std::string text = mutation::join(file);
-            if (random.below(2) == 0) text = with_true_minors(text, base);
+            const Base& other = bases[random.below(bases.size())];
+            const auto mutant = mutation::mutant(base.text, other.text, tried, random);
+            if (!mutant) continue;
+            const std::string text =
+                random.below(2) == 0 ? with_true_minors(mutant->text, base) : mutant->text;
             if (text == base.text) continue;
-            try_one(base, std::string(mutator.name), text);
+            try_one(base, std::string(mutant->mutator), text);
             ++done;
         }
     }
@@ -218,38 +179,6 @@ private:
     std::unordered_map<std::string, bool> found_;
 };
 
-void print(const std::string& title, const Table& table) {
-    Tally sum;
-    std::cout << title << "\n\n"
-              << std::left << std::setw(26) << "  mutation" << std::right << std::setw(9)
-              << "mutants" << std::setw(9) << "refused" << std::setw(20) << "accepted and true"
-              << '\n';
-    const auto line = [](const std::string& name, const Tally& t) {
-        std::cout << "  " << std::left << std::setw(24) << name << std::right << std::setw(9)
-                  << t.mutants << std::setw(9) << t.refused << std::setw(20) << t.accepted << '\n';
-    };
-    for (const auto& [name, tally] : table.by_mutator) {
-        line(name, tally);
-        sum.mutants += tally.mutants;
-        sum.refused += tally.refused;
-        sum.accepted += tally.accepted;
-    }
-    line("all", sum);
-    if (table.verdicts > 0)
-        std::cout << "  " << table.verdicts << " certificates of classes held in these files\n";
-    std::vector<std::pair<std::size_t, std::string>> reasons;
-    for (const auto& [reason, count] : table.by_reason)
-        reasons.emplace_back(count, reason);
-    std::sort(reasons.rbegin(), reasons.rend());
-    std::cout << "\n  first reason of refusal\n";
-    for (const auto& [count, reason] : reasons)
-        std::cout << std::setw(9) << count << "  " << reason << '\n';
-    if (!table.strict.empty()) std::cout << "\n  refused although the referee finds a proof\n";
-    for (const auto& [reason, count] : table.strict)
-        std::cout << std::setw(9) << count << "  " << reason << '\n';
-    std::cout << '\n';
-}
-
 /// 0 if every base is accepted and no mutant that is accepted proves something false.
 int run(const std::string& title, const checker::Classification& all,
         const std::vector<Base>& bases, std::size_t mutants, std::uint64_t seed) {
@@ -263,14 +192,8 @@ int run(const std::string& title, const checker::Classification& all,
                           base.text.substr(base.text.find('\n') + 1));
     Table table;
     Trial(all, table).mutate(bases, mutants, seed);
-    print(title, table);
-    const std::size_t good = untouched.by_mutator["none"].accepted;
-    std::cout << "  " << good << " of " << bases.size() << " files are accepted as they are; "
-              << table.unsound.size() << " mutants are accepted although they prove nothing\n\n";
-    for (const Table* some : {&untouched, &table})
-        for (const std::string& file : some->unsound)
-            std::cout << "UNSOUND: " << file << '\n';
-    return good == bases.size() && untouched.unsound.empty() && table.unsound.empty() ? 0 : 1;
+    print(title, "certificates of classes", table);
+    return outcome(bases.size(), untouched, table);
 }
 
 /// A record of the archive with a number changed so that it proves nothing: a minor, or what is
@@ -330,6 +253,7 @@ int main(int count, char** values) {
     const int classification = run("Classification files of few classes", all,
                                    classification_bases(all), mutants / 2, seed);
     const int archive = run_archive(all, 1 + mutants / 10'000, seed);
-    return classification | archive |
-           run("Problem files", all, problem_bases(), mutants - mutants / 2, seed);
+    const int problems = run("Problem files", all, problem_bases(), mutants - mutants / 2, seed);
+    const int degrees = try_degree_files(all, mutants / 10, seed);
+    return classification | archive | problems | degrees | try_bounds(all, mutants / 10, seed);
 }

@@ -1,8 +1,7 @@
 #include "tests/mutation/mutants.h"
 
-#include <algorithm>
-#include <functional>
-#include <gmpxx.h>
+#include "tests/mutation/degree_mutants.h"
+#include "tests/mutation/edits.h"
 
 namespace mutation {
 
@@ -10,21 +9,10 @@ namespace {
 
 constexpr std::string_view digits = "0123456789";
 
-bool is_number(std::string_view word) {
-    if (word.starts_with('-')) word.remove_prefix(1);
-    return !word.empty() && word.find_first_not_of(digits) == word.npos;
-}
-
-/// 0 for what is not a number: an earlier change may have spoilt it.
-mpz_class value_of(const std::string& word) {
-    return is_number(word) ? mpz_class(word) : mpz_class(0);
-}
-
 bool is_feature(std::string_view word) {
     return word.find('/') != word.npos;
 }
 
-using Words = std::vector<std::string>;
 using Wanted = std::function<bool(const Words&, std::size_t)>; // of a line, a word in it
 
 /// Where a wanted word stands.
@@ -34,19 +22,6 @@ std::vector<std::string*> find(File& file, const Wanted& wanted) {
         for (std::size_t i = 0; i < words.size(); ++i)
             if (wanted(words, i)) found.push_back(&words[i]);
     return found;
-}
-
-/// Lines that begin with one of these words.
-std::vector<std::size_t> lines_of(const File& file, std::initializer_list<std::string_view> first) {
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < file.size(); ++i)
-        if (std::ranges::find(first, file[i][0]) != first.end()) found.push_back(i);
-    return found;
-}
-
-template <class Range>
-auto& any_of(Range& range, Random& random) {
-    return range[random.below(range.size())];
 }
 
 /// Changes some wanted word.
@@ -60,9 +35,14 @@ bool number(const Words& words, std::size_t i) {
     return is_number(words[i]);
 }
 
-/// A coordinate of a camera, point or pin.
+/// Lines with vectors: of cameras, of points, lines and pins in space, of images.
+constexpr std::array<std::string_view, 7> with_vectors{"camera", "feature",   "image",       "star",
+                                                       "line",   "incidence", "transversals"};
+
+/// A coordinate of a vector.
 bool coordinate(const Words& words, std::size_t i) {
-    return is_number(words[i]) && (words[0] == "feature" || (words[0] == "camera" && i > 2));
+    return is_number(words[i]) && std::ranges::find(with_vectors, words[0]) != with_vectors.end() &&
+           (words[0] != "camera" || i > 2);
 }
 
 Wanted number_in(std::initializer_list<std::string_view> first) {
@@ -71,16 +51,8 @@ Wanted number_in(std::initializer_list<std::string_view> first) {
     };
 }
 
-void add(std::string& word, long amount) {
-    word = mpz_class(value_of(word) + amount).get_str();
-}
-
-void step(std::string& word, Random& random) {
-    add(word, random.below(2) == 0 ? 1 : -1);
-}
-
 void negate(std::string& word) {
-    word = mpz_class(-value_of(word)).get_str();
+    multiply(word, -1);
 }
 
 void digit(File& file, const File&, Random& random) {
@@ -109,7 +81,7 @@ void coordinates(File& file, const File&, Random& random) {
 
 /// A point, a direction or a quaternion times -1, 0 or 2: projectively the same, or nothing.
 void scaled_vector(File& file, const File&, Random& random) {
-    const auto lines = lines_of(file, {"camera", "feature"});
+    const auto lines = lines_of(file, with_vectors);
     if (lines.empty()) return;
     Words& words = file[any_of(lines, random)];
     std::vector<std::size_t> starts;
@@ -118,11 +90,13 @@ void scaled_vector(File& file, const File&, Random& random) {
     if (starts.empty()) return;
     const long factor = std::array{-1L, 0L, 2L}[random.below(3)];
     for (std::size_t i = any_of(starts, random); i < words.size() && is_number(words[i]); ++i)
-        words[i] = mpz_class(value_of(words[i]) * factor).get_str();
+        multiply(words[i], factor);
 }
 
 void indices(File& file, const File&, Random& random) {
-    change(file, random, number_in({"delete", "pool", "reduce", "camera", "minimal", "deficient"}),
+    change(file, random,
+           number_in({"delete", "pool", "reduce", "camera", "minimal", "deficient", "degree",
+                      "real", "pair", "template", "basis", "rows"}),
            [&](std::string& word) { word = std::to_string(random.below(40)); });
 }
 
@@ -131,16 +105,16 @@ void deleted_lines(File& file, const File&, Random& random) {
     if (lines.empty()) return;
     Words& words = file[any_of(lines, random)];
     const std::size_t place = 2 + random.below(words.size() - 2);
-    const auto at = words.begin() + static_cast<std::ptrdiff_t>(place);
+    const auto here = at(words, place);
     switch (random.below(3)) {
     case 0:
-        words.erase(at);
+        words.erase(here);
         return;
     case 1:
-        words.insert(at, std::to_string(1 + random.below(30)));
+        words.insert(here, std::to_string(1 + random.below(30)));
         return;
     default:
-        if (is_number(*at)) step(*at, random);
+        if (is_number(*here)) step(*here, random);
     }
 }
 
@@ -181,7 +155,7 @@ void kernel(File& file, const File& other, Random& random) {
     switch (random.below(6)) {
     case 0: // the same motion, but not primitive
         for (std::size_t i = 1; i < words.size(); ++i)
-            words[i] = mpz_class(2 * value_of(words[i])).get_str();
+            multiply(words[i], 2);
         return;
     case 1: // ... but negative
         std::for_each(words.begin() + 1, words.end(), negate);
@@ -204,23 +178,23 @@ void kernel(File& file, const File& other, Random& random) {
 }
 
 void remove_line(File& file, const File&, Random& random) {
-    file.erase(file.begin() + static_cast<std::ptrdiff_t>(random.below(file.size())));
+    file.erase(at(file, random.below(file.size())));
 }
 
 void repeat_line(File& file, const File&, Random& random) {
     const std::size_t line = random.below(file.size());
     const Words copy = file[line];
     const std::size_t target = random.below(2) == 0 ? line : random.below(file.size() + 1);
-    file.insert(file.begin() + static_cast<std::ptrdiff_t>(target), copy);
+    file.insert(at(file, target), copy);
 }
 
 void swap_lines(File& file, const File&, Random& random) {
     std::swap(any_of(file, random), any_of(file, random));
 }
 
-/// Two placed features trade places, or coordinates.
+/// Two placed features, or images of features, trade places or coordinates.
 void swap_features(File& file, const File&, Random& random) {
-    const auto lines = lines_of(file, {"feature"});
+    const auto lines = lines_of(file, {"feature", "image"});
     if (lines.empty()) return;
     Words& a = file[any_of(lines, random)];
     Words& b = file[any_of(lines, random)];
@@ -235,15 +209,14 @@ void swap_words(File& file, const File&, Random& random) {
 
 void remove_word(File& file, const File&, Random& random) {
     Words& words = any_of(file, random);
-    if (words.size() > 1)
-        words.erase(words.begin() + static_cast<std::ptrdiff_t>(random.below(words.size())));
+    if (words.size() > 1) words.erase(at(words, random.below(words.size())));
 }
 
 void repeat_word(File& file, const File&, Random& random) {
     Words& words = any_of(file, random);
     const std::size_t place = random.below(words.size());
     const std::string copy = words[place];
-    words.insert(words.begin() + static_cast<std::ptrdiff_t>(place), copy);
+    words.insert(at(words, place), copy);
 }
 
 void foreign_word(File& file, const File& other, Random& random) {
@@ -264,7 +237,7 @@ void splice(File& file, const File& other, Random& random) {
     if (alike.empty()) return;
     file.resize(line);
     const std::size_t from = any_of(alike, random);
-    file.insert(file.end(), other.begin() + static_cast<std::ptrdiff_t>(from), other.end());
+    file.insert(file.end(), at(other, from), other.end());
 }
 
 /// The certificate under another problem's name.
@@ -347,7 +320,7 @@ void steps(File& file, const File& other, Random& random) {
         if (verdicts.empty()) return;
         Words step{"reduce", std::to_string(1 + random.below(5)), any_of(rules, random), "nothing"};
         if (!others.empty() && random.below(2) == 0) step = other[any_of(others, random)];
-        file.insert(file.begin() + static_cast<std::ptrdiff_t>(verdicts[0]), step);
+        file.insert(at(file, verdicts[0]), step);
         return;
     }
     Words& words = file[any_of(lines, random)];
@@ -358,14 +331,13 @@ void steps(File& file, const File& other, Random& random) {
     else if (kind == 3)
         words.back() = "nothing";
     else if (kind == 4)
-        file.erase(file.begin() + static_cast<std::ptrdiff_t>(any_of(lines, random)));
+        file.erase(at(file, any_of(lines, random)));
     else
         std::swap(words, file[any_of(lines, random)]);
 }
 
 void comment(File& file, const File&, Random& random) {
-    file.insert(file.begin() + static_cast<std::ptrdiff_t>(random.below(file.size() + 1)),
-                {"#", "a", "comment"});
+    file.insert(at(file, random.below(file.size() + 1)), {"#", "a", "comment"});
 }
 
 void byte(File& file, const File&, Random& random) {
@@ -374,34 +346,34 @@ void byte(File& file, const File&, Random& random) {
     word[random.below(word.size())] = static_cast<char>(random.below(256));
 }
 
-constexpr std::array all{Mutator{"digit", digit},
-                         Mutator{"sign", sign},
-                         Mutator{"plus or minus 1", by_one},
-                         Mutator{"coordinate", coordinates},
-                         Mutator{"scaled vector", scaled_vector},
-                         Mutator{"index", indices},
-                         Mutator{"deleted rows, columns", deleted_lines},
-                         Mutator{"minor", minor},
-                         Mutator{"kernel", kernel},
-                         Mutator{"line missing", remove_line},
-                         Mutator{"line repeated", repeat_line},
-                         Mutator{"lines swapped", swap_lines},
-                         Mutator{"features swapped", swap_features},
-                         Mutator{"words swapped", swap_words},
-                         Mutator{"word missing", remove_word},
-                         Mutator{"word repeated", repeat_word},
-                         Mutator{"word of another file", foreign_word},
-                         Mutator{"line of another file", foreign_line},
-                         Mutator{"splice of two files", splice},
-                         Mutator{"another problem's name", foreign_problem},
-                         Mutator{"symbol of a feature", feature_symbol},
-                         Mutator{"feature everywhere", feature_everywhere},
-                         Mutator{"multiplicity", multiplicity},
-                         Mutator{"verdict", verdict},
-                         Mutator{"verdict and evidence", both_verdicts},
-                         Mutator{"reduction step", steps},
-                         Mutator{"comment", comment},
-                         Mutator{"byte", byte}};
+constexpr std::array of_any_file{Mutator{"digit", digit},
+                                 Mutator{"sign", sign},
+                                 Mutator{"plus or minus 1", by_one},
+                                 Mutator{"coordinate", coordinates},
+                                 Mutator{"scaled vector", scaled_vector},
+                                 Mutator{"index", indices},
+                                 Mutator{"deleted rows, columns", deleted_lines},
+                                 Mutator{"minor", minor},
+                                 Mutator{"kernel", kernel},
+                                 Mutator{"line missing", remove_line},
+                                 Mutator{"line repeated", repeat_line},
+                                 Mutator{"lines swapped", swap_lines},
+                                 Mutator{"features swapped", swap_features},
+                                 Mutator{"words swapped", swap_words},
+                                 Mutator{"word missing", remove_word},
+                                 Mutator{"word repeated", repeat_word},
+                                 Mutator{"word of another file", foreign_word},
+                                 Mutator{"line of another file", foreign_line},
+                                 Mutator{"splice of two files", splice},
+                                 Mutator{"another problem's name", foreign_problem},
+                                 Mutator{"symbol of a feature", feature_symbol},
+                                 Mutator{"feature everywhere", feature_everywhere},
+                                 Mutator{"multiplicity", multiplicity},
+                                 Mutator{"verdict", verdict},
+                                 Mutator{"verdict and evidence", both_verdicts},
+                                 Mutator{"reduction step", steps},
+                                 Mutator{"comment", comment},
+                                 Mutator{"byte", byte}};
 
 } // namespace
 
@@ -429,8 +401,22 @@ std::string join(const File& file) {
     return text;
 }
 
-std::span<const Mutator> mutators() {
-    return all;
+std::optional<Mutant> mutant(const std::string& base, const std::string& other, std::size_t turn,
+                             Random& random) {
+    static const std::vector<Mutator> all = [] {
+        std::vector<Mutator> list(of_any_file.begin(), of_any_file.end());
+        list.insert(list.end(), degree_mutators().begin(), degree_mutators().end());
+        return list;
+    }();
+    const File foreign = split(other);
+    const Mutator& mutator = all[turn % all.size()];
+    File file = split(base);
+    mutator.apply(file, foreign, random);
+    if (join(file) == base) return {};
+    if (random.below(8) == 0 && !file.empty()) any_of(all, random).apply(file, foreign, random);
+    const std::string text = join(file);
+    if (text == base) return {};
+    return Mutant{mutator.name, text};
 }
 
 } // namespace mutation

@@ -2,6 +2,7 @@
 // of two files. The same for the same seed, on every machine.
 #pragma once
 
+#include <optional>
 #include <random>
 #include <span>
 #include <string>
@@ -33,6 +34,14 @@ struct Mutator {
     void (*apply)(File& file, const File& other, Random& random);
 };
 
-std::span<const Mutator> mutators();
+struct Mutant {
+    std::string_view mutator;
+    std::string text;
+};
+
+/// A changed file: mutators take turns, and one time in eight a second one comes on top. Nothing
+/// where the mutator does not apply.
+std::optional<Mutant> mutant(const std::string& base, const std::string& other, std::size_t turn,
+                             Random& random);
 
 } // namespace mutation
