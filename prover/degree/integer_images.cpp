@@ -261,14 +261,17 @@ DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodrom
     if (std::ssize(solutions) > most) solutions.resize(static_cast<std::size_t>(most));
     Arrivals arrivals(system, images);
     for (int path = 0; path < most_paths && arrivals.size() < wanted; ++path) {
-        const Images from = monodromy.images(), to = turned(images, Turn::near, random),
-                     beside = beside_way(from, to, random);
+        const Images from = monodromy.images(), to = turned(images, Turn::near, random);
         const auto moving = [&](const Images& a, const Images& b) {
             return moving_images(system, monodromy.constants(), a, b);
         };
+        const auto detour = [&]() -> std::array<TrackedImages, 2> {
+            const Images beside = beside_way(from, to, random);
+            return {moving(from, beside), moving(beside, to)};
+        };
         std::vector<CameraPoint> ends;
-        for (const auto& end : monodromy.follower().follow(
-                 moving(from, to), {moving(from, beside), moving(beside, to)}, solutions))
+        for (const auto& end :
+             monodromy.follower().follow(moving(from, to), {detour(), detour}, solutions))
             if (end) ends.push_back(standard_chart().point(monodromy.chart().cameras(*end)));
         arrivals.add(ends);
         if (2 * arrivals.size() < std::ssize(solutions)) break; // degenerate images

@@ -65,20 +65,22 @@ without_end(const std::vector<CameraPoint>& starts, const PathFollower::Ends& en
     return result;
 }
 
+/// Follows the paths that have no end once more.
+template <class Follow>
+void fill(PathFollower::Ends& ends, const std::vector<CameraPoint>& starts, Follow follow_again) {
+    const auto [open, indices] = without_end(starts, ends);
+    const PathFollower::Ends again = follow_again(open);
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        ends[indices[k]] = again[k];
+}
+
 } // namespace
 
-PathFollower::Ends PathFollower::follow(const TrackedImages& images,
-                                        const std::array<TrackedImages, 2>& detour,
+PathFollower::Ends PathFollower::follow(const TrackedImages& images, const Detours& detours,
                                         const std::vector<CameraPoint>& starts) {
     Ends ends = follow_quickly(images, starts);
-    const auto fill = [&](auto follow_again) {
-        const auto [open, indices] = without_end(starts, ends);
-        const Ends again = follow_again(open);
-        for (std::size_t k = 0; k < indices.size(); ++k)
-            ends[indices[k]] = again[k];
-    };
-    fill([&](const auto& open) { return follow_closely(images, open); });
-    fill([&](const auto& open) { return follow_detour(detour, open); });
+    fill(ends, starts, [&](const auto& open) { return follow_closely(images, open); });
+    fill(ends, starts, [&](const auto& open) { return follow_detours(detours, open); });
     return ends;
 }
 
@@ -114,9 +116,20 @@ PathFollower::Ends PathFollower::follow_closely(const TrackedImages& images,
     return ends;
 }
 
-PathFollower::Ends PathFollower::follow_detour(const std::array<TrackedImages, 2>& legs,
-                                               const std::vector<CameraPoint>& starts) {
+PathFollower::Ends PathFollower::follow_detours(const Detours& detours,
+                                                const std::vector<CameraPoint>& starts) {
+    constexpr int most = 3;
     Ends ends(starts.size());
+    for (int i = 0; i < most && arrived(ends) < ends.size(); ++i) {
+        const auto legs = i == 0 ? detours.first : detours.another();
+        fill(ends, starts, [&](const auto& open) { return follow_legs(legs, open); });
+    }
+    counts_.failed -= arrived(ends);
+    return ends;
+}
+
+PathFollower::Ends PathFollower::follow_legs(const std::array<TrackedImages, 2>& legs,
+                                             const std::vector<CameraPoint>& starts) {
     const Ends middle = attempt(fastest_wide_tracker(), legs[0], close_settings(), starts);
     std::vector<std::size_t> indices;
     std::vector<CameraPoint> from;
@@ -126,9 +139,9 @@ PathFollower::Ends PathFollower::follow_detour(const std::array<TrackedImages, 2
             from.push_back(*middle[i]);
         }
     const Ends last = attempt(fastest_wide_tracker(), legs[1], close_settings(), from);
+    Ends ends(starts.size());
     for (std::size_t k = 0; k < indices.size(); ++k)
         ends[indices[k]] = last[k];
-    counts_.failed -= arrived(ends);
     return ends;
 }
 
@@ -172,13 +185,19 @@ void Monodromy::add_edge() {
     constexpr int short_edges = 3;
     const Images& images = nodes_[1].images;
     const Images to = turned(images, edges() < short_edges ? Turn::near : Turn::anywhere, random_);
+    edges_.push_back({to,
+                      {moving_images(system_, constants_, nodes_[0].images, to),
+                       moving_images(system_, constants_, to, nodes_[0].images)},
+                      random_detour(to)});
+}
+
+std::array<std::array<TrackedImages, 2>, 2> Monodromy::random_detour(const Images& to) {
     const Images from = nodes_[0].images, beside = beside_way(from, to, random_);
     const auto moving = [&](const Images& a, const Images& b) {
         return moving_images(system_, constants_, a, b);
     };
-    edges_.push_back({{moving(from, to), moving(to, from)},
-                      {{{moving(from, beside), moving(beside, to)},
-                        {moving(to, beside), moving(beside, from)}}}});
+    return {
+        {{moving(from, beside), moving(beside, to)}, {moving(to, beside), moving(beside, from)}}};
 }
 
 std::vector<int> Monodromy::match(Edge& edge, int from, int start,
@@ -229,10 +248,11 @@ void Monodromy::follow_detours(Edge& edge, int from, const std::vector<int>& sta
                                const PathFollower::Ends& ends) {
     const auto source = static_cast<std::size_t>(from), target = 1 - source;
     const auto [again, indices] = without_end(starts, ends);
-    const auto detoured = follower_.follow_detour(edge.detour[source], again);
+    const auto detoured = follower_.follow_detours(
+        {edge.detour[source], [&] { return random_detour(edge.to)[source]; }}, again);
     for (std::size_t k = 0; k < indices.size(); ++k) {
         if (!detoured[k]) continue;
-        // Past a branch point the detour leads elsewhere: to where the straight way leads another
+        // Past a branch point a detour leads elsewhere: to where the straight way leads another
         // path, which takes precedence, or where it would lead another one that is lost.
         const std::optional<int> known = nodes_[target].solutions.find(*detoured[k]);
         const bool taken = known && std::ssize(edge.partner[target]) > *known &&

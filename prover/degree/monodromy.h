@@ -4,6 +4,7 @@
 
 #include "prover/degree/images.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -46,19 +47,26 @@ public:
 
     explicit PathFollower(const TrackedSystem& system) : system_(system) {}
 
-    /// Quickly, those that are lost closely, and those that are lost then on a detour.
-    Ends follow(const TrackedImages& images, const std::array<TrackedImages, 2>& detour,
+    /// A detour, in two legs, and what makes another one in case it loses a path, too.
+    struct Detours {
+        std::array<TrackedImages, 2> first;
+        std::function<std::array<TrackedImages, 2>()> another;
+    };
+
+    /// Quickly, those that are lost closely, and those that are lost then on detours.
+    Ends follow(const TrackedImages& images, const Detours& detours,
                 const std::vector<CameraPoint>& starts);
     /// Loses about one of a hundred, which is not counted.
     Ends follow_quickly(const TrackedImages& images, const std::vector<CameraPoint>& starts);
     /// With tighter settings and twice as many digits; what is lost then is lost for good.
     Ends follow_closely(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// Closely on two legs, what was lost on the straight way: what arrives was not lost for good.
-    Ends follow_detour(const std::array<TrackedImages, 2>& legs,
-                       const std::vector<CameraPoint>& starts);
+    /// Closely, what was lost on the straight way: what arrives was not lost for good.
+    Ends follow_detours(const Detours& detours, const std::vector<CameraPoint>& starts);
     const PathCounts& counts() const { return counts_; }
 
 private:
+    Ends follow_legs(const std::array<TrackedImages, 2>& legs,
+                     const std::vector<CameraPoint>& starts);
     Ends attempt(TrackFunction* track, const TrackedImages& images, const TrackSettings& settings,
                  const std::vector<CameraPoint>& starts);
     static std::uint64_t arrived(const Ends& ends);
@@ -96,6 +104,7 @@ private:
     /// What is less nondegenerate than this is likely to be no solution, but a degenerate one.
     static constexpr double suspicious = 1e-8;
     struct Edge {
+        Images to;                                            ///< those of node 1, turned
         std::array<TrackedImages, 2> images{};                ///< forth and back
         std::array<std::array<TrackedImages, 2>, 2> detour{}; ///< the same, in two legs
         std::array<std::vector<int>, 2> partner{};   ///< of each solution of node 0, node 1
@@ -103,6 +112,8 @@ private:
     };
 
     void add_edge();
+    /// Forth to the images and back, in two legs.
+    std::array<std::array<TrackedImages, 2>, 2> random_detour(const Images& to);
     int unmatched(const Edge& edge) const;
     /// Matches the end of a path from a solution of node `from`. Returns the solutions whose paths
     /// are to be followed more closely: one that was lost, or has an end that is less nondegenerate
