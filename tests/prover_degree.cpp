@@ -179,12 +179,26 @@ TEST_CASE("every instruction set tracks the same paths to the same bits, with ei
     };
     const std::vector<CameraPoint> expected = ends(portable::track);
     const std::vector<CameraPoint> expected_wide = ends(portable::track_wide);
+    const TracePencil pencil{
+        0, images, moving_images(solved.system, monodromy.constants(), to, to),
+        moving_images(solved.system, monodromy.constants(), monodromy.images(), to)};
+    const auto bends = [&](TraceFunction* trace) {
+        std::vector<TraceTerm> terms(starts.size());
+        trace(system, &pencil, 1, starts.size(), starts.data(), terms.data());
+        std::vector<Complex> result;
+        for (const TraceTerm& term : terms)
+            result.push_back(term.bend);
+        return result;
+    };
+    const std::vector<Complex> expected_bends = bends(portable::trace_terms);
     CHECK(ends(fastest_tracker()) == expected);
     CHECK(ends(fastest_wide_tracker()) == expected_wide);
+    CHECK(bends(fastest_trace()) == expected_bends);
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
         CHECK(ends(avx2::track) == expected);
         CHECK(ends(avx2::track_wide) == expected_wide);
+        CHECK(bends(avx2::trace_terms) == expected_bends);
     }
 #endif
 }

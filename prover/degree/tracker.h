@@ -88,6 +88,7 @@ TrackFunction* fastest_tracker();
 /// The same, with about 32 digits throughout, some twenty times as slow; starts and ends are
 /// doubles.
 TrackFunction* fastest_wide_tracker();
+/// Likewise.
 TraceFunction* fastest_trace();
 
 } // namespace plprove
