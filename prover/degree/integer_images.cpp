@@ -15,14 +15,18 @@ constexpr double least_nondegeneracy = 1e-9;
 
 using IntegerVector = std::array<int, 3>;
 
+bool are_parallel(const IntegerVector& a, const IntegerVector& b) {
+    return a[0] * b[1] == a[1] * b[0] && a[0] * b[2] == a[2] * b[0] && a[1] * b[2] == a[2] * b[1];
+}
+
 bool are_dependent(const IntegerVector& a, const IntegerVector& b, const IntegerVector& c) {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
                a[2] * (b[0] * c[1] - b[1] * c[0]) ==
            0;
 }
 
-/// Random vectors of small integers that are not zero. Images are hardly generic where three points
-/// or lines of a view are dependent, or a point is on a line: paths would end at degenerate
+/// Random vectors of small integers that are not zero. Images are hardly generic where two or three
+/// points or lines of a view are dependent, or a point is on a line: paths would end at degenerate
 /// solutions.
 std::vector<IntegerVector> integer_vectors(const CameraSystem& system, Random& random) {
     constexpr std::uint64_t largest = 19;
@@ -35,7 +39,7 @@ std::vector<IntegerVector> integer_vectors(const CameraSystem& system, Random& r
         if (x[0] == 0 || x[1] == 0 || x[2] == 0) return false;
         for (std::size_t i = 0; i < others.size(); ++i) {
             const IntegerVector& y = others[i];
-            if (x[0] * y[0] + x[1] * y[1] + x[2] * y[2] == 0) return false;
+            if (are_parallel(x, y) || x[0] * y[0] + x[1] * y[1] + x[2] * y[2] == 0) return false;
             for (std::size_t j = 0; j < i; ++j)
                 if (are_dependent(x, y, others[j])) return false;
         }
