@@ -56,8 +56,10 @@ void records(File& file, const File& other, Random& random) {
 /// A certificate under the number of another class.
 void class_number(File& file, const File& other, Random& random) {
     const auto heads = lines_of(file, {"degree"}), others = lines_of(other, {"degree"});
-    if (heads.empty() || others.empty() || file[heads[0]].size() < 2) return;
-    std::string& number = file[any_of(heads, random)][1];
+    if (heads.empty() || others.empty()) return;
+    Words& head = file[any_of(heads, random)];
+    if (head.size() < 2) return;
+    std::string& number = head[1];
     const std::size_t kind = random.below(3);
     if (kind == 0)
         step(number, random);

@@ -104,6 +104,7 @@ void deleted_lines(File& file, const File&, Random& random) {
     const auto lines = lines_of(file, {"delete"});
     if (lines.empty()) return;
     Words& words = file[any_of(lines, random)];
+    if (words.size() < 3) return; // an earlier change has shortened it
     const std::size_t place = 2 + random.below(words.size() - 2);
     const auto here = at(words, place);
     switch (random.below(3)) {
@@ -151,6 +152,7 @@ void kernel(File& file, const File& other, Random& random) {
     const auto lines = lines_of(file, {"kernel"});
     if (lines.empty()) return;
     Words& words = file[any_of(lines, random)];
+    if (words.size() < 2) return;
     const auto others = lines_of(other, {"kernel"});
     switch (random.below(6)) {
     case 0: // the same motion, but not primitive
@@ -198,6 +200,7 @@ void swap_features(File& file, const File&, Random& random) {
     if (lines.empty()) return;
     Words& a = file[any_of(lines, random)];
     Words& b = file[any_of(lines, random)];
+    if (a.size() < 2 || b.size() < 2) return;
     if (random.below(2) == 0) std::swap(a[1], b[1]);
     std::swap(a, b);
 }
@@ -324,6 +327,7 @@ void steps(File& file, const File& other, Random& random) {
         return;
     }
     Words& words = file[any_of(lines, random)];
+    if (words.size() < 3) return;
     if (kind == 1)
         words[2] = any_of(rules, random);
     else if (kind == 2 && is_number(words[1]))
