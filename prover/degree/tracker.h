@@ -85,7 +85,7 @@ TraceFunction trace_terms;
 
 /// The one with most lanes that this machine can run. All give the same results, to the bit.
 TrackFunction* fastest_tracker();
-/// The same, with about 32 digits throughout, some twenty times as slow; starts and ends are
+/// The same, with about 32 digits throughout, some ten times as slow; starts and ends are
 /// doubles.
 TrackFunction* fastest_wide_tracker();
 /// Likewise.

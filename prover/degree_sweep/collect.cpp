@@ -117,10 +117,12 @@ Collected collect(const SweepFolder& folder, const Selection& selection, std::si
         if (result->degree() == 0) continue;
         ++collected.classes;
         collected.exact += result->complete();
-        records.push_back(computed_record(*result));
-        if (selection.checked)
-            if (std::optional<DegreeRecord> record = certified_record(*result, *selection.checked))
-                records.push_back(std::move(*record));
+        std::optional<DegreeRecord> certified;
+        if (selection.checked) certified = certified_record(*result, *selection.checked);
+        // A lower bound that is certified need not be said twice.
+        if (!certified || result->complete() || certified->degree < result->degree())
+            records.push_back(computed_record(*result));
+        if (certified) records.push_back(std::move(*certified));
         if (!selects(selection, *result)) continue;
         ++collected.certificates;
         collected.solutions += static_cast<std::uint64_t>(result->certified);
