@@ -445,7 +445,8 @@ TEST_CASE("a file is read to the letter") {
     for (int n = 1; n <= 1000; ++n)
         many += "feature P/P/P point 1 2 3\n";
     CHECK(complaint(many).ends_with("expected at most 1000 features in a pool"));
-    CHECK(complaint(std::string(largest_file + 1, '#')) == "0: the file is larger than 64 MiB");
+    CHECK(complaint(std::string((64 << 20) + 1, '#')) == "0: the file is larger than 64 MiB");
+    CHECK(complaint(std::string(64 << 20, '#')).starts_with("1: found `####"));
 }
 
 TEST_CASE("hostile bytes do not reach the terminal") {
