@@ -6,24 +6,21 @@
 #include "checker/rotation_ring.h"
 
 #include <optional>
-#include <set>
 
 namespace checker {
 namespace {
-/// A type of registration problem, by its constraints: known points that the third camera sees, and
-/// so many known lines through each (`star 1`); known lines (`line`); image lines through known
-/// points (`incidence`); rays that meet known lines, so many of which have a point in common
-/// (`rays 3`).
-using Registration = std::multiset<std::string>;
+/// Where a type has the number of its stars without pins (those with some follow), of its lines, of
+/// its incidences, and, in the places after these, of its groups of 1, 2, ... rays.
+enum Constraint : std::size_t { star = 0, line = 8, incidence = 9, rays = 9 };
 
-/// The relative pose of two views that share five points: one camera, and rays of the other.
-const Registration relative_pose{"rays 5"};
+/// The relative pose of two views that share five points: one camera, and five rays of the other.
+constexpr Registration relative_pose{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
 
 /// What is left of a problem when the relative pose of two views is known.
 Registration registration(const Signature& signature, Views pair) {
-    Registration type;
+    Registration type{};
     const Views third = 0b111 & ~pair;
-    std::array<unsigned, 5> rays{}; // by view of the pair: those that the third sees as points
+    std::array<unsigned, 5> group{}; // by view of the pair: rays that the third sees as points
     for (std::size_t i = 0; i < feature_count; ++i) {
         const Feature& feature = features[i];
         const Views seeing = feature.point & pair;
@@ -33,26 +30,24 @@ Registration registration(const Signature& signature, Views pair) {
             located |= seeing != 0 && (feature.pin[pin] & pair & ~seeing) != 0;
             if (feature.pin[pin] & third) ++((feature.pin[pin] & pair) == pair ? known : others);
         }
-        for (unsigned n = 0; n < signature[i]; ++n)
-            if (feature.point & third && !located && seeing != 0)
-                ++rays[seeing];
-            else if (feature.point & third)
-                type.insert(located ? say("star ", known) : "rays 1");
-            else if (known + others > 0)
-                type.insert(known > 0 ? "line" : "incidence");
+        if (feature.point & third && !located && seeing != 0)
+            group[seeing] += signature[i];
+        else if (feature.point & third)
+            type[located ? star + known : rays + 1] += signature[i];
+        else if (known + others > 0)
+            type[known > 0 ? line : incidence] += signature[i];
     }
-    for (const unsigned count : rays)
-        if (count > 0) type.insert(say("rays ", count));
+    for (const unsigned count : group)
+        if (count > 0) ++type[rays + count];
     return type;
 }
 
 /// An equation in the rotation R and the translation t: its coefficients at t, and the rest.
 struct Condition {
-    std::array<Polynomial, 3> linear{};
-    Polynomial free{};
-    std::optional<Bidegree> degree{}; // of the rest, for arbitrary data; none if it is 0
-    bool ray = false;                 // the coefficients have the degree of R, else 0
-    bool axis = false;                // they are those of the line that the frame distinguishes
+    std::optional<Bidegree> degree; // of the rest, for arbitrary data; none if it is 0
+    bool ray;                       // the coefficients have the degree of R, else 0
+    bool axis;                      // they are those of the line that the frame distinguishes
+    std::array<Polynomial, 4> row{};
 };
 
 /// A polynomial that vanishes at the solutions, and its degree for arbitrary data.
@@ -80,10 +75,10 @@ struct Constraints {
     std::string flaw{};
 
     void read(Reader& reader) {
-        while (reader.comes("star")) read_star(reader);
-        while (reader.comes("line")) read_line(reader);
+        for (; reader.comes("star"); weight += 2) read_star(reader);
+        for (; reader.comes("line"); weight += 2) read_line(reader);
         for (; reader.comes("incidence"); ++weight) {
-            type.insert("incidence");
+            ++type[incidence];
             const auto [x, l] = take<2>(reader, "incidence point @ @ @ line @ @ @ $");
             incident(x, l, ring.unit());
         }
@@ -93,10 +88,7 @@ struct Constraints {
             flaw = "the frame does not fit the constraints";
         else if (paired)
             add_reduced_minor();
-        for (std::size_t l = 0; l < conditions.size(); ++l)
-            for (std::size_t k = 0; k < l; ++k)
-                for (std::size_t j = 0; j < k; ++j)
-                    for (std::size_t i = 0; i < j; ++i) add_minor({i, j, k, l});
+        add_determinants(4, 0);
         if (weight != 6 && type != relative_pose)
             flaw = say("the constraints have weight ", weight);
     }
@@ -123,9 +115,9 @@ private:
     /// The point x lies on the image line l: l · (R x + t) = 0.
     void incident(const Vector& x, const Vector& l, std::optional<Bidegree> degree,
                   bool axis = false) {
-        Condition& condition = conditions.emplace_back(Condition{.degree = degree, .axis = axis});
-        for (std::size_t i = 0; i < 3; ++i) condition.linear[i][{}] = residue(l[i]);
-        if (degree) condition.free = turned(l, x);
+        Condition& condition = conditions.emplace_back(Condition{degree, false, axis});
+        for (std::size_t i = 0; i < 3; ++i) condition.row[i][{}] = residue(l[i]);
+        if (degree) condition.row[3] = turned(l, x);
     }
 
     void read_star(Reader& reader) {
@@ -140,13 +132,12 @@ private:
         if (!on_axis) incident(point, {-x[2], 0, x[0]}, degree);
         if (on_axis && first) incident(point, {0, 0, 1}, {}, true); // the second star's, too
         if (on_axis) incident(point, {-x[1], x[0], 0}, first ? degree : Bidegree{1, 0});
-        weight += 2;
         unsigned pins = 0;
         for (; reader.comes("pin"); ++pins, ++weight) {
             const auto [direction, toward] = take<2>(reader, "pin @ @ @ toward @ @ @");
             equations.push_back({turned(cross(x, toward), direction), ring.unit()});
         }
-        type.insert(say("star ", pins));
+        ++type[star + pins];
         reader.end_line();
     }
 
@@ -163,8 +154,7 @@ private:
         incident(point, l, axis && paired ? std::nullopt : std::optional(degree), axis);
         if (!axis) equations.push_back({turned(l, direction), ring.unit()});
         if (axis && line && stars >= 2) add_distance(point);
-        type.insert("line");
-        weight += 2;
+        ++type[Constraint::line];
     }
 
     /// The first line, through this point, determines the depths of the first two stars, so the
@@ -189,17 +179,14 @@ private:
             const auto [direction, x] = take<2>(reader, "direction @ @ @ image @ @ @");
             met.push_back({direction, x});
             // The ray of x meets the line: x · ((R point + t) × R direction) = 0.
-            Condition& condition =
-                conditions.emplace_back(Condition{.degree = ring.unit(), .ray = true});
-            condition.free = turned(x, cross(point, direction));
+            Condition& condition = conditions.emplace_back(Condition{ring.unit(), true, false});
+            condition.row[3] = turned(x, cross(point, direction));
             for (std::size_t i = 0; i < 3; ++i)
-                condition.linear[i] = turned(cross(x, {i == 0, i == 1, i == 2}), direction);
+                condition.row[i] = turned(cross(x, {i == 0, i == 1, i == 2}), direction);
         }
         reader.end_line();
-        type.insert(say("rays ", conditions.size() - first));
-        for (std::size_t k = first; k < conditions.size(); ++k)
-            for (std::size_t j = first; j < k; ++j)
-                for (std::size_t i = first; i < j; ++i) equations.push_back(minor({i, j, k}));
+        ++type[rays + conditions.size() - first];
+        add_determinants(3, first);
     }
 
     /// A multiple of the determinant of two lines and two rays, less one of the equation of the
@@ -209,53 +196,56 @@ private:
         const auto& [d, x] = met[0];
         const auto& [e, y] = met[1];
         const mpz_class &a = direction[0], &b = direction[1], &h = point[2];
-        const Vector first{1, 0, 0}, third{0, 0, 1};
-        const Vector across{-b * e[1] * h * l[1], b * e[1] * h * l[0], 0};
+        const Vector first{1, 0, 0}, across{-b * e[1] * h * l[1], b * e[1] * h * l[0], 0};
         const Vector around{0, a * e[2] * h, -a * e[1] * h};
         Polynomial all, g = turned(across, first);
         g[{}] = residue(b * e[2] * h * l[2]);
-        ring.add(g, turned(l, first), turned(third, around), {1});
+        ring.add(g, turned(l, first), turned({0, 0, 1}, around), {1});
         ring.add(all, g, turned(cross(x, y), d), {1});
-        ring.add(all, conditions[1].free, turned(x, cross(e, d)), -residue(b * y[2]));
-        ring.add(all, conditions[2].free, minor({0, 1, 3}).polynomial, -residue(b));
-        ring.add(all, conditions[3].free, minor({0, 1, 2}).polynomial, residue(b));
+        ring.add(all, conditions[1].row[3], turned(x, cross(e, d)), -residue(b * y[2]));
+        ring.add(all, conditions[2].row[3], determinant(0b1011), -residue(b));
+        ring.add(all, conditions[3].row[3], determinant(0b0111), residue(b));
         equations.push_back({all, {2, 2}});
     }
 
-    /// The determinant of the coefficients of three conditions at t.
-    Equation minor(const std::array<std::size_t, 3>& chosen) const {
-        Equation minor;
-        unsigned rays = 0, axes = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto &x = conditions[chosen[0]].linear, &y = conditions[chosen[1]].linear;
-            Polynomial two;
-            ring.add(two, x[(i + 1) % 3], y[(i + 2) % 3], {1});
-            ring.add(two, x[(i + 2) % 3], y[(i + 1) % 3], -Residue{1});
-            ring.add(minor.polynomial, conditions[chosen[2]].linear[i], two, {1});
-            rays += conditions[chosen[i]].ray;
-            axes += conditions[chosen[i]].axis;
-        }
-        // Where R becomes infinite, the coefficients of rays are orthogonal to one isotropic
-        // vector, hence three dependent; so are those of the axis if the first degree does.
-        minor.degree = {(rays - (rays + axes == 3 && rays > 1)) * ring.unit()[0],
-                        (rays - (rays == 3)) * ring.unit()[1]};
-        return minor;
+    /// The determinant of these conditions, a set of bits: three, of their coefficients at t, or
+    /// four.
+    Polynomial determinant(unsigned set) const {
+        if (set == 0) return {{{}, {1}}};
+        const auto last = static_cast<std::size_t>(std::popcount(set) - 1);
+        Residue sign = last % 2 == 0 ? -Residue{1} : Residue{1};
+        Polynomial sum; // expanded by the last column
+        for (std::size_t i = 0; i < conditions.size(); ++i)
+            if (const unsigned rest = set & ~(1U << i); rest != set)
+                ring.add(sum, conditions[i].row[last], determinant(rest), sign = -sign);
+        return sum;
     }
 
-    /// The determinant of four conditions, expanded by what is without t.
-    void add_minor(const std::array<std::size_t, 4>& chosen) {
-        Equation& all = equations.emplace_back();
-        for (std::size_t i = 0; i < 4; ++i) {
-            const Condition& condition = conditions[chosen[i]];
-            if (!condition.degree) continue;
-            std::array<std::size_t, 3> others{};
-            std::remove_copy(chosen.begin(), chosen.end(), others.begin(), chosen[i]);
-            const Equation three = minor(others);
-            ring.add(all.polynomial, condition.free, three.polynomial,
-                     i % 2 == 1 ? Residue{1} : -Residue{1});
-            for (std::size_t d = 0; d < 2; ++d)
-                all.degree[d] = std::max(all.degree[d], (*condition.degree)[d] + three.degree[d]);
+    /// Its degree for arbitrary data.
+    Bidegree degree(unsigned set) const {
+        Bidegree most{};
+        unsigned rays = 0, axes = 0;
+        for (std::size_t i = 0; i < conditions.size(); ++i) {
+            const unsigned rest = set & ~(1U << i);
+            if (rest == set) continue;
+            rays += conditions[i].ray;
+            axes += conditions[i].axis;
+            for (std::size_t d = 0; d < 2 && std::popcount(rest) == 3; ++d)
+                if (const auto& free = conditions[i].degree)
+                    most[d] = std::max(most[d], (*free)[d] + degree(rest)[d]);
         }
+        if (std::popcount(set) == 4) return most;
+        // Where R becomes infinite, the coefficients of rays are orthogonal to one isotropic
+        // vector, hence three dependent; so are those of the axis if the first degree does.
+        return {(rays - (rays + axes == 3 && rays > 1)) * ring.unit()[0],
+                (rays - (rays == 3)) * ring.unit()[1]};
+    }
+
+    /// Adds the determinants of so many conditions, from this one on. Numbers put sets of bits of
+    /// one size into colexicographic order.
+    void add_determinants(int size, std::size_t first) {
+        for (unsigned set = 0; set >> conditions.size() == 0; set += 1U << first)
+            if (std::popcount(set) == size) equations.push_back({determinant(set), degree(set)});
     }
 };
 
@@ -296,8 +286,7 @@ std::pair<Registration, std::size_t> read_template(Reader& reader) {
             given.ring.add(multiple, equation.polynomial, {{factor, {1}}}, {1});
             auto& entries = matrix.emplace_back(place.size());
             for (const auto& [e, coefficient] : multiple)
-                if (const auto at = place.find(e); at != place.end())
-                    entries[at->second] = coefficient;
+                if (place.contains(e)) entries[place.at(e)] = coefficient;
         }
     }
     reader.take("minor");
@@ -326,21 +315,19 @@ void replay_bounds(Reader& reader, const Classification& classes, FileReport& re
             report.refuse(line, refused.reason);
         }
     }
-    const auto poses = bounds.find(relative_pose);
+    const std::size_t poses = bounds[relative_pose]; // 0 if there is no bound
     for (std::size_t n = 0; n < classes.representatives.size(); ++n) {
         const Signature& signature = classes.representatives[n];
         std::size_t& best = report.upper.emplace_back(0);
-        std::string& name = report.types.emplace_back();
+        Registration& type = report.types.emplace_back();
+        if (!obstruction(signature).minimal()) continue;
+        if (common_lines(signature) == 6)
+            best = 64; // by Theorem U8; of the type without constraints
         for (const Views pair : view_pairs) {
-            const auto found = bounds.find(registration(signature, pair));
-            if (shared_points(signature, pair) != 5 || !obstruction(signature).minimal() ||
-                poses == bounds.end() || found == bounds.end())
-                continue;
-            const std::size_t bound = poses->second * found->second;
-            if (best > 0 && best <= bound) continue;
-            best = bound;
-            name.clear();
-            for (const std::string& constraint : found->first) name += constraint + ", ";
+            const Registration left = registration(signature, pair);
+            const bool extension = shared_points(signature, pair) == 5;
+            const std::size_t bound = extension ? poses * bounds[left] : 0;
+            if (bound > 0 && (best == 0 || bound < best)) best = bound, type = left;
         }
         if (best > 0 && classes.swap_class[n] == n) ++report.at_most[best];
     }

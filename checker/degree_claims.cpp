@@ -144,7 +144,7 @@ void add_degree_claims(const Classification& classes, const std::vector<Class>& 
     // The degree of an extension of the five-point problem depends only on the type of registration
     // (proofs/upper_bounds.md, Proposition U7): where one class attains the bound, all do.
     for (const FileReport& file : report.files) {
-        std::set<std::string> attained;
+        std::set<Registration> attained;
         for (std::size_t n = 0; n < file.upper.size(); ++n)
             if (file.upper[n] > 0 && bound_of(n).solutions == file.upper[n])
                 attained.insert(file.types[n]);

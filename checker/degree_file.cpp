@@ -114,7 +114,7 @@ static std::size_t count_solutions(const System& system, const std::vector<Start
 }
 
 void replay_degrees(Reader& reader, const Classification& classes, FileReport& report) {
-    if (!has_arb()) return report.refuse(reader.line(), "this plcheck was built without Arb");
+    if (!has_arb) return report.refuse(reader.line(), "this plcheck was built without Arb");
     for (std::size_t due = 0; !reader.at_end();) {
         const DegreeRecord record = read_degree(reader);
         const std::string name = say("class ", record.number, ": ");

@@ -2,9 +2,7 @@
 
 #ifndef PLC_ARB
 namespace checker {
-bool has_arb() {
-    return false;
-}
+const bool has_arb = false;
 Box certify(const System&, const Start&) {
     throw Refused("this plcheck was built without Arb");
 }
@@ -20,9 +18,7 @@ Box certify(const System&, const Start&) {
 #include <complex>
 
 namespace checker {
-bool has_arb() {
-    return true;
-}
+const bool has_arb = true;
 
 /// A set of complex numbers, a rectangle: what is computed of balls contains all that is computed
 /// of their elements. The midpoint has so many bits.

@@ -30,7 +30,7 @@ struct Box {
     }
 };
 
-bool has_arb(); // whether this program was built with Arb
+extern const bool has_arb; // whether this program was built with Arb
 
 /// A box with a nondegenerate solution of the system, to which this set of starting values leads.
 /// The solution is real if these are. Throws Refused without a proof.

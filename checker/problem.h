@@ -179,6 +179,18 @@ inline unsigned shared_points(const Signature& signature, Views pair) {
     return points;
 }
 
+/// The largest number of lines through one point that all views see: pins, and lines to other
+/// points.
+inline unsigned common_lines(const Signature& signature) {
+    unsigned points = 0, pins = 0; // of the point with the most
+    for (std::size_t i = 0; i < feature_count; ++i) {
+        if (signature[i] == 0 || features[i].point != 0b111) continue;
+        points += signature[i];
+        pins = std::max(pins, features[i].pins);
+    }
+    return points == 0 ? 0 : points - 1 + pins;
+}
+
 /// Why a problem is not minimal at any point (section 4).
 struct Obstruction {
     std::array<unsigned, 3> excess{}; // of the pairs 12, 13, 23

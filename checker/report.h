@@ -21,6 +21,10 @@ struct Degree {
     bool complete;
 };
 
+/// A type of registration problem (FORMAT.md, section 10): how many constraints there are of each
+/// kind.
+using Registration = std::array<unsigned, 24>;
+
 struct FileReport {
     std::string name{};                 // printable
     std::string kind{};                 // classification, problem, degrees, bounds, digests
@@ -31,7 +35,7 @@ struct FileReport {
     std::vector<Degree> degrees{};
     std::size_t templates = 0;                    // that hold
     std::vector<std::size_t> upper{};             // of the degree, by label class; 0 if none
-    std::vector<std::string> types{};             // of what gives it (FORMAT.md, section 10)
+    std::vector<Registration> types{};            // what gives it
     std::map<std::size_t, std::size_t> at_most{}; // how many terminal problems have this one
     std::vector<std::pair<std::string, std::string>> listed{}; // digests and names
     std::vector<std::string> unverified{};                     // names of files not given

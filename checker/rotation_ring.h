@@ -6,7 +6,7 @@
 #include "checker/modular.h"
 
 #include <map>
-#include <string_view>
+#include <sstream>
 #include <vector>
 
 namespace checker {
@@ -63,21 +63,20 @@ struct RotationRing {
                 add(sum, {e[0] + f[0], e[1] + f[1], e[2] + f[2], e[3] + f[3]}, factor * x * y);
     }
 
-    /// The rotation matrix, row by row.
+    /// The rotation matrix, row by row: its terms, each with its place, its sign and its factors.
     std::array<Polynomial, 9> matrix() const {
-        std::string_view terms =
-            all ? "+ww+xx-yy-zz +xy+xy-wz-wz +xz+xz+wy+wy +xy+xy+wz+wz +ww-xx+yy-zz "
-                  "+yz+yz-wx-wx +xz+xz-wy-wy +yz+yz+wx+wx +ww-xx-yy+zz "
-                : "+w -xy +xz +x +wy -wz  +z +y "; // c, s, c', s' are written w, x, y, z
+        std::istringstream terms(
+            all ? "0+ww 0+xx 0-yy 0-zz 1+xy 1+xy 1-wz 1-wz 2+xz 2+xz 2+wy 2+wy 3+xy 3+xy 3+wz 3+wz "
+                  "4+ww 4-xx 4+yy 4-zz 5+yz 5+yz 5-wx 5-wx 6+xz 6+xz 6-wy 6-wy 7+yz 7+yz 7+wx 7+wx "
+                  "8+ww 8-xx 8-yy 8+zz"
+                : "0+w 1-xy 2+xz 3+x 4+wy 5-wz 7+z 8+y"); // c, s, c', s' are written w, x, y, z
         std::array<Polynomial, 9> entries;
-        for (Polynomial& entry : entries)
-            for (; terms[0] != ' ' || (terms.remove_prefix(1), false);) {
-                Exponents e{};
-                const Residue sign = terms[0] == '+' ? Residue{1} : -Residue{1};
-                for (terms.remove_prefix(1); terms[0] >= 'w'; terms.remove_prefix(1))
-                    ++e[static_cast<std::size_t>(terms[0] - 'w')];
-                add(entry, e, sign);
-            }
+        for (std::string term; terms >> term;) {
+            Exponents e{};
+            for (const char factor : term.substr(2)) ++e[static_cast<std::size_t>(factor - 'w')];
+            const auto place = static_cast<std::size_t>(term[0] - '0');
+            add(entries[place], e, term[1] == '+' ? Residue{1} : -Residue{1});
+        }
         return entries;
     }
 };
