@@ -1,10 +1,12 @@
 // Files of upper bounds by the letter of FORMAT.md, section 10: what the committed one certifies,
 // laws that its bounds obey, and templates that are altered in one place, each refused for that.
 #include "checker/claims.h"
+#include "checker/rotation_ring.h"
 
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <regex>
 #include <tuple>
 
 using namespace checker;
@@ -16,12 +18,16 @@ const Classification& classes() {
     return all;
 }
 
-const FileReport& committed() {
-    static const FileReport report = [] {
+const std::string& committed_file() {
+    static const std::string bytes = [] {
         std::ifstream in(CERTS_DIR "/bounds.plc", std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-        return replay(classes(), "bounds.plc", bytes);
+        return std::string{std::istreambuf_iterator<char>(in), {}};
     }();
+    return bytes;
+}
+
+const FileReport& committed() {
+    static const FileReport report = replay(classes(), "bounds.plc", committed_file());
     return report;
 }
 
@@ -97,7 +103,9 @@ TEST_CASE(
     }
     CHECK(extensions == 6413);
     CHECK(bounded == 6413 + six_lines);
-    CHECK(committed().at_most.at(64) == 13); // terminal problems
+    CHECK(committed().at_most.at(64) == 13);  // terminal problems
+    CHECK(committed().at_most.at(400) == 13); // those with groups of five rays
+    CHECK(committed().at_most.at(1280) == 342);
     CHECK(terminal == 3615 + 13);
 }
 
@@ -134,6 +142,35 @@ TEST_CASE("small templates hold; without that of the relative pose they bound no
         CHECK(report.upper[n] == (committed().upper[n] == 64 ? 64 : 0));
 }
 
+TEST_CASE("of two templates of a type the one with the smaller basis counts") {
+    const std::string& all = committed_file();
+    std::string poses; // the template of a single group of five rays
+    for (std::size_t at = all.find("template"), end = 0; at < all.size(); at = end) {
+        end = std::min(all.find("template", at + 1), all.size());
+        const std::string one = all.substr(at, end - at);
+        const bool group = std::regex_search(
+            one, std::regex("^template[^\\n]*\\ntransversals point \\S+ \\S+ \\S+"
+                            "( direction \\S+ \\S+ \\S+ image \\S+ \\S+ \\S+){5}\\nbasis"));
+        if (group) poses = one;
+    }
+    REQUIRE(!poses.empty());
+    std::string larger = two_points_and_a_line;
+    larger = with(larger, "basis 1 2 5 6", "basis 1 2 3 5 6");
+    larger = with(larger, "rows 1 1 2 5", "rows 1 2 5");
+    larger = with(larger, "594677692319771619", "892270926731167537");
+    CHECK(outcome(larger) == "holds");
+    const auto upper = [&](const std::string& templates) {
+        const FileReport report =
+            replay(classes(), "file",
+                   "plcert 1 bounds\nmodulus 2305843009213693951\n" + poses + templates);
+        CHECK(report.refused == 0);
+        return report.upper[class_of("2*P/P/P + a/a/a + 3*-/P/P")];
+    };
+    CHECK(upper(larger) == 100);
+    CHECK(upper(larger + two_points_and_a_line) == 80);
+    CHECK(upper(two_points_and_a_line + larger) == 80);
+}
+
 TEST_CASE("a minor other than the true one, or of too few or many rows, is refused") {
     const std::string& good = two_points_and_a_line;
     CHECK(outcome(with(good, "771619", "771618")) == "the minor is 594677692319771619 modulo q");
@@ -165,6 +202,24 @@ TEST_CASE("a monomial of too large a degree is refused, in the basis and in a ro
                    "syntax: found `9`, expected an integer from 3 to "));
 }
 
+TEST_CASE("the determinant of two incidences and two rays has degree 3") {
+    // The first of the equations, of incidences alone, has degree 1; with one ray they have
+    // degree 2.
+    std::string text = R"(template general degree 2
+incidence point 1 2 3 line 4 5 7
+incidence point 2 7 1 line 8 2 8
+incidence point 1 8 2 line 8 4 5
+incidence point 9 0 4 line 5 2 3
+transversals point 1 2 5 direction 1 2 4 image 3 5 8
+transversals point 3 1 4 direction 2 2 7 image 1 5 9
+basis 1 2 3 4 6 10 12 16 23 25 29
+rows 1 1 2 4 6 10 12 16 23 25 29
+)";
+    for (int equation = 2; equation <= 15; ++equation)
+        text += say("rows ", equation, " 1\n");
+    CHECK(outcome(text + "minor 1\n") == "equation 15 times monomial 1 is of too large a degree");
+}
+
 TEST_CASE("what a frame requires is refused where it is missing") {
     const std::string axis = "the first line is not the axis", star = "a star is not on the axis";
     CHECK(outcome(with(two_points_and_a_line, "direction 1 0 0", "direction 2 0 0")) == axis);
@@ -178,6 +233,12 @@ TEST_CASE("what a frame requires is refused where it is missing") {
     CHECK(outcome(with(on_the_axis, "point 33 0 0", "point 33 0 1")) == star);
     CHECK(outcome(with(on_the_axis, "image -88 -4 0", "image -88 -4 1")) == star);
     CHECK(outcome(with(on_the_axis, "points", "line")) == "the frame does not fit the constraints");
+    const std::string incidence = "incidence point 1 2 3 line 4 5 6\n";
+    CHECK(
+        outcome(with(with(on_the_axis,
+                          "star point 33 0 0 image -88 -4 0 pin 78 -86 -9 toward 15 16 -47\n", ""),
+                     "transversals", incidence + incidence + incidence + "transversals")) ==
+        "the frame does not fit the constraints"); // one star where there should be two
     CHECK(contains(outcome(with(on_the_axis, "points", "plane")),
                    "syntax: found `plane`, expected `general`, `line`, `points` or `lines`"));
 }
@@ -216,6 +277,19 @@ TEST_CASE("constraints have weight six, except those of the relative pose") {
     CHECK(contains(outcome(with(on_the_axis, "toward 15 16 -47",
                                 "toward 15 16 -47 pin 1 2 3 toward 3 4 5 pin 1 2 4 toward 3 5 5")),
                    "expected constraints of weight 6"));
+    std::string basis, some; // the monomials of degree 2 at most; as many as columns are left, less
+    const RotationRing ring{true};
+    const auto columns = ring.monomials({3, 0});
+    for (std::size_t i = 0, left = columns.size(); i < columns.size(); ++i) {
+        if (ring.degree(columns[i])[0] > 2) continue;
+        basis += say(' ', i + 1);
+        if (left-- > 70) some += say(' ', i + 1);
+    }
+    CHECK(outcome(
+              "template general degree 3\nstar point 0 0 0 image 1 2 3\nstar point 1 5 2 image 3 1 "
+              "4 pin 1 5 9 toward 2 6 5\nbasis" +
+              basis + "\nrows 1" + basis + "\nrows 2" + some + "\nminor 1\n") ==
+          "the constraints have weight 5");
     const std::string general = R"(template general degree 1
 incidence point 1 2 3 line 4 5 7
 basis 1
