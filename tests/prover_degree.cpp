@@ -142,6 +142,13 @@ TEST_CASE("a trace test that cannot fail is none") {
                                solved.monodromy.solutions().points(), random));
 }
 
+TEST_CASE("a run that takes a degenerate end of a path for a solution is made again") {
+    const DegreeRun run = compute_degree(8098, {.certificate = false}); // 905 at first
+    CHECK(run.degree == 904);
+    CHECK(run.complete());
+    CHECK(run.notes == std::vector<std::string>{"attempt 2: others fell short"});
+}
+
 TEST_CASE("what doubles lose arrives with twice as many digits") {
     // Here many paths pass by cameras that are nearly degenerate.
     const CameraSystem system = camera_system(label_classes()[257]);
