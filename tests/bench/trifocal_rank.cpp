@@ -61,7 +61,8 @@ public:
                 ++c;
             if (c == columns_) continue;
             rows.row(kept).swap(rows.row(r));
-            rows.row(kept) *= static_cast<double>(inverse(static_cast<std::int64_t>(rows(kept, c))));
+            rows.row(kept) *=
+                static_cast<double>(inverse(static_cast<std::int64_t>(rows(kept, c))));
             reduce(rows.row(kept));
             for (Eigen::Index i = 0; i < rows.rows(); ++i) {
                 if (i == kept || rows(i, c) == 0) continue;
@@ -303,32 +304,28 @@ int main(int count, char** values) {
         ++total;
         if (++filled == block) flush();
     };
-    std::vector<Equation> all = equations();
-    for (const Equation& e : all)
+    for (const Equation& e : equations())
         for (const Exponents& factor : monomials(k - e.second, l - e.third))
             add_row(e.coefficients, factor);
     if (filled > 0) flush();
     const auto report = [&](const char* what) {
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        std::printf("%s: degree (%d, %d), %td columns, %td rows, rank %td, %td left, %.0f s\n", what,
-                    k, l, width, total, echelon.rank(), width - echelon.rank(), seconds.count());
+        std::printf("%s: degree (%d, %d), %td columns, %td rows, rank %td, %td left, %.0f s\n",
+                    what, k, l, width, total, echelon.rank(), width - echelon.rank(),
+                    seconds.count());
         std::fflush(stdout);
     };
     report("\nequations");
-    // Zeros at infinity: where the norm of a quaternion vanishes.
-    for (const int which : {0, 1}) {
-        std::mt19937 unused(1);
-        const View view(which + 1, unused);
-        for (std::size_t v = 0; v < 3; ++v)
-            for (const Exponents& factor : monomials(k - 1 + which, l - which)) {
-                std::array<Form, 3> coefficients;
-                coefficients[v] = view.norm;
-                add_row(coefficients, factor);
-                if (echelon.rank() == width) break;
-            }
-        if (filled > 0) flush();
-        report(which == 0 ? "... where the second norm vanishes, too" : "... or the third");
-        break;
-    }
+    // Zeros at infinity: where the norm of the first quaternion vanishes.
+    std::mt19937 unused(1);
+    const Form norm = View(1, unused).norm;
+    for (std::size_t v = 0; v < 3; ++v)
+        for (const Exponents& factor : monomials(k - 1, l)) {
+            std::array<Form, 3> coefficients;
+            coefficients[v] = norm;
+            add_row(coefficients, factor);
+        }
+    if (filled > 0) flush();
+    report("\n... where the norm of the second camera's quaternion vanishes");
     return 0;
 }
