@@ -6,7 +6,11 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <complex>
+#include <fstream>
 #include <random>
+#include <sstream>
+#include <vector>
 
 using namespace plprove;
 
@@ -84,4 +88,89 @@ TEST_CASE("six lines through a point: the quartic in terms of a sum of two produ
         squares_b *= b[v][0] * b[v][0] + b[v][1] * b[v][1];
     }
     CHECK(quartic(form) == determinants * (squares_a - squares_b));
+}
+
+TEST_CASE("six lines through a point: the 64 certified solutions have four forms, 16 each") {
+    using Complex = std::complex<double>;
+    std::ifstream file(CERTS_DIR "/degrees/small.plc");
+    std::string line;
+    while (std::getline(file, line) && !line.starts_with("degree 4 ")) {
+    }
+    REQUIRE(std::getline(file, line));
+    REQUIRE(line.starts_with("image Pabcdef/Pabcdef/Pabcdef "));
+    std::vector<Vector3> points; // the images of the point, by view
+    std::istringstream words(line);
+    for (std::string word; words >> word;) {
+        if (word != "point") continue;
+        Vector3& x = points.emplace_back();
+        words >> x[0] >> x[1] >> x[2];
+    }
+    REQUIRE(points.size() == 3);
+
+    using Vector = std::array<Complex, 3>;
+    const auto normal = [&](std::size_t view, std::size_t i, const Vector& q) {
+        const Vector3 l = cross(points[view], i == 0 ? Vector3{1, 0, 0} : Vector3{0, 1, 0});
+        Vector n{}; // R^T l for the quaternion (1, q), by Rodrigues' formula
+        Complex qq, ql;
+        for (std::size_t k = 0; k < 3; ++k) {
+            qq += q[k] * q[k];
+            ql += q[k] * static_cast<double>(l[k]);
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t a = (k + 1) % 3;
+            const std::size_t b = (k + 2) % 3;
+            const Complex turned =
+                q[a] * static_cast<double>(l[b]) - q[b] * static_cast<double>(l[a]);
+            n[k] = (1.0 - qq) * static_cast<double>(l[k]) + 2.0 * ql * q[k] - 2.0 * turned;
+        }
+        return n;
+    };
+    std::vector<std::pair<std::array<Complex, 8>, int>> forms; // how many solutions have each
+    const auto count = [&](const std::array<Complex, 11>& cameras) {
+        const std::array<Vector, 3> quaternions{
+            Vector{}, {cameras[0], cameras[1], cameras[2]}, {cameras[3], cameras[4], cameras[5]}};
+        std::array<Complex, 8> form;
+        for (std::size_t n = 0; n < 8; ++n) {
+            const Vector a = normal(0, n >> 2 & 1, quaternions[0]);
+            const Vector b = normal(1, n >> 1 & 1, quaternions[1]);
+            const Vector c = normal(2, n & 1, quaternions[2]);
+            form[n] = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                      a[2] * (b[0] * c[1] - b[1] * c[0]);
+        }
+        for (std::size_t n = 8; n-- > 0;)
+            form[n] /= form[0];
+        for (auto& [known, times] : forms) {
+            double apart = 0; // the certificate has three or four digits
+            for (std::size_t n = 0; n < 8; ++n)
+                apart = std::max(apart, std::abs(form[n] - known[n]) / (0.1 + std::abs(known[n])));
+            if (apart < 0.15) {
+                ++times;
+                return;
+            }
+        }
+        forms.emplace_back(form, 1);
+    };
+    while (std::getline(file, line) && !line.starts_with("degree")) {
+        std::istringstream numbers(line);
+        std::string kind;
+        int bits = 0;
+        numbers >> kind >> bits;
+        std::array<Complex, 11> cameras;
+        for (Complex& x : cameras) {
+            double real = 0;
+            double imaginary = 0;
+            numbers >> real;
+            if (kind == "pair") numbers >> imaginary;
+            x = std::ldexp(1.0, -bits) * Complex(real, imaginary);
+        }
+        if (kind != "real" && kind != "pair") continue;
+        count(cameras);
+        if (kind == "real") continue;
+        for (Complex& x : cameras)
+            x = std::conj(x);
+        count(cameras);
+    }
+    REQUIRE(forms.size() == 4);
+    for (const auto& [form, times] : forms)
+        CHECK(times == 16);
 }
