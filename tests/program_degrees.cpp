@@ -166,15 +166,18 @@ TEST_CASE("a second sweep in the same folder is refused until the first one ends
 }
 
 TEST_CASE("two sweeps started at a time: one works, one is refused") {
+    int refused = 0;
     for (int i = 0; i < 10; ++i) {
         const TemporaryFolder folder;
         // No class of this filter fails in the double.
         const Arguments arguments{"degrees", "--classes", "2394,6723", "-o", folder.path()};
-        const pid_t one = start(arguments, "100");
-        const pid_t other = start(arguments, "100");
+        const pid_t one = start(arguments, "200");
+        const pid_t other = start(arguments, "200");
         const int statuses[] = {WEXITSTATUS(wait_for(one)), WEXITSTATUS(wait_for(other))};
-        CHECK(statuses[0] + statuses[1] == 1);
+        CHECK(statuses[0] + statuses[1] <= 1); // 0 if one has ended before the other has begun
+        refused += statuses[0] + statuses[1];
     }
+    CHECK(refused > 0);
 }
 
 TEST_CASE("the number of threads has no part in the bytes") {

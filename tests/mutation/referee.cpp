@@ -111,6 +111,7 @@ Pool read_pool(const Text& file, std::size_t& at, int views) {
             demand(words[i] == "pin", "a pin");
             placed.directions.push_back(vector(words, i + 1));
         }
+        demand(placed.feature.views() == views, "what each view sees");
         demand(static_cast<int>(placed.directions.size()) == placed.feature.lines, "all pins");
         pool.features.push_back(std::move(placed));
     }
