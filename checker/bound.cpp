@@ -324,9 +324,9 @@ void replay_bounds(Reader& reader, const Classification& classes, FileReport& re
         if (common_lines(signature) == 6)
             best = 64; // by Theorem U8; of the type without constraints
         for (const Views pair : view_pairs) {
+            if (shared_points(signature, pair) != 5) continue;
             const Registration left = registration(signature, pair);
-            const bool extension = shared_points(signature, pair) == 5;
-            const std::size_t bound = extension ? poses * bounds[left] : 0;
+            const std::size_t bound = poses * bounds[left];
             if (bound > 0 && (best == 0 || bound < best)) best = bound, type = left;
         }
         if (best > 0 && classes.swap_class[n] == n) ++report.at_most[best];

@@ -1,15 +1,17 @@
 // Six lines through a point (proofs/upper_bounds.md, section 8): the trilinear forms of three
 // rotations lie on a quartic hypersurface, over the integers.
+#include "checker/degree_system.h"
+#include "prover/degree/degree.h"
 #include "prover/geometry/camera.h"
 
 #include <doctest/doctest.h>
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <complex>
-#include <fstream>
 #include <random>
-#include <sstream>
 #include <vector>
 
 using namespace plprove;
@@ -92,83 +94,52 @@ TEST_CASE("six lines through a point: the quartic in terms of a sum of two produ
 
 TEST_CASE("six lines through a point: the 64 certified solutions have four forms, 16 each") {
     using Complex = std::complex<double>;
-    std::ifstream file(CERTS_DIR "/degrees/small.plc");
-    std::string line;
-    while (std::getline(file, line) && !line.starts_with("degree 4 ")) {
+    const DegreeRun run = compute_degree(4, {}); // Pabcdef/Pabcdef/Pabcdef + a/P/Pa
+    REQUIRE(run.certificate);
+    REQUIRE(run.certificate->degree() == 64);
+    checker::System system; // two lines through the image of the point in each view
+    for (unsigned view = 0; view < 3; ++view) {
+        const auto x = run.certificate->images[0].views[view].point.value();
+        const checker::Image point{x[0], x[1], x[2]};
+        system.sights.push_back({view, checker::cross(point, {1, 0, 0})});
+        system.sights.push_back({view, checker::cross(point, {0, 1, 0})});
     }
-    REQUIRE(std::getline(file, line));
-    REQUIRE(line.starts_with("image Pabcdef/Pabcdef/Pabcdef "));
-    std::vector<Vector3> points; // the images of the point, by view
-    std::istringstream words(line);
-    for (std::string word; words >> word;) {
-        if (word != "point") continue;
-        Vector3& x = points.emplace_back();
-        words >> x[0] >> x[1] >> x[2];
-    }
-    REQUIRE(points.size() == 3);
-
-    using Vector = std::array<Complex, 3>;
-    const auto normal = [&](std::size_t view, std::size_t i, const Vector& q) {
-        const Vector3 l = cross(points[view], i == 0 ? Vector3{1, 0, 0} : Vector3{0, 1, 0});
-        Vector n{}; // R^T l for the quaternion (1, q), by Rodrigues' formula
-        Complex qq, ql;
-        for (std::size_t k = 0; k < 3; ++k) {
-            qq += q[k] * q[k];
-            ql += q[k] * static_cast<double>(l[k]);
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t a = (k + 1) % 3;
-            const std::size_t b = (k + 2) % 3;
-            const Complex turned =
-                q[a] * static_cast<double>(l[b]) - q[b] * static_cast<double>(l[a]);
-            n[k] = (1.0 - qq) * static_cast<double>(l[k]) + 2.0 * ql * q[k] - 2.0 * turned;
-        }
-        return n;
-    };
     std::vector<std::pair<std::array<Complex, 8>, int>> forms; // how many solutions have each
-    const auto count = [&](const std::array<Complex, 11>& cameras) {
-        const std::array<Vector, 3> quaternions{
-            Vector{}, {cameras[0], cameras[1], cameras[2]}, {cameras[3], cameras[4], cameras[5]}};
+    const auto count = [&](const checker::Coordinates<Complex>& cameras) {
+        checker::Scene<Complex> scene;
+        checker::look(system, cameras, scene);
         std::array<Complex, 8> form;
-        for (std::size_t n = 0; n < 8; ++n) {
-            const Vector a = normal(0, n >> 2 & 1, quaternions[0]);
-            const Vector b = normal(1, n >> 1 & 1, quaternions[1]);
-            const Vector c = normal(2, n & 1, quaternions[2]);
-            form[n] = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                      a[2] * (b[0] * c[1] - b[1] * c[0]);
-        }
+        for (std::size_t n = 0; n < 8; ++n)
+            form[n] =
+                checker::dot(scene.ray(n >> 2 & 1),
+                             checker::cross(scene.ray(2 + (n >> 1 & 1)), scene.ray(4 + (n & 1))));
         for (std::size_t n = 8; n-- > 0;)
             form[n] /= form[0];
-        for (auto& [known, times] : forms) {
+        const auto same = [&](const auto& known) {
             double apart = 0; // the certificate has three or four digits
             for (std::size_t n = 0; n < 8; ++n)
-                apart = std::max(apart, std::abs(form[n] - known[n]) / (0.1 + std::abs(known[n])));
-            if (apart < 0.15) {
-                ++times;
-                return;
-            }
-        }
-        forms.emplace_back(form, 1);
+                apart = std::max(apart, std::abs(form[n] - known.first[n]) /
+                                            (0.1 + std::abs(known.first[n])));
+            return apart < 0.15;
+        };
+        const auto known = std::ranges::find_if(forms, same);
+        if (known == forms.end())
+            forms.emplace_back(form, 1);
+        else
+            ++known->second;
     };
-    while (std::getline(file, line) && !line.starts_with("degree")) {
-        std::istringstream numbers(line);
-        std::string kind;
-        int bits = 0;
-        numbers >> kind >> bits;
-        std::array<Complex, 11> cameras;
-        for (Complex& x : cameras) {
-            double real = 0;
-            double imaginary = 0;
-            numbers >> real;
-            if (kind == "pair") numbers >> imaginary;
-            x = std::ldexp(1.0, -bits) * Complex(real, imaginary);
+    for (const ApproximateSolution& solution : run.certificate->solutions) {
+        checker::Coordinates<Complex> cameras, conjugate;
+        for (std::size_t k = 0; k < cameras.size(); ++k) {
+            const auto value = [&](std::size_t i) {
+                return std::ldexp(static_cast<double>(solution.values[i]), -solution.bits);
+            };
+            cameras[k] =
+                solution.real ? Complex(value(k)) : Complex(value(2 * k), value(2 * k + 1));
+            conjugate[k] = std::conj(cameras[k]);
         }
-        if (kind != "real" && kind != "pair") continue;
         count(cameras);
-        if (kind == "real") continue;
-        for (Complex& x : cameras)
-            x = std::conj(x);
-        count(cameras);
+        if (!solution.real) count(conjugate);
     }
     REQUIRE(forms.size() == 4);
     for (const auto& [form, times] : forms)

@@ -145,7 +145,7 @@ int certified(const DegreeRun& run) {
 DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
     DegreeRun run = attempt_degree(number, options, 0);
     // Rarely a degenerate end of a path is taken for a solution; then no edge is a bijection any
-    // more. With other random numbers this does not happen again.
+    // more. With other random numbers this is unlikely to happen again.
     for (std::size_t attempt = 1; attempt < most_attempts && falls_short(run, options); ++attempt) {
         DegreeRun again = attempt_degree(number, options, attempt);
         again.notes.push_back("attempt " + std::to_string(attempt + 1) + ": others fell short");
