@@ -132,7 +132,9 @@ private:
         } else if (seeing.size() == 3) {
             epipolar(points[0], points[1]);
             epipolar(points[0], points[2]);
-            incidence(points[0], across(points[1]), across(points[2]));
+            // In two statements: compilers evaluate the arguments of a call in different orders.
+            const int third = across(points[2]), second = across(points[1]);
+            incidence(points[0], second, third);
             place(system_.equations.back());
         } else if (seeing.size() == 2) {
             const int ray = points[seeing[0]], plane = across(points[seeing[1]]);

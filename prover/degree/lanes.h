@@ -213,56 +213,56 @@ struct Wide {
     static Wide of(double x) { return {Real::of(x), Real::of(0)}; }
     void store(double* x) const { high.store(x); }
 };
-inline Wide widen(Real x) {
+[[gnu::always_inline]] inline Wide widen(Real x) {
     return {x, Real::of(0)};
 }
-inline Real narrow(Wide x) {
+[[gnu::always_inline]] inline Real narrow(Wide x) {
     return x.high;
 }
 
 /// a + b exactly, if |a| >= |b|; and for any a, b.
-inline Wide quick_sum(Real a, Real b) {
+[[gnu::always_inline]] inline Wide quick_sum(Real a, Real b) {
     const Real sum = a + b;
     return {sum, b - (sum - a)};
 }
-inline Wide exact_sum(Real a, Real b) {
+[[gnu::always_inline]] inline Wide exact_sum(Real a, Real b) {
     const Real sum = a + b, part = sum - a;
     return {sum, (a - (sum - part)) + (b - part)};
 }
-inline Wide operator+(Wide a, Wide b) {
+[[gnu::always_inline]] inline Wide operator+(Wide a, Wide b) {
     const Wide high = exact_sum(a.high, b.high);
     return quick_sum(high.high, high.low + (a.low + b.low));
 }
-inline Wide operator-(Wide a, Wide b) {
+[[gnu::always_inline]] inline Wide operator-(Wide a, Wide b) {
     const Real zero = Real::of(0);
     return a + Wide{zero - b.high, zero - b.low};
 }
-inline Wide operator*(Wide a, Wide b) {
+[[gnu::always_inline]] inline Wide operator*(Wide a, Wide b) {
     const Real high = a.high * b.high, lacking = fnma(a.high, b.high, high);
     return quick_sum(high, fma(a.high, b.low, fma(a.low, b.high, Real::of(0) - lacking)));
 }
-inline Wide operator/(Wide a, Wide b) {
+[[gnu::always_inline]] inline Wide operator/(Wide a, Wide b) {
     const Real high = a.high / b.high;
     return quick_sum(high, (a - b * widen(high)).high / b.high);
 }
-inline Wide fma(Wide a, Wide b, Wide c) {
+[[gnu::always_inline]] inline Wide fma(Wide a, Wide b, Wide c) {
     const Real high = a.high * b.high, lacking = fnma(a.high, b.high, high);
     const Wide sum = exact_sum(c.high, high);
     const Real low = fma(a.high, b.low, fma(a.low, b.high, c.low + sum.low));
     return quick_sum(sum.high, low - lacking);
 }
-inline Wide fnma(Wide a, Wide b, Wide c) {
+[[gnu::always_inline]] inline Wide fnma(Wide a, Wide b, Wide c) {
     const Real zero = Real::of(0);
     return fma({zero - a.high, zero - a.low}, b, c);
 }
 /// Only as accurate as Real's: enough for the sizes of steps.
-inline Wide sqrt(Wide a) {
+[[gnu::always_inline]] inline Wide sqrt(Wide a) {
     return widen(sqrt(a.high));
 }
-inline Mask less(Wide a, Wide b) {
+[[gnu::always_inline]] inline Mask less(Wide a, Wide b) {
     return less((a - b).high, Real::of(0));
 }
-inline Wide select(Mask m, Wide a, Wide b) {
+[[gnu::always_inline]] inline Wide select(Mask m, Wide a, Wide b) {
     return {select(m, a.high, b.high), select(m, a.low, b.low)};
 }
 inline double at(Wide x, int lane) {

@@ -22,11 +22,11 @@ struct Complexes {
     R re, im;
 };
 template <class R>
-Complexes<R> operator+(Complexes<R> a, Complexes<R> b) {
+[[gnu::always_inline]] inline Complexes<R> operator+(Complexes<R> a, Complexes<R> b) {
     return {a.re + b.re, a.im + b.im};
 }
 template <class R>
-Complexes<R> operator-(Complexes<R> a, Complexes<R> b) {
+[[gnu::always_inline]] inline Complexes<R> operator-(Complexes<R> a, Complexes<R> b) {
     return {a.re - b.re, a.im - b.im};
 }
 template <class R>
@@ -44,15 +44,15 @@ template <class R>
     return {fma(a.im, b.im, fnma(a.re, b.re, sum.re)), fnma(a.re, b.im, fnma(a.im, b.re, sum.im))};
 }
 template <class R>
-Complexes<R> negative(Complexes<R> a) {
+[[gnu::always_inline]] inline Complexes<R> negative(Complexes<R> a) {
     return {R::of(0) - a.re, R::of(0) - a.im};
 }
 template <class R>
-Complexes<R> twice(Complexes<R> a) {
+[[gnu::always_inline]] inline Complexes<R> twice(Complexes<R> a) {
     return {a.re + a.re, a.im + a.im};
 }
 template <class R>
-Complexes<R> constant(const double* x) {
+[[gnu::always_inline]] inline Complexes<R> constant(const double* x) {
     return {R::of(x[0]), R::of(x[1])};
 }
 
