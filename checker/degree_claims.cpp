@@ -9,10 +9,10 @@
 namespace checker {
 /// By constraint class (proofs/problems.md, section 8), whose problems have the same degree.
 struct Bound {
-    std::size_t solutions = 0; // at least
-    bool complete = false;     // no more, by evidence or by an upper bound
-    std::size_t upper = 0;     // at most; 0 if not known
-    bool exact() const { return upper > 0 && upper == solutions; }
+    std::size_t solutions = 0;    // at least
+    bool complete = false;        // no more, by evidence or by an upper bound
+    std::size_t upper = SIZE_MAX; // at most
+    bool exact() const { return upper == solutions; }
 };
 
 /// Of P/a/a and Pab/b/a, and the same in other views, the former; other features are what they are.
@@ -92,12 +92,15 @@ static void add_table(const Table& table,
                      exact(degree, degree) > line.claimed ? "certified" : grounds(degree)),
              line.witness});
     const std::size_t open = count(table.limit - 1, true), rest = table.problems - below.claimed;
-    const std::size_t least = count(table.limit, false);
+    const std::size_t least = count(table.limit, false), less = exact(0, table.limit - 1);
+    const std::size_t most = problems.size() - least, most_rest = problems.size() - less;
+    const auto on = [&](bool proved) { return proved ? "certified" : grounds(table.limit - 1); };
     claims.push_back({say(table.name, ", degree below ", table.limit), say(below.claimed), "-",
-                      say(exact(0, table.limit - 1)), say(below.found),
-                      compare(below.claimed, below.found, open, grounds(table.limit - 1))});
+                      say(less), say(below.found),
+                      compare(below.claimed, below.found, open,
+                              on(less > below.claimed || most < below.claimed))});
     claims.push_back({say(table.name, ", degree at least ", table.limit), say(rest), say(least),
-                      "-", "-", compare(rest, least, open, "certified")});
+                      "-", "-", compare(rest, least, open, on(least > rest || most_rest < rest))});
     const std::size_t complete = problems.size() - count(SIZE_MAX, true);
     claims.push_back({say(table.name, ", of any degree"), say(table.problems), say(count(1, false)),
                       say(exact(0, SIZE_MAX)), say(complete), "-"});
@@ -105,20 +108,15 @@ static void add_table(const Table& table,
 
 /// The claim on one problem; 0 if the paper's text has none.
 static DegreeClaim claim_on(const std::string& problem, std::size_t claimed, const Bound& bound) {
-    const std::string at_least = say(bound.solutions), paper = say(claimed);
-    std::string verdict = "not in the text of the paper";
-    if (claimed > 0)
-        verdict = bound.solutions > claimed
-                      ? "differs, certified"
-                      : compare(claimed, bound.solutions, bound.complete ? 0 : claimed,
-                                bound.exact() ? "certified" : "by evidence");
+    const std::string degree = say(bound.solutions), paper = claimed == 0 ? "-" : say(claimed);
+    const std::string exact = bound.exact() ? degree : "-",
+                      evidence = bound.complete ? degree : "-";
+    std::string verdict = bound.solutions == claimed ? "agrees, " : "differs, ";
+    verdict += bound.solutions > claimed || bound.exact() ? "certified" : "by evidence";
+    if (bound.solutions <= claimed && !bound.complete) verdict = "open";
+    if (claimed == 0) verdict = "not in the text of the paper";
     if (bound.solutions == 0) verdict = "not covered by these files";
-    return {problem,
-            claimed == 0 ? "-" : paper,
-            at_least,
-            bound.exact() ? at_least : "-",
-            bound.complete ? at_least : "-",
-            verdict};
+    return {problem, paper, degree, exact, evidence, verdict};
 }
 
 void add_degree_claims(const Classification& classes, const std::vector<Class>& described, bool all,
@@ -135,12 +133,8 @@ void add_degree_claims(const Classification& classes, const std::vector<Class>& 
         }
     if (bounds.empty()) return;
     for (const FileReport& file : report.files)
-        for (std::size_t n = 0; n < file.upper.size(); ++n) {
-            if (file.upper[n] == 0) continue;
-            Bound& bound = bound_of(n);
-            bound.upper = std::min(bound.upper == 0 ? SIZE_MAX : bound.upper, file.upper[n]);
-            bound.complete |= bound.exact();
-        }
+        for (std::size_t n = 0; n < file.upper.size(); ++n)
+            if (file.upper[n] > 0) bound_of(n).upper = std::min(bound_of(n).upper, file.upper[n]);
     // The degree of an extension of the five-point problem depends only on the type of registration
     // (proofs/upper_bounds.md, Proposition U7): where one class attains the bound, all do.
     for (const FileReport& file : report.files) {
@@ -150,7 +144,19 @@ void add_degree_claims(const Classification& classes, const std::vector<Class>& 
                 attained.insert(file.types[n]);
         for (std::size_t n = 0; n < file.upper.size(); ++n)
             if (file.upper[n] > 0 && attained.contains(file.types[n]))
-                bound_of(n) = {file.upper[n], true, file.upper[n]};
+                bound_of(n).solutions = std::max(bound_of(n).solutions, file.upper[n]);
+    }
+    for (auto& [signature, bound] : bounds) {
+        bound.complete |= bound.exact();
+        if (bound.solutions <= bound.upper) continue;
+        for (FileReport& file : report.files) // whichever of them is wrong, nothing follows
+            if (file.kind == "bounds" || file.kind == "degrees") {
+                file.degrees.clear(), file.at_most.clear(), file.templates = 0;
+                file.refuse(0, say("certificates contradict each other: ", notation(signature),
+                                   " has at least ", bound.solutions, " solutions, and at most ",
+                                   bound.upper));
+            }
+        return;
     }
     std::vector<std::pair<std::string, Bound>> terminal, one_pin;
     for (std::size_t n = 0; n < described.size(); ++n) {

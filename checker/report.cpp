@@ -120,12 +120,6 @@ static std::vector<const Obstruction*> collect(const Classification& classes, Re
             else
                 file.refuse(v.line, say("class ", v.number, " contradicts its swap&label class"));
         }
-        for (const auto& [number, line, solutions, complete] : file.degrees)
-            for (const FileReport& other : report.files)
-                if (!other.upper.empty() && other.upper[number] > 0 &&
-                    other.upper[number] < solutions)
-                    file.refuse(line, say("class ", number, " contradicts ", other.name));
-        report.status = std::max(report.status, !file.conforms ? 2 : file.refused > 0 ? 1 : 0);
     }
     return of_class;
 }
@@ -158,6 +152,8 @@ Report summarize(const Classification& classes, std::vector<FileReport> files) {
     }
     report.claims.insert(report.claims.end(), named.begin(), named.end());
     add_degree_claims(classes, described, complete, report);
+    for (const FileReport& file : report.files)
+        report.status = std::max(report.status, !file.conforms ? 2 : file.refused > 0 ? 1 : 0);
     return report;
 }
 

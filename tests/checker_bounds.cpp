@@ -345,5 +345,41 @@ TEST_CASE("a degree is certified exact where the bounds meet, and not a solution
     CHECK(less.exact == "-");
     CHECK(none_exact == "0");
     CHECK(less.evidence == "-");
-    CHECK(std::get<1>(claim(81)) == 1); // a contradiction
+}
+
+TEST_CASE("where certificates contradict each other, nothing follows") {
+    FileReport all{.name = "all", .kind = "classification"};
+    for (std::size_t n = 0; n < classes().representatives.size(); ++n)
+        all.verdicts.push_back({n, 1, obstruction(classes().representatives[n])});
+    const FileReport bounds = committed();
+    const std::size_t one = class_of("2*P/P/P + a/a/a + 3*-/P/P"); // at most 80 solutions
+    const auto same = std::ranges::find(bounds.types.begin() + std::ptrdiff_t(one) + 1,
+                                        bounds.types.end(), bounds.types[one]);
+    REQUIRE(same != bounds.types.end());
+    const auto other = std::size_t(same - bounds.types.begin());
+    const auto consistent = [&](const std::vector<Degree>& degrees,
+                                const std::vector<FileReport>& files) {
+        std::vector<FileReport> given{all, {.name = "degrees", .kind = "degrees"}};
+        given[1].degrees = degrees;
+        given.insert(given.end(), files.begin(), files.end());
+        const Report report = summarize(classes(), given);
+        CHECK((report.status == 0 || report.exact.empty()));
+        CHECK(report.degrees.empty() == (report.status == 1));
+        const bool says = contains(complaints(report), "certificates contradict each other: ");
+        CHECK(says == (report.status == 1));
+        CHECK(report.files[1].degrees.empty() == (report.status == 1));
+        return report.status == 0;
+    };
+    CHECK(consistent({{one, 1, 80, false}}, {bounds}));
+    CHECK_FALSE(consistent({{one, 1, 81, false}}, {bounds}));
+    // One class attains the bound of the type, and another is said to have more solutions.
+    CHECK_FALSE(consistent({{one, 1, 80, false}, {other, 2, 81, false}}, {bounds}));
+    // ... or at most fewer, by another file.
+    FileReport less = bounds;
+    less.name = "less";
+    less.upper[other] = 79;
+    less.types[other] = {};
+    CHECK(consistent({{one, 1, 79, false}}, {bounds, less}));
+    CHECK_FALSE(consistent({{one, 1, 80, false}}, {bounds, less}));
+    CHECK_FALSE(consistent({{one, 1, 80, false}}, {less, bounds}));
 }

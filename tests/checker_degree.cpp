@@ -650,6 +650,7 @@ TEST_CASE("a table that agrees with the paper, and one that does not") {
     CHECK(claim(report, "terminal, degree at least 300").certified == "74575");
     CHECK(claim(report, "terminal, degree at least 300").verdict == "differs, certified");
     CHECK(claim(report, "terminal, degree 160").verdict == "differs, certified");
+    CHECK(claim(report, "terminal, degree below 300").verdict == "differs, certified");
     CHECK(report.status == 0);
     const std::string found = errata(report);
     CHECK(found.find("terminal, degree 160\n  Paper: 547; certified at least: 74575; certified "
@@ -662,6 +663,35 @@ TEST_CASE("a table that agrees with the paper, and one that does not") {
     CHECK(claim(report, "terminal, degree 176").evidence == "1");
     CHECK(claim(report, "terminal, degree 176").verdict == "differs, by evidence");
     CHECK(errata(report).find("Witness: class 6722: 3*P/P/P + a/a/a") != std::string::npos);
+    // At most one problem has less than 300 solutions, since the others are certified to have more.
+    CHECK(claim(report, "terminal, degree below 300").verdict == "differs, certified");
+}
+
+TEST_CASE(
+    "evidence alone certifies neither that there are fewer problems nor that there are more") {
+    const auto report = [](std::size_t others) { // 759 with less than 300, as claimed
+        std::vector<Degree> degrees;
+        std::size_t terminal = 0;
+        for (std::size_t n = 0; n < classes().representatives.size(); ++n)
+            if (obstruction(classes().representatives[n]).minimal()) {
+                terminal += classes().swap_class[n] == n;
+                degrees.push_back({n, n, terminal <= 759 ? 80 : others, true});
+            }
+        return degree_report(degrees);
+    };
+    for (const std::size_t others : {160U, 300U}) {
+        const Report r = report(others);
+        const DegreeClaim below = claim(r, "terminal, degree below 300"),
+                          rest = claim(r, "terminal, degree at least 300");
+        const std::size_t least = std::stoul(rest.certified), less = std::stoul(below.evidence);
+        CHECK(least + less == 74575);
+        CHECK(below.verdict == (less > 759   ? "differs, by evidence"
+                                : less < 759 ? "differs, certified"
+                                             : "agrees, by evidence"));
+        CHECK(rest.verdict == (least > 73816   ? "differs, certified"
+                               : least < 73816 ? "differs, by evidence"
+                                               : "agrees, by evidence"));
+    }
 }
 
 TEST_CASE("registrations with the five points") {
@@ -682,4 +712,13 @@ TEST_CASE("registrations with the five points") {
     CHECK(problems == 51);
     CHECK(claimed == 4);
     CHECK(agree == 3);
+    CHECK(claim(report, "terminal, degree at least 300").verdict == "differs, by evidence");
+    CHECK(claim(report, "terminal, degree below 300").verdict == "differs, by evidence");
+
+    for (Degree& degree : degrees)
+        degree.solutions = 100, degree.complete = false;
+    std::size_t open = 0;
+    for (const DegreeClaim& c : degree_report(degrees).degrees)
+        open += c.claim.starts_with("PL0P, ") && c.verdict == "open";
+    CHECK(open == 3);
 }
