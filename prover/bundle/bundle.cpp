@@ -24,7 +24,7 @@ struct Selection {
 const Selection selections[] = {
     {"certs", {".plc", ".md", ".csv", "SHA256SUMS"}},
     {"checker", {".cpp", ".h", "CMakeLists.txt"}},
-    {"proofs", {".md", ".v", ".awk", "Makefile", "_CoqProject"}},
+    {"proofs", {".md", ".v", ".awk", "Makefile"}},
 };
 
 constexpr const char* single_files[] = {"CITATION.cff", "LICENSE"};
@@ -43,7 +43,8 @@ With a C++20 compiler and GMP (https://gmplib.org), in this folder:
     ./plcheck certs/*.plc
 
 The first line builds the checker, the second prints what the certificates prove and exits with 0
-if all of them hold. SHA256SUMS has the SHA-256 digest of every other file here
+if all of them hold. The degree files certs/degrees/*.plc need the library Arb, too: add -DPLC_ARB
+and, before -lgmpxx, -lflint-arb -lflint (with FLINT 3: -lflint) to the first line. SHA256SUMS has the SHA-256 digest of every other file here
 (sha256sum --check SHA256SUMS).
 )";
 

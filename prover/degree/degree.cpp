@@ -12,6 +12,9 @@ namespace plprove {
 namespace {
 
 constexpr int first_edges = 3;
+/// Beside the trace test, so many edges are to match all solutions: what two permute, loops
+/// permute.
+constexpr int agreeing_edges = 2;
 /// Where the trace test says nothing, or not enough, more edges must have agreed.
 constexpr int untested_edges = 6;
 constexpr int most_edges = 12;
@@ -44,7 +47,10 @@ std::optional<CompletenessEvidence> complete(const CameraSystem& system, Monodro
                                              monodromy.images(), solutions, random);
         if (!has_all_poses(parts, monodromy.chart(), solutions)) continue;
         const CompletenessEvidence evidence{monodromy.bijective_edges(), std::nullopt};
-        if (residual && *residual < vanishing)
+        // A degenerate end of a path that is taken for a solution spoils all edges; another attempt
+        // is of more use then.
+        const bool agree = evidence.edges >= agreeing_edges || edges >= untested_edges;
+        if (residual && *residual < vanishing && agree)
             return CompletenessEvidence{evidence.edges, exponent_above(*residual)};
         if (!residual && evidence.edges >= untested_edges) return evidence;
     }
@@ -131,13 +137,15 @@ DegreeRun attempt_degree(std::size_t number, const DegreeOptions& options, std::
     return run;
 }
 
-/// Whether it ended without what was asked for.
+/// Whether it ended without what was asked for, or with weak evidence.
 bool falls_short(const DegreeRun& run, const DegreeOptions& options) {
-    return !run.complete() && (options.target == 0 || run.degree < options.target);
+    if (run.evidence) return run.evidence->edges < agreeing_edges;
+    return options.target == 0 || run.degree < options.target;
 }
 
-int certified(const DegreeRun& run) {
-    return run.certificate ? run.certificate->degree() : 0;
+/// Of two runs that fall short the one with more of this is better.
+std::pair<bool, int> merit(const DegreeRun& run) {
+    return {run.complete(), run.certificate ? run.certificate->degree() : 0};
 }
 
 } // namespace
@@ -149,8 +157,7 @@ DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
     for (std::size_t attempt = 1; attempt < most_attempts && falls_short(run, options); ++attempt) {
         DegreeRun again = attempt_degree(number, options, attempt);
         again.notes.push_back("attempt " + std::to_string(attempt + 1) + ": others fell short");
-        const bool better = !falls_short(again, options) || certified(again) > certified(run);
-        if (better) std::swap(run, again);
+        if (!falls_short(again, options) || merit(again) > merit(run)) std::swap(run, again);
         run.tracks += again.tracks;
         run.retried += again.retried;
         run.failed += again.failed;
