@@ -208,8 +208,7 @@ private:
         equations.push_back({all, {2, 2}});
     }
 
-    /// The determinant of these conditions, a set of bits: three, of their coefficients at t, or
-    /// four.
+    /// The determinant of a set of conditions, by bits: of three (coefficients at t), or of four.
     Polynomial determinant(unsigned set) const {
         if (set == 0) return {{{}, {1}}};
         const auto last = static_cast<std::size_t>(std::popcount(set) - 1);
@@ -321,8 +320,8 @@ void replay_bounds(Reader& reader, const Classification& classes, FileReport& re
         std::size_t& best = report.upper.emplace_back(0);
         Registration& type = report.types.emplace_back();
         if (!obstruction(signature).minimal()) continue;
-        if (common_lines(signature) == 6)
-            best = 64; // by Theorem U8; of the type without constraints
+        best = bound_by_lines(signature);
+        type.back() = unsigned(best == 64 ? 0 : n); // of five lines each class for itself
         for (const Views pair : view_pairs) {
             if (shared_points(signature, pair) != 5) continue;
             const Registration left = registration(signature, pair);

@@ -86,8 +86,7 @@ static System system_of(const DegreeRecord& record, const Classification& classe
     return system;
 }
 
-/// The number of solutions, which are proved to be different. Throws a Complaint about a line if
-/// one is not.
+/// The number of solutions, proved to be different. Throws a Complaint about the line of one not.
 static std::size_t count_solutions(const System& system, const std::vector<Start>& starts) {
     std::vector<std::pair<Box, std::size_t>> found; // with lines
     for (const Start& start : starts) {

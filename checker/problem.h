@@ -62,8 +62,7 @@ inline constexpr std::array<Feature, feature_count> features = [] {
     return all;
 }();
 
-/// The index of the feature of which the views see the same, up to the names of pins; feature_count
-/// if there is none.
+/// The index of the feature that looks the same, up to names of pins; feature_count if none does.
 constexpr std::size_t index_of(Views point, const std::array<Views, 26>& pin) {
     std::size_t i = 0;
     while (i < feature_count &&
@@ -141,8 +140,7 @@ inline void enumerate(Signature& s, std::size_t index, unsigned rest, Classifica
     }
 }
 
-/// The number of the label class of a balanced signature, or of the first one of its swap&label
-/// class.
+/// The number of a balanced signature's label class, or of the first of its swap&label class.
 inline std::size_t class_of(const Classification& classes, const Signature& s, bool up_to_swaps) {
     const auto& all = classes.representatives;
     const Signature first = largest(s, up_to_swaps);
@@ -179,16 +177,23 @@ inline unsigned shared_points(const Signature& signature, Views pair) {
     return points;
 }
 
-/// The largest number of lines through one point that all views see: pins, and lines to other
-/// points.
-inline unsigned common_lines(const Signature& signature) {
-    unsigned points = 0, pins = 0; // of the point with the most
+/// How many camera solutions a minimal problem has at most by Theorems U8 and U11 of
+/// proofs/upper_bounds.md, on six and on five lines through a point; 0 if neither applies.
+inline unsigned bound_by_lines(const Signature& signature) {
+    unsigned points = 0, lines = 0, pins = 0; // that all views see; pins of the point with the most
     for (std::size_t i = 0; i < feature_count; ++i) {
-        if (signature[i] == 0 || features[i].point != 0b111) continue;
+        if (signature[i] == 0) continue;
+        for (const Views pin : features[i].pin) lines += pin == 0b111 ? signature[i] : 0;
+        if (features[i].point != 0b111) continue;
         points += signature[i];
         pins = std::max(pins, features[i].pins);
     }
-    return points == 0 ? 0 : points - 1 + pins;
+    if (points == 0 || points - 1 + pins < 5) return 0; // the lines to other points count
+    if (points - 1 + pins > 5) return 64;
+    if (lines > pins) return 240; // one of them is not through the point
+    for (const Views pair : view_pairs)
+        if (shared_points(signature, pair) >= points + 2) return 272;
+    return 0;
 }
 
 /// Why a problem is not minimal at any point (section 4).

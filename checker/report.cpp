@@ -89,8 +89,7 @@ static Claim compare(std::string_view claim, const std::string& paper, const std
     return {std::string(claim), paper, certified, verdict};
 }
 
-/// Compares the files with the digests of those that are lists: a name there may be the end of a
-/// path.
+/// Compares the files with the digests in lists, where a name may be the end of a path.
 static void compare_digests(std::vector<FileReport>& files) {
     for (FileReport& list : files)
         for (const auto& [digest, name] : list.listed) {

@@ -21,8 +21,7 @@ struct Degree {
     bool complete;
 };
 
-/// A type of registration problem (FORMAT.md, section 10): how many constraints there are of each
-/// kind.
+/// A type of registration problem (FORMAT.md, section 10): how many constraints of each kind.
 using Registration = std::array<unsigned, 24>;
 
 struct FileReport {

@@ -6,7 +6,9 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <map>
 #include <regex>
+#include <set>
 #include <tuple>
 
 using namespace checker;
@@ -85,34 +87,40 @@ minor 1764528126404496281
 
 } // namespace
 
-TEST_CASE(
-    "the committed templates hold, and bound all extensions, and where six lines are common") {
+TEST_CASE("the committed templates hold, and bound all extensions, and some with common lines") {
     CHECK(committed().conforms);
     CHECK(committed().refused == 0);
     CHECK(committed().templates == 89);
     REQUIRE(committed().upper.size() == classes().representatives.size());
-    std::size_t extensions = 0, bounded = 0, terminal = 0, six_lines = 0;
+    std::size_t extensions = 0, terminal = 0;
+    std::map<std::size_t, std::set<std::size_t>> by_lines; // by bound: swap classes
     for (std::size_t n = 0; n < classes().representatives.size(); ++n) {
         const Signature& s = classes().representatives[n];
         const bool extension = obstruction(s).minimal() && extends_five_points(s);
         extensions += extension;
-        bounded += committed().upper[n] > 0;
         terminal += committed().upper[n] > 0 && classes().swap_class[n] == n;
-        if (!extension && committed().upper[n] > 0) CHECK(committed().upper[n] == 64);
-        six_lines += !extension && committed().upper[n] > 0;
+        if (extension)
+            CHECK(committed().upper[n] > 0);
+        else if (committed().upper[n] > 0)
+            by_lines[committed().upper[n]].insert(classes().swap_class[n]);
     }
     CHECK(extensions == 6413);
-    CHECK(bounded == 6413 + six_lines);
-    CHECK(committed().at_most.at(64) == 13);  // terminal problems
+    CHECK(by_lines.size() == 3);
+    CHECK(by_lines.at(64).size() == 13); // six lines through a point
+    CHECK(by_lines.at(240) == std::set<std::size_t>{18, 19, 20, 21, 69});     // five, and another
+    CHECK(by_lines.at(272) == std::set<std::size_t>{22, 32, 33, 34, 35, 36}); // and two points
+    CHECK(committed().at_most.at(64) == 13);                                  // terminal problems
+    CHECK(committed().at_most.at(272) == 6);
     CHECK(committed().at_most.at(400) == 13); // those with groups of five rays
     CHECK(committed().at_most.at(1280) == 342);
-    CHECK(terminal == 3615 + 13);
+    CHECK(terminal == 3615 + 24);
 }
 
-TEST_CASE("upper bounds are 64 or multiples of 80, and the same for all members of a swap class") {
+TEST_CASE("upper bounds of extensions are multiples of 80, and the same for all of a swap class") {
     for (std::size_t n = 0; n < classes().representatives.size(); ++n) {
         const std::size_t upper = committed().upper[n];
-        CHECK((upper == 64 || upper % 80 == 0)); // 20 poses; cameras come in fours
+        if (extends_five_points(classes().representatives[n]))
+            CHECK(upper % 80 == 0); // 20 poses; cameras come in fours
         CHECK(committed().upper[n] == committed().upper[classes().swap_class[n]]);
     }
 }
@@ -127,7 +135,11 @@ TEST_CASE("upper bounds of problems with known degrees") {
     CHECK(upper("P/P/P + 4*a/a/a") == 0); // no extension
     CHECK(upper("Pabcdef/Pabcdef/Pabcdef + 2*P/a/a") == 64);
     CHECK(upper("Pabcde/Pabcde/Pabcde + P/P/P") == 64); // the line to the other point is the sixth
-    CHECK(upper("Pabcde/Pabcde/Pabcde + a/P/Pa + -/P/P") == 0);
+    CHECK(upper("Pabcde/Pabcde/Pabcde + a/P/Pa + -/P/P") == 272);
+    CHECK(upper("Pabcde/Pabcde/Pabcde + a/P/Pa + P/-/P") == 0); // no two further points
+    CHECK(upper("Pabcd/Pabcd/Pabcd + Pa/Pa/Pa") == 240);        // the line to the other point
+    CHECK(upper("Pabcd/Pabcd/Pabcd + P/P/P + -/P/P") == 0);
+    CHECK(upper("Pabc/Pabc/Pabc + P/P/P + a/a/a") == 0);     // four lines through a point
     CHECK(upper("Pabcdefg/Pabcdefg/Pabcdefg + P/a/a") == 0); // not minimal
 }
 
@@ -139,7 +151,8 @@ TEST_CASE("small templates hold; without that of the relative pose they bound no
         replay(classes(), "file", "plcert 1 bounds\nmodulus 2305843009213693951\n" + on_the_axis);
     CHECK(report.templates == 1);
     for (std::size_t n = 0; n < classes().representatives.size(); ++n)
-        CHECK(report.upper[n] == (committed().upper[n] == 64 ? 64 : 0));
+        CHECK(report.upper[n] ==
+              (extends_five_points(classes().representatives[n]) ? 0 : committed().upper[n]));
 }
 
 TEST_CASE("of two templates of a type the one with the smaller basis counts") {
