@@ -157,8 +157,7 @@ private:
         ++type[Constraint::line];
     }
 
-    /// The first line, through this point, determines the depths of the first two stars, so the
-    /// image of the vector from one to the other, whose length is known.
+    /// The first line, through this point, determines the depths of two stars, so their distance.
     void add_distance(const Vector& point) {
         const mpz_class a = images[0][2], b = images[1][2];
         Polynomial all;
@@ -189,8 +188,7 @@ private:
         add_determinants(3, first);
     }
 
-    /// A multiple of the determinant of two lines and two rays, less one of the equation of the
-    /// second line (FORMAT.md): it has a smaller degree.
+    /// Of two lines and two rays: a multiple of the determinant, of a smaller degree (FORMAT.md).
     void add_reduced_minor() {
         const auto& [point, direction, l] = seen[1];
         const auto& [d, x] = met[0];
@@ -248,8 +246,7 @@ private:
     }
 };
 
-/// Takes a template. Throws Refused unless it holds; then the result bounds the solutions of
-/// constraints of its type.
+/// Takes a template, which bounds the solutions of its type. Throws Refused unless it holds.
 std::pair<Registration, std::size_t> read_template(Reader& reader) {
     reader.take("template");
     const std::string_view frame = reader.word();

@@ -1,5 +1,4 @@
-// Degree files (FORMAT.md, section 9): so many cameras explain the images of a class, each proved
-// from an approximation.
+// Degree files (FORMAT.md, section 9): so many cameras explain the images of a class, with proof.
 #include "checker/krawczyk.h"
 #include "checker/record.h"
 

@@ -181,9 +181,13 @@ inline unsigned shared_points(const Signature& signature, Views pair) {
 /// proofs/upper_bounds.md, on six and on five lines through a point; 0 if neither applies.
 inline unsigned bound_by_lines(const Signature& signature) {
     unsigned points = 0, lines = 0, pins = 0; // that all views see; pins of the point with the most
+    unsigned others = 0;                      // points that two views see
+    bool pinned = false;                      // whether the third sees a line of one of these
     for (std::size_t i = 0; i < feature_count; ++i) {
         if (signature[i] == 0) continue;
         for (const Views pin : features[i].pin) lines += pin == 0b111 ? signature[i] : 0;
+        if (std::popcount(features[i].point) == 2)
+            others += signature[i], pinned |= features[i].pins > 0;
         if (features[i].point != 0b111) continue;
         points += signature[i];
         pins = std::max(pins, features[i].pins);
@@ -192,7 +196,7 @@ inline unsigned bound_by_lines(const Signature& signature) {
     if (points - 1 + pins > 5) return 64;
     if (lines > pins) return 240; // one of them is not through the point
     for (const Views pair : view_pairs)
-        if (shared_points(signature, pair) >= points + 2) return 272;
+        if ((pinned && others > 1) || shared_points(signature, pair) >= points + 2) return 272;
     return 0;
 }
 
