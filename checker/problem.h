@@ -194,8 +194,8 @@ inline unsigned bound_by_lines(const Signature& signature) {
     }
     if (points == 0 || points - 1 + pins < 5) return 0; // the lines to other points count
     if (points - 1 + pins > 5) return 64;
-    if (lines > pins) return 240; // one of them is not through the point
-    if (points == 2) return others > 0 ? 240 : 272;
+    if (lines > pins) return 240;                   // one of them is not through the point
+    if (points == 2) return others > 0 ? 240 : 272; // a feature of weight 1 is left
     for (const Views pair : view_pairs)
         if ((pinned && others > 1) || shared_points(signature, pair) >= points + 2) return 272;
     return 0;

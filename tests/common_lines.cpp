@@ -19,6 +19,12 @@ using namespace plprove;
 
 namespace {
 
+mpz_class determinant(const std::array<std::array<mpz_class, 3>, 3>& m) {
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
 /// A trilinear form on pairs: entry 4 i + 2 j + k is the coefficient of u_i v_j w_k.
 using Form = std::array<mpz_class, 8>;
 
@@ -32,9 +38,7 @@ Form form_of(const std::array<Matrix3, 3>& rotations) {
             m[1][c] = rotations[1][n >> 1 & 1][c];
             m[2][c] = rotations[2][n & 1][c];
         }
-        form[n] = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                  m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                  m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+        form[n] = determinant(m);
     }
     return form;
 }
@@ -164,12 +168,6 @@ std::array<mpz_class, 3> product(const Spinor& a, const Spinor& b) {
 /// The form on S^2 C^2 that takes the squares of two spinors to the square of their bracket.
 mpz_class scalar(const std::array<mpz_class, 3>& x, const std::array<mpz_class, 3>& y) {
     return x[0] * y[2] - 2 * x[1] * y[1] + x[2] * y[0];
-}
-
-mpz_class determinant(const std::array<std::array<mpz_class, 3>, 3>& m) {
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
 /// Spinors of three views, each a basis of determinant 1, and their brackets.
