@@ -177,27 +177,39 @@ inline unsigned shared_points(const Signature& signature, Views pair) {
     return points;
 }
 
-/// How many camera solutions a minimal problem has at most by Theorems U8 and U11 of
-/// proofs/upper_bounds.md, on six and on five lines through a point; 0 if neither applies.
-inline unsigned bound_by_lines(const Signature& signature) {
-    unsigned points = 0, lines = 0, pins = 0; // that all views see; pins of the point with the most
-    unsigned others = 0;                      // points that two views see
-    bool pinned = false;                      // whether the third sees a line of one of these
+/// How many camera solutions a minimal problem has at most by Theorems U8, U11 and U15 of
+/// proofs/upper_bounds.md, on lines through a point and on three points; 0 if they say nothing.
+inline unsigned bound_by_theorem(const Signature& signature) {
+    unsigned points = 0, pins = 0, most = 0; // that all views see; pins of these; of one of them
+    unsigned lines = 0;                      // that all views see
+    unsigned doubly = 0, whole = 0;          // points that two views see; a bound in U15
+    bool pinned = false;                     // whether a doubly seen point has a pin
+    Views views = 0; // of points that fewer see: the one that does alone, or alone does not
     for (std::size_t i = 0; i < feature_count; ++i) {
-        if (signature[i] == 0) continue;
-        for (const Views pin : features[i].pin) lines += pin == 0b111 ? signature[i] : 0;
-        if (std::popcount(features[i].point) == 2)
-            others += signature[i], pinned |= features[i].pins > 0;
-        if (features[i].point != 0b111) continue;
-        points += signature[i];
-        pins = std::max(pins, features[i].pins);
+        const Feature& feature = features[i];
+        const unsigned count = signature[i], seeing = unsigned(std::popcount(feature.point));
+        if (count == 0) continue;
+        for (const Views pin : feature.pin) lines += pin == 0b111 ? count : 0;
+        if (seeing == 3) points += count, pins += count * feature.pins;
+        if (seeing == 3) most = std::max(most, feature.pins);
+        if (seeing == 2) doubly += count, pinned |= feature.pins > 0;
+        if (seeing == 1 || seeing == 2)
+            views |= seeing == 1 ? feature.point : 0b111 - feature.point;
+        if (feature.weight() == 2) whole = feature.free_line ? 216 : 272;
     }
-    if (points == 0 || points - 1 + pins < 5) return 0; // the lines to other points count
-    if (points - 1 + pins > 5) return 64;
-    if (lines > pins) return 240;                   // one of them is not through the point
-    if (points == 2) return others > 0 ? 240 : 272; // a feature of weight 1 is left
+    if (points == 3) { // and features of weight 2
+        // By the number of doubly seen points, and whether `views` is one view.
+        constexpr std::array<std::array<unsigned, 2>, 3> two{{{520, 448}, {368, 464}, {384, 0}}};
+        if (pins == 2) return most == 2 ? 224 : 312;
+        if (pins == 1) return doubly > 0 ? 304 : 376;
+        return whole > 0 ? whole : two[doubly][std::popcount(views) == 1];
+    }
+    if (points == 0 || points - 1 + most < 5) return 0; // the lines to other points count
+    if (points - 1 + most > 5) return 64;
+    if (lines > most) return 240;                   // one of them is not through the point
+    if (points == 2) return doubly > 0 ? 240 : 272; // a feature of weight 1 is left
     for (const Views pair : view_pairs)
-        if ((pinned && others > 1) || shared_points(signature, pair) >= points + 2) return 272;
+        if ((pinned && doubly > 1) || shared_points(signature, pair) >= points + 2) return 272;
     return 0;
 }
 

@@ -37,6 +37,13 @@ bool extends_five_points(const Signature& s) {
     return std::ranges::any_of(view_pairs, [&](Views pair) { return shared_points(s, pair) == 5; });
 }
 
+unsigned points_in_all(const Signature& s) {
+    unsigned points = 0;
+    for (std::size_t i = 0; i < feature_count; ++i)
+        if (features[i].point == 0b111) points += s[i];
+    return points;
+}
+
 std::size_t class_of(const std::string& wanted) {
     for (std::size_t n = 0; n < classes().representatives.size(); ++n)
         if (notation(classes().representatives[n]) == wanted) return n;
@@ -93,7 +100,7 @@ TEST_CASE("the committed templates hold, and bound all extensions, and some with
     CHECK(committed().templates == 89);
     REQUIRE(committed().upper.size() == classes().representatives.size());
     std::size_t extensions = 0, terminal = 0;
-    std::map<std::size_t, std::set<std::size_t>> by_lines; // by bound: swap classes
+    std::map<std::size_t, std::set<std::size_t>> by_lines, by_points; // by bound: swap classes
     for (std::size_t n = 0; n < classes().representatives.size(); ++n) {
         const Signature& s = classes().representatives[n];
         const bool extension = obstruction(s).minimal() && extends_five_points(s);
@@ -102,7 +109,9 @@ TEST_CASE("the committed templates hold, and bound all extensions, and some with
         if (extension)
             CHECK(committed().upper[n] > 0);
         else if (committed().upper[n] > 0)
-            by_lines[committed().upper[n]].insert(classes().swap_class[n]);
+            (points_in_all(s) == 3 ? by_points : by_lines)[committed().upper[n]].insert(
+                classes().swap_class[n]);
+        if (obstruction(s).minimal() && points_in_all(s) == 3) CHECK(committed().upper[n] > 0);
     }
     CHECK(extensions == 6413);
     CHECK(by_lines.size() == 3);
@@ -110,11 +119,23 @@ TEST_CASE("the committed templates hold, and bound all extensions, and some with
     CHECK(by_lines.at(240) == std::set<std::size_t>{18, 19, 20, 21, 69, 70}); // five, and another
     CHECK(by_lines.at(272) ==
           std::set<std::size_t>{22, 23, 32, 33, 34, 35, 36, 71, 72}); // and two points
-    CHECK(committed().at_most.at(64) == 13);                          // terminal problems
-    CHECK(committed().at_most.at(272) == 9);
+    using Swaps = std::set<std::size_t>;
+    CHECK(by_points == std::map<std::size_t, Swaps>{{216, {6722}},
+                                                    {224, {811}},
+                                                    {272, {6723}},
+                                                    {304, {2446}},
+                                                    {312, {2394}},
+                                                    {368, {6727, 6729}},
+                                                    {376, {2447, 2448}},
+                                                    {384, {6725}},
+                                                    {448, {6730, 6732, 6734}},
+                                                    {464, {6726, 6728}},
+                                                    {520, {6731, 6733, 6735}}});
+    CHECK(committed().at_most.at(64) == 13); // terminal problems
+    CHECK(committed().at_most.at(272) == 10);
     CHECK(committed().at_most.at(400) == 13); // those with groups of five rays
     CHECK(committed().at_most.at(1280) == 342);
-    CHECK(terminal == 3615 + 28);
+    CHECK(terminal == 3615 + 28 + 18);
 }
 
 TEST_CASE("upper bounds of extensions are multiples of 80, and the same for all of a swap class") {
@@ -145,6 +166,8 @@ TEST_CASE("upper bounds of problems with known degrees") {
     CHECK(upper("Pabcd/Pabcd/Pabcd + P/P/P + P/a/a") == 272);
     CHECK(upper("Pabc/Pabc/Pabc + P/P/P + a/a/a") == 0);     // four lines through a point
     CHECK(upper("Pabcdefg/Pabcdefg/Pabcdefg + P/a/a") == 0); // not minimal
+    CHECK(upper("2*Pa/Pa/Pa + P/P/P") == 312);               // the Chicago problem
+    CHECK(upper("2*P/P/P + a/a/a + 2*-/P/P + P/-/P") == 0);  // two points
 }
 
 TEST_CASE("small templates hold; without that of the relative pose they bound no extension") {

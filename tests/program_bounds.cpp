@@ -4,6 +4,9 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include <utility>
+#include <vector>
+
 namespace {
 const std::string plprove = PLPROVE;
 const std::string plcheck = PLCHECK;
@@ -30,7 +33,8 @@ TEST_CASE("plcheck tells how many problems are bounded") {
     int problems = 0;
     for (const auto& [solutions, count] : json["files"][0]["terminal_problems_at_most"].items())
         problems += count.get<int>();
-    CHECK(problems == 3615 + 28); // extensions, and those with six or five lines through a point
+    // Extensions; six or five lines through a point; three points.
+    CHECK(problems == 3615 + 28 + 18);
 }
 
 TEST_CASE("the degrees of all extensions of the five-point problem are certified exact") {
@@ -47,6 +51,35 @@ TEST_CASE("the degrees of all extensions of the five-point problem are certified
         found += name == "terminal, of any degree" || name == "terminal, degree 160";
     }
     CHECK(found == 2);
+}
+
+TEST_CASE(
+    "the Chicago problem has exactly 312 solutions, certified, like others with three points") {
+    const std::string certs = std::string(SOURCE_DIR) + "/certs/";
+    const Outcome outcome = run(plcheck + " --json " + certs + "classification.plc " + committed +
+                                " " + certs + "degrees/three-points.plc");
+    CHECK(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    const std::vector<std::pair<int, int>> exact = json["certified_exactly"];
+    // With the classes that have features exchanged for P/a/a.
+    CHECK(exact == std::vector<std::pair<int, int>>{{811, 224},
+                                                    {2394, 312},
+                                                    {2446, 304},
+                                                    {2447, 376},
+                                                    {2448, 376},
+                                                    {6722, 216},
+                                                    {6723, 272},
+                                                    {6725, 384},
+                                                    {6726, 464},
+                                                    {6727, 368},
+                                                    {6728, 464},
+                                                    {6729, 368},
+                                                    {6730, 448},
+                                                    {6731, 520},
+                                                    {6732, 448},
+                                                    {6733, 520},
+                                                    {6734, 448},
+                                                    {6735, 520}});
 }
 
 TEST_CASE("an altered file of bounds is refused with the line of the template") {

@@ -171,7 +171,8 @@ std::vector<std::string> degree_bases(const std::map<std::size_t, std::vector<Fi
 /// By class, the records of all committed degree files.
 std::map<std::size_t, std::vector<File>> committed_degrees() {
     std::map<std::size_t, std::vector<File>> by_class;
-    for (const char* name : {"one-pin", "points-and-lines", "registrations", "small"})
+    for (const char* name :
+         {"one-pin", "points-and-lines", "registrations", "small", "three-points"})
         for (File& record : records(committed("degrees/" + std::string(name) + ".plc")))
             by_class[number_of(record)].push_back(std::move(record));
     return by_class;
