@@ -387,6 +387,25 @@ TEST_CASE("a degree is certified exact where the bounds meet, and not a solution
     CHECK(less.evidence == "-");
 }
 
+TEST_CASE("of the bounds that are theorems, one that is attained says nothing of others, but 64") {
+    FileReport all{.name = "all", .kind = "classification"};
+    for (std::size_t n = 0; n < classes().representatives.size(); ++n)
+        all.verdicts.push_back({n, 1, obstruction(classes().representatives[n])});
+    const auto exact = [&](const std::string& problem, std::size_t solutions) {
+        const FileReport degrees{.name = "degrees",
+                                 .kind = "degrees",
+                                 .degrees = {{class_of(problem), 1, solutions, false}}};
+        std::map<std::size_t, std::size_t> classes_with; // this degree
+        for (const auto& [number, degree] : summarize(classes(), {all, committed(), degrees}).exact)
+            ++classes_with[degree];
+        return classes_with;
+    };
+    using Classes = std::map<std::size_t, std::size_t>;
+    CHECK(exact("2*Pa/Pa/Pa + P/P/P", 312) == Classes{{312, 1}});
+    CHECK(exact("Pabcd/Pabcd/Pabcd + Pa/Pa/Pa", 240) == Classes{{240, 1}});
+    CHECK(exact("Pabcde/Pabcde/Pabcde + P/P/P", 64) == Classes{{64, 13}});
+}
+
 TEST_CASE("where certificates contradict each other, nothing follows") {
     FileReport all{.name = "all", .kind = "classification"};
     for (std::size_t n = 0; n < classes().representatives.size(); ++n)
