@@ -198,7 +198,7 @@ inline unsigned bound_by_theorem(const Signature& signature) {
         if (feature.weight() == 2) whole = feature.free_line ? 216 : 272;
     }
     if (points == 3) { // and features of weight 2
-        // By the number of doubly seen points, and whether `views` is one view.
+        // By the number of doubly seen points, and whether `views` is one view (0: an extension).
         constexpr std::array<std::array<unsigned, 2>, 3> two{{{520, 448}, {368, 464}, {384, 0}}};
         if (pins == 2) return most == 2 ? 224 : 312;
         if (pins == 1) return doubly > 0 ? 304 : 376;
