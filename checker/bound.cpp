@@ -318,7 +318,7 @@ void replay_bounds(Reader& reader, const Classification& classes, FileReport& re
         Registration& type = report.types.emplace_back();
         if (!obstruction(signature).minimal()) continue;
         best = bound_by_theorem(signature);
-        type.back() = unsigned(best == 64 ? 0 : n); // of five lines each class for itself
+        type.back() = unsigned(best == 64 ? 0 : n); // else each class for itself
         for (const Views pair : view_pairs) {
             if (shared_points(signature, pair) != 5) continue;
             const Registration left = registration(signature, pair);

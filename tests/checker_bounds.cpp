@@ -37,6 +37,14 @@ bool extends_five_points(const Signature& s) {
     return std::ranges::any_of(view_pairs, [&](Views pair) { return shared_points(s, pair) == 5; });
 }
 
+/// What a classification file proves: of every class, whether it is minimal.
+FileReport verdicts_on_all() {
+    FileReport all{.name = "all", .kind = "classification"};
+    for (std::size_t n = 0; n < classes().representatives.size(); ++n)
+        all.verdicts.push_back({n, 1, obstruction(classes().representatives[n])});
+    return all;
+}
+
 unsigned points_in_all(const Signature& s) {
     unsigned points = 0;
     for (std::size_t i = 0; i < feature_count; ++i)
@@ -355,9 +363,7 @@ TEST_CASE("templates have one spelling") {
 }
 
 TEST_CASE("a degree is certified exact where the bounds meet, and not a solution earlier") {
-    FileReport all{.name = "all", .kind = "classification"};
-    for (std::size_t n = 0; n < classes().representatives.size(); ++n)
-        all.verdicts.push_back({n, 1, obstruction(classes().representatives[n])});
+    const FileReport all = verdicts_on_all();
     const std::string problem = "2*P/P/P + a/a/a + 3*-/P/P";
     const std::size_t number = class_of(problem);
     const auto claim = [&](std::size_t solutions) {
@@ -388,9 +394,7 @@ TEST_CASE("a degree is certified exact where the bounds meet, and not a solution
 }
 
 TEST_CASE("of the bounds that are theorems, one that is attained says nothing of others, but 64") {
-    FileReport all{.name = "all", .kind = "classification"};
-    for (std::size_t n = 0; n < classes().representatives.size(); ++n)
-        all.verdicts.push_back({n, 1, obstruction(classes().representatives[n])});
+    const FileReport all = verdicts_on_all();
     const auto exact = [&](const std::string& problem, std::size_t solutions) {
         const FileReport degrees{.name = "degrees",
                                  .kind = "degrees",
@@ -407,9 +411,7 @@ TEST_CASE("of the bounds that are theorems, one that is attained says nothing of
 }
 
 TEST_CASE("where certificates contradict each other, nothing follows") {
-    FileReport all{.name = "all", .kind = "classification"};
-    for (std::size_t n = 0; n < classes().representatives.size(); ++n)
-        all.verdicts.push_back({n, 1, obstruction(classes().representatives[n])});
+    const FileReport all = verdicts_on_all();
     const FileReport bounds = committed();
     const std::size_t one = class_of("2*P/P/P + a/a/a + 3*-/P/P"); // at most 80 solutions
     const auto same = std::ranges::find(bounds.types.begin() + std::ptrdiff_t(one) + 1,

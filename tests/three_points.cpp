@@ -1,13 +1,17 @@
 // Three points that all views see (proofs/upper_bounds.md, section 10): the numbers of Theorem U15
 // from the special points of the surface, and what is said of the boundary, at random images.
-#include "checker/problem.h"
+#include "checker/degree_system.h"
 #include "prover/degree/degree.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <complex>
 #include <map>
 #include <random>
+#include <string_view>
 #include <vector>
 
 using namespace plprove;
@@ -79,11 +83,17 @@ Condition seen_by_one(std::size_t view) {
     return condition;
 }
 
+/// How many of these sections, by view, are of views in which the point is special.
+int special_sections(const std::array<int, 3>& sections, const SpecialPoint& point) {
+    int sum = 0;
+    for (std::size_t v = 0; v < 3; ++v)
+        if (point.special[v]) sum += sections[v];
+    return sum;
+}
+
 /// To which order the determinant vanishes on the exceptional curve, at least.
 int order(const Condition& condition, const SpecialPoint& point) {
-    int sections = 0;
-    for (std::size_t v = 0; v < 3; ++v)
-        if (point.special[v]) sections += condition.sections[v];
+    const int sections = special_sections(condition.sections, point);
     if (condition.pinned == static_cast<int>(point.over)) return sections;
     int least = std::max(sections - 1, 0), branches = 0;
     for (std::size_t j = 0; j < curves; ++j)
@@ -199,15 +209,9 @@ TEST_CASE("three points: Chern classes of a line, and of a point with a pin") {
     int line = 2 * 384, point = 2 * 568, spurious = 2 * 128;
     for (const SpecialPoint& p : twice_the_special_points()) {
         const int c = p.branches[0], e = -p.degree;
-        const auto combinations = [&](const std::array<int, 3>& sections) {
-            int sum = -1;
-            for (std::size_t v = 0; v < 3; ++v)
-                if (p.special[v]) sum += sections[v];
-            return sum;
-        };
         if (p.special[0]) spurious -= p.branches[1]; // zeros of l_1 . N_1 on C_1
         if (p.degree == 1) continue;                 // special in one view
-        const int r = combinations({1, 1, 1}), s = combinations({1, 2, 2});
+        const int r = special_sections({1, 1, 1}, p) - 1, s = special_sections({1, 2, 2}, p) - 1;
         line += r * c + r * (r + 1) / 2 * e;
         point += s * c + s * (s - 1) / 2 * e;
     }
@@ -223,14 +227,8 @@ TEST_CASE("three points: Chern classes of a line, and of a point with a pin") {
 
 TEST_CASE("three points: where H = 0, N is plus or minus i (t e + s e')") {
     using Complex = std::complex<double>;
-    using Vector = std::array<Complex, 3>;
-    const auto dot = [](const Vector& a, const Vector& b) {
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    };
-    const auto cross = [](const Vector& a, const Vector& b) {
-        return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                      a[0] * b[1] - a[1] * b[0]};
-    };
+    using Vector = checker::Triple<Complex>;
+    using checker::cross, checker::dot;
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
     const auto number = [&] { return Complex(normal(random), normal(random)); };
@@ -254,9 +252,7 @@ TEST_CASE("three points: where H = 0, N is plus or minus i (t e + s e')") {
             for (std::size_t i = 0; i < 3; ++i)
                 for (Complex& entry : u[i])
                     entry *= turned == 0 ? factors[i] : -factors[i];
-            Vector e, f;
-            for (std::size_t k = 0; k < 3; ++k)
-                e[k] = u[1][k] - u[0][k], f[k] = u[2][k] - u[0][k];
+            const Vector e = checker::minus(u[1], u[0]), f = checker::minus(u[2], u[0]);
             // The same s and t for both: those of the first.
             const Complex s = std::sqrt(dot(e, e)), t = -dot(e, f) / s;
             const Vector n = cross(e, f);
