@@ -177,11 +177,11 @@ inline unsigned shared_points(const Signature& signature, Views pair) {
     return points;
 }
 
-/// How many camera solutions a minimal problem has at most by Theorems U8, U11 and U15 of
-/// proofs/upper_bounds.md, on lines through a point and on three points; 0 if they say nothing.
+/// How many camera solutions a minimal problem has at most by Theorems U8, U11, U15 and U17 of
+/// proofs/upper_bounds.md, on lines through a point and on two or three points; 0 if none says.
 inline unsigned bound_by_theorem(const Signature& signature) {
     unsigned points = 0, pins = 0, most = 0; // that all views see; pins of these; of one of them
-    unsigned lines = 0;                      // that all views see
+    unsigned lines = 0, free = 0;            // that all views see; free ones
     unsigned doubly = 0, whole = 0;          // points that two views see; a bound in U15
     bool pinned = false;                     // whether a doubly seen point has a pin
     Views views = 0; // of points that fewer see: the one that does alone, or alone does not
@@ -190,6 +190,7 @@ inline unsigned bound_by_theorem(const Signature& signature) {
         const unsigned count = signature[i], seeing = unsigned(std::popcount(feature.point));
         if (count == 0) continue;
         for (const Views pin : feature.pin) lines += pin == 0b111 ? count : 0;
+        free += feature.free_line ? count : 0;
         if (seeing == 3) points += count, pins += count * feature.pins;
         if (seeing == 3) most = std::max(most, feature.pins);
         if (seeing == 2) doubly += count, pinned |= feature.pins > 0;
@@ -204,6 +205,8 @@ inline unsigned bound_by_theorem(const Signature& signature) {
         if (pins == 1) return doubly > 0 ? 304 : 376;
         return whole > 0 ? whole : two[doubly][std::popcount(views) == 1];
     }
+    if (points == 2 && free == 2) return pins > 0 ? 264 : doubly > 0 ? 256 : 304;
+    if (points == 2 && free == 1 && lines == 2 && pins == 0) return 240; // the other is a pin
     if (points == 0 || points - 1 + most < 5) return 0; // the lines to other points count
     if (points - 1 + most > 5) return 64;
     if (lines > most) return 240;                   // one of them is not through the point

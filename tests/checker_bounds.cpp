@@ -52,6 +52,13 @@ unsigned points_in_all(const Signature& s) {
     return points;
 }
 
+unsigned free_lines(const Signature& s) {
+    unsigned lines = 0;
+    for (std::size_t i = 0; i < feature_count; ++i)
+        if (features[i].free_line) lines += s[i];
+    return lines;
+}
+
 std::size_t class_of(const std::string& wanted) {
     for (std::size_t n = 0; n < classes().representatives.size(); ++n)
         if (notation(classes().representatives[n]) == wanted) return n;
@@ -108,7 +115,8 @@ TEST_CASE("the committed templates hold, and bound all extensions, and some with
     CHECK(committed().templates == 89);
     REQUIRE(committed().upper.size() == classes().representatives.size());
     std::size_t extensions = 0, terminal = 0;
-    std::map<std::size_t, std::set<std::size_t>> by_lines, by_points; // by bound: swap classes
+    using Swaps = std::set<std::size_t>;
+    std::map<std::size_t, Swaps> by_lines, by_points, by_both; // by bound
     for (std::size_t n = 0; n < classes().representatives.size(); ++n) {
         const Signature& s = classes().representatives[n];
         const bool extension = obstruction(s).minimal() && extends_five_points(s);
@@ -117,17 +125,17 @@ TEST_CASE("the committed templates hold, and bound all extensions, and some with
         if (extension)
             CHECK(committed().upper[n] > 0);
         else if (committed().upper[n] > 0)
-            (points_in_all(s) == 3 ? by_points : by_lines)[committed().upper[n]].insert(
-                classes().swap_class[n]);
+            (points_in_all(s) == 3                        ? by_points
+             : points_in_all(s) == 2 && free_lines(s) > 0 ? by_both
+                                                          : by_lines)[committed().upper[n]]
+                .insert(classes().swap_class[n]);
         if (obstruction(s).minimal() && points_in_all(s) == 3) CHECK(committed().upper[n] > 0);
     }
     CHECK(extensions == 6413);
     CHECK(by_lines.size() == 3);
-    CHECK(by_lines.at(64).size() == 13); // six lines through a point
-    CHECK(by_lines.at(240) == std::set<std::size_t>{18, 19, 20, 21, 69, 70}); // five, and another
-    CHECK(by_lines.at(272) ==
-          std::set<std::size_t>{22, 23, 32, 33, 34, 35, 36, 71, 72}); // and two points
-    using Swaps = std::set<std::size_t>;
+    CHECK(by_lines.at(64).size() == 13);                      // six lines through a point
+    CHECK(by_lines.at(240) == Swaps{18, 19, 20, 21, 69, 70}); // five, and another
+    CHECK(by_lines.at(272) == Swaps{22, 23, 32, 33, 34, 35, 36, 71, 72}); // and two points
     CHECK(by_points == std::map<std::size_t, Swaps>{{216, {6722}},
                                                     {224, {811}},
                                                     {272, {6723}},
@@ -139,11 +147,13 @@ TEST_CASE("the committed templates hold, and bound all extensions, and some with
                                                     {448, {6730, 6732, 6734}},
                                                     {464, {6726, 6728}},
                                                     {520, {6731, 6733, 6735}}});
+    CHECK(by_both == std::map<std::size_t, Swaps>{
+                         {240, {6736}}, {256, {6767}}, {264, {2455}}, {304, {6768, 6769}}});
     CHECK(committed().at_most.at(64) == 13); // terminal problems
     CHECK(committed().at_most.at(272) == 10);
     CHECK(committed().at_most.at(400) == 13); // those with groups of five rays
     CHECK(committed().at_most.at(1280) == 342);
-    CHECK(terminal == 3615 + 28 + 18);
+    CHECK(terminal == 3615 + 28 + 18 + 5);
 }
 
 TEST_CASE("upper bounds of extensions are multiples of 80, and the same for all of a swap class") {
@@ -175,7 +185,13 @@ TEST_CASE("upper bounds of problems with known degrees") {
     CHECK(upper("Pabc/Pabc/Pabc + P/P/P + a/a/a") == 0);     // four lines through a point
     CHECK(upper("Pabcdefg/Pabcdefg/Pabcdefg + P/a/a") == 0); // not minimal
     CHECK(upper("2*Pa/Pa/Pa + P/P/P") == 312);               // the Chicago problem
-    CHECK(upper("2*P/P/P + a/a/a + 2*-/P/P + P/-/P") == 0);  // two points
+    CHECK(upper("Pa/Pa/Pa + P/P/P + 2*a/a/a") == 264);       // two points, and two lines
+    CHECK(upper("2*P/P/P + 2*a/a/a + -/P/P") == 256);
+    CHECK(upper("2*P/P/P + a/Pa/Pa + a/a/a") == 240);
+    CHECK(upper("2*P/P/P + a/a/a + a/P/Pa + -/P/P") == 0); // the pin is not seen by all
+    CHECK(upper("Pa/Pa/Pa + P/P/P + a/Pa/Pa + -/P/P") == 0);
+    CHECK(upper("Pa/Pa/Pa + P/P/P + a/a/a + 2*-/P/P") == 0);
+    CHECK(upper("2*P/P/P + a/a/a + 2*-/P/P + P/-/P") == 0);
 }
 
 TEST_CASE("small templates hold; without that of the relative pose they bound no extension") {

@@ -2,6 +2,7 @@
 // from the special points of the surface, and what is said of the boundary, at random images.
 #include "checker/degree_system.h"
 #include "prover/degree/degree.h"
+#include "tests/class_with_bound.h"
 
 #include <doctest/doctest.h>
 
@@ -135,25 +136,6 @@ int product(const Divisor& a, const Divisor& b, const std::vector<SpecialPoint>&
     }
     CHECK(doubled % 2 == 0);
     return number + doubled / 2;
-}
-
-using Features = std::map<std::string_view, unsigned>;
-
-/// The number of the label class, of which every signature has this upper bound.
-std::size_t class_with_bound(const Features& features, int bound) {
-    static const checker::Classification classes = checker::classify();
-    checker::Signature signature{};
-    for (std::size_t i = 0; i < checker::feature_count; ++i)
-        if (const auto found = features.find(checker::features[i].notation);
-            found != features.end())
-            signature[i] = found->second;
-    for (const checker::Map& map : checker::relabelings) {
-        checker::Signature image{};
-        for (std::size_t i = 0; i < checker::feature_count; ++i)
-            image[i] = signature[map[i]];
-        CHECK(checker::bound_by_theorem(image) == static_cast<unsigned>(bound));
-    }
-    return checker::class_of(classes, signature, false);
 }
 
 } // namespace
