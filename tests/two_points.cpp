@@ -120,8 +120,8 @@ public:
         return planes;
     }
 
-    /// Of three lines and a condition: whether A_1 = A_2 = Q_2 = G = 0 has six simple solutions
-    /// where Q_1, the b_v and the factors w are not 0.
+    /// Of two free lines and another condition: whether A_1 = A_2 = Q_2 = K = 0 has six simple
+    /// solutions where Q_1, the b_v and the factors w are not 0.
     bool six_zeros(const Condition& first, const Condition& second, const Condition& third);
 
 private:
@@ -227,6 +227,9 @@ bool Example::six_zeros(const Condition& first, const Condition& second, const C
         found = root * root == discriminant;
         start[0] = (root - b) * (a + a).inverse();
     }
+    CHECK(form(second, start) == zero);
+    for (const Condition& line : {first, second})
+        CHECK(side(line, 2, camera(start, first, second)) == zero);
     // The other point of the conic on the line through it in this direction.
     const auto point = [&](Residue z) {
         const Triple direction{unit, z, zero};
@@ -301,7 +304,7 @@ TEST_CASE("two points: six simple zeros where two lines and another condition me
     // The point is on the second line.
     const Condition through{images.line()[0], images.through(1, y), images.through(2, z)};
     CHECK(images.six_zeros(line, through, by_two));
-    // It notices zeros that are not simple: all planes of a view the same.
+    // It notices where K = 0 is no condition: both planes of a view are the same.
     const Condition twice{by_two[0], by_two[0], by_two[2], by_two[3]};
     CHECK_FALSE(images.six_zeros(line, other, twice));
 }
