@@ -55,7 +55,7 @@ static void add_table(const Table& table,
                       const std::vector<std::pair<std::string, Bound>>& problems,
                       std::vector<DegreeClaim>& claims) {
     struct Line {
-        std::size_t claimed = 0, found = 0; // the latter by evidence
+        std::size_t claimed = 0, found = 0; // the latter known: certified, or by evidence
         std::string witness{};
     };
     std::map<std::size_t, Line> lines; // by degree
@@ -109,13 +109,13 @@ static void add_table(const Table& table,
 /// The claim on one problem; 0 if the paper's text has none.
 static DegreeClaim claim_on(const std::string& problem, std::size_t claimed, const Bound& bound) {
     const std::string least = say(bound.solutions), paper = claimed == 0 ? "-" : say(claimed);
-    const std::string exact = bound.exact() ? least : "-", evidence = bound.complete ? least : "-";
+    const std::string exact = bound.exact() ? least : "-", known = bound.complete ? least : "-";
     std::string verdict = bound.solutions == claimed ? "agrees, " : "differs, ";
     verdict += bound.solutions > claimed || bound.exact() ? "certified" : "by evidence";
     if (bound.solutions <= claimed && !bound.complete) verdict = "open";
     if (claimed == 0) verdict = "not in the text of the paper";
     if (bound.solutions == 0) verdict = "not covered by these files";
-    return {problem, paper, least, exact, evidence, verdict};
+    return {problem, paper, least, exact, known, verdict};
 }
 
 void add_degree_claims(const Classification& classes, const std::vector<Class>& described, bool all,

@@ -50,7 +50,7 @@ int main(int count, char** values) try {
     std::vector<const char*> paths;
     for (int i = 1; i < count; ++i) {
         const std::string_view option = values[i];
-        if (option == "--help") return write(help, 0);
+        if (option == "--help" || option == "-h") return write(help, 0);
         if (option == "--version") return write(say(version, has_arb ? with_arb : without_arb), 0);
         if (option == "--json")
             print = json;

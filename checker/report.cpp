@@ -170,9 +170,8 @@ std::string errata(const Report& report) {
     for (const DegreeClaim& c : report.degrees) {
         if (!c.verdict.starts_with("differs")) continue;
         text += say(c.claim, "\n  Paper: ", c.paper, "; certified at least: ", c.certified,
-                    "; certified exactly: ", c.exact, "; by evidence exactly: ", c.evidence, "; ",
-                    c.verdict, ".\n  Witness: ", c.witness.empty() ? "none, or itself" : c.witness,
-                    "\n\n");
+                    "; certified exactly: ", c.exact, "; known exactly: ", c.known, "; ", c.verdict,
+                    ".\n  Witness: ", c.witness.empty() ? "none, or itself" : c.witness, "\n\n");
     }
     return text.empty() ? "no count that these files cover differs from the paper\n" : text;
 }
@@ -226,7 +225,7 @@ std::string text(const Report& report) {
     const auto write_degree = [&](const DegreeClaim& c) {
         lines << std::left << '\n'
               << std::setw(52) << c.claim << std::right << std::setw(8) << c.paper << std::setw(11)
-              << c.certified << std::setw(10) << c.exact << std::setw(10) << c.evidence << "  "
+              << c.certified << std::setw(10) << c.exact << std::setw(10) << c.known << "  "
               << c.verdict;
     };
     const auto has_degrees = [](const FileReport& file) { return !file.degrees.empty(); };
@@ -234,7 +233,7 @@ std::string text(const Report& report) {
     if (report.degrees.empty())
         return lines.str() + "The degrees are not compared with the paper: no class of theirs is "
                              "certified to be minimal in this run.\n";
-    write_degree({"camera-degrees", "claimed", "certified", "certified", "evidence", ""});
+    write_degree({"camera-degrees", "claimed", "certified", "certified", "known", ""});
     write_degree({"", "exactly", "at least", "exactly", "exactly", ""});
     std::for_each(report.degrees.begin(), report.degrees.end(), write_degree);
     return lines.str() + '\n';
@@ -290,7 +289,7 @@ std::string json(const Report& report) {
              << ", \"claimed_exactly\": " << cell(c.paper)
              << ", \"certified_at_least\": " << cell(c.certified)
              << ", \"certified_exactly\": " << cell(c.exact)
-             << ", \"evidence_exactly\": " << cell(c.evidence)
+             << ", \"known_exactly\": " << cell(c.known)
              << ", \"verdict\": " << std::quoted(c.verdict) << '}';
     comma = "],\n\"certified_exactly\": [\n";
     for (const auto& [number, degree] : report.exact)

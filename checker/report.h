@@ -51,10 +51,10 @@ struct Claim {
 };
 
 /// The same of camera-degrees: numbers of problems, or the degree of one. Certified is what is at
-/// least so much, and, where an upper bound meets it, what is exactly so much; else that is
-/// evidence.
+/// least so much, and, where an upper bound meets it, what is exactly so much; known, what is that
+/// by evidence, too.
 struct DegreeClaim {
-    std::string claim, paper, certified, exact, evidence, verdict;
+    std::string claim, paper, certified, exact, known, verdict;
     std::string witness{}; // a problem that is counted
 };
 

@@ -406,7 +406,7 @@ TEST_CASE("a degree is certified exact where the bounds meet, and not a solution
     CHECK(less.certified == "79");
     CHECK(less.exact == "-");
     CHECK(none_exact == "0");
-    CHECK(less.evidence == "-");
+    CHECK(less.known == "-");
 }
 
 TEST_CASE("of the bounds that are theorems, one that is attained says nothing of others, but 64") {

@@ -607,14 +607,14 @@ TEST_CASE(
         for (const Signature& t : next)
             if (seen.insert(t).second) todo.push_back(t);
     }
-    CHECK(exactly.evidence == say(equivalent.size()));
+    CHECK(exactly.known == say(equivalent.size()));
     CHECK(exactly.certified == say(equivalent.size() + 1)); // and Chicago, which is alone
     CHECK(equivalent.size() > 1);
     CHECK(claim(report, "terminal, degree at least 300").certified == "1");
     CHECK(claim(report, "terminal, degree at least 300").paper == "73816");
-    CHECK(claim(report, "terminal, degree at least 300").evidence == "-");
+    CHECK(claim(report, "terminal, degree at least 300").known == "-");
     CHECK(claim(report, "3002_1, class 2394").certified == "312");
-    CHECK(claim(report, "3002_1, class 2394").evidence == "-");
+    CHECK(claim(report, "3002_1, class 2394").known == "-");
     CHECK(claim(report, "3010_0, class 6722").verdict == "not covered by these files");
     CHECK(pins != point);
 
@@ -629,9 +629,9 @@ TEST_CASE(
 TEST_CASE("the largest certified bound of a constraint class counts") {
     const Report report = degree_report({{6722, 1, 200, true}, {6722, 2, 216, false}});
     CHECK(claim(report, "3010_0").certified == "216");
-    CHECK(claim(report, "3010_0").evidence == "-"); // the evidence for 200 is refuted
+    CHECK(claim(report, "3010_0").known == "-"); // the evidence for 200 is refuted
     const Report same = degree_report({{6722, 1, 216, true}, {6722, 2, 216, false}});
-    CHECK(claim(same, "3010_0").evidence == "216");
+    CHECK(claim(same, "3010_0").known == "216");
 }
 
 TEST_CASE("degrees of classes that are not certified to be minimal do not count") {
@@ -654,13 +654,13 @@ TEST_CASE("a table that agrees with the paper, and one that does not") {
     CHECK(report.status == 0);
     const std::string found = errata(report);
     CHECK(found.find("terminal, degree 160\n  Paper: 547; certified at least: 74575; certified "
-                     "exactly: 0; by evidence exactly: 0; differs") != std::string::npos);
+                     "exactly: 0; known exactly: 0; differs") != std::string::npos);
 
     for (Degree& degree : degrees)
         if (degree.number == 6722) degree = {6722, 1, 176, true};
     report = degree_report(degrees);
     CHECK(claim(report, "terminal, degree 176").paper == "0");
-    CHECK(claim(report, "terminal, degree 176").evidence == "1");
+    CHECK(claim(report, "terminal, degree 176").known == "1");
     CHECK(claim(report, "terminal, degree 176").verdict == "differs, by evidence");
     CHECK(errata(report).find("Witness: class 6722: 3*P/P/P + a/a/a") != std::string::npos);
     // At most one problem has less than 300 solutions, since the others are certified to have more.
@@ -683,7 +683,7 @@ TEST_CASE(
         const Report r = report(others);
         const DegreeClaim below = claim(r, "terminal, degree below 300"),
                           rest = claim(r, "terminal, degree at least 300");
-        const std::size_t least = std::stoul(rest.certified), less = std::stoul(below.evidence);
+        const std::size_t least = std::stoul(rest.certified), less = std::stoul(below.known);
         CHECK(least + less == 74575);
         CHECK(below.verdict == (less > 759   ? "differs, by evidence"
                                 : less < 759 ? "differs, certified"

@@ -22,7 +22,9 @@ std::vector<std::string> commands_in(const std::string& readme) {
 
 /// A source folder that has what a bundle needs, and little else.
 void make_project(const TemporaryFolder& folder) {
-    for (const char* name : {"certs", "checker", "proofs", "LICENSE", "CITATION.cff"})
+    std::filesystem::create_directory(folder / "tests");
+    for (const char* name :
+         {"certs", "checker", "proofs", "LICENSE", "CITATION.cff", "tests/two_points.cpp"})
         std::filesystem::copy(std::filesystem::path(source) / name, folder / name,
                               std::filesystem::copy_options::recursive);
 }

@@ -269,7 +269,7 @@ TEST_CASE("degree answers for people and for machines") {
     CHECK(text.err.empty());
     CHECK(contains(text.out, "problem     2*Pa/Pa/Pa + P/P/P\n"));
     CHECK(contains(text.out, "by evidence, not proved: 5 edges"));
-    CHECK(contains(text.out, "for plcheck to replay"));
+    CHECK(contains(text.out, "certified once plcheck accepts it"));
     const Outcome json = run(plprove + " degree '2*Pa/Pa/Pa + P/P/P' --json");
     CHECK(json.status == 0);
     const auto report = nlohmann::json::parse(json.out);

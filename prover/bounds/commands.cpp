@@ -45,7 +45,7 @@ void prove_bounds(const std::string& path, bool table, const Deliver& deliver) {
     if (table) std::cerr << lines;
     if (path != "-")
         std::cerr << "wrote " << path << ": templates of " << templates.size() << " of "
-                  << types.size() << " types of registration problems\n";
+                  << types.size() << " types, the relative pose among them\n";
 }
 
 } // namespace

@@ -27,7 +27,7 @@ const Selection selections[] = {
     {"proofs", {".md", ".v", ".awk", "Makefile"}},
 };
 
-constexpr const char* single_files[] = {"CITATION.cff", "LICENSE"};
+constexpr const char* single_files[] = {"CITATION.cff", "LICENSE", "tests/two_points.cpp"};
 
 constexpr const char* landmarks[] = {"certs/FORMAT.md", "certs/SHA256SUMS", "checker/main.cpp"};
 
@@ -36,6 +36,7 @@ constexpr const char* readme = R"(Certificates for the classification of point-l
 certs/     the certificates; FORMAT.md specifies them, enough to write another checker
 checker/   the sources of plcheck, which believes nothing and replays every certificate
 proofs/    why a certificate that passes implies its claim
+tests/     an example that one of the proofs computes
 
 With a C++20 compiler and GMP (https://gmplib.org), in this folder:
 

@@ -49,7 +49,7 @@ constexpr RangeOption ranges[] = {
     {"--complete-views", &Filter::complete_views, "number of views that see everything"},
     {"--rank", &Filter::rank, "generic rank, 11 where minimal"},
     {"--degree", &Filter::degree,
-     "degree on file, whatever its status; a lower bound only where the range has no end"},
+     "degree on file, whatever its status; lower bounds, too, where the range has no end"},
     {"--degree-certified", &Filter::certified_degree, "how many solutions certificates show"},
 };
 

@@ -23,7 +23,7 @@ constexpr int largest_target = 1'000'000;
 
 constexpr const char* degree_examples =
     "The certificate proves a lower bound; plcheck replays it. That the degree is no larger is "
-    "evidence.\n\n"
+    "evidence here;\nof some problems plcheck certifies it, given a file of upper bounds, too.\n\n"
     "Examples:\n"
     "  plprove degree 2394                          the Chicago problem, until complete\n"
     "  plprove degree '3*P/P/P + P/P/a' --json      for machines\n"
@@ -44,7 +44,8 @@ constexpr const char* degrees_examples =
     "  plprove degrees --collect --below 300 --also pl0p -o sweep\n"
     "                                               write the files again, with fewer "
     "certificates\n"
-    "  plcheck --json sweep/degrees.plc >report     believe nothing, replay everything\n"
+    "  plcheck --json certs/classification.plc certs/bounds.plc sweep/degrees*.plc >report\n"
+    "                                               believe nothing, replay everything\n"
     "  plprove degrees --collect --checked report -o sweep\n"
     "                                               and call certified what it accepted\n";
 
@@ -291,8 +292,8 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
         collect->excludes(option);
     command
         ->add_option("--below", request->selection.below,
-                     "of which classes the certificates go into degrees.plc: complete, with a "
-                     "degree below this (default: of all)")
+                     "write only certificates of classes that are complete, with fewer solutions "
+                     "than this (default: of all)")
         ->check(CLI::Range(1, largest_target));
     add_class_filters(*command, "--also", request->also, "... and of these")->needs("--below");
     command

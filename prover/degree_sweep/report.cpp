@@ -26,12 +26,12 @@ void write_degree(std::ostream& out, const DegreeReport& report) {
     section(out, "degree") << (run.complete() ? "" : "at least ") << run.degree << ": the "
                            << degree_name(report.decision)
                            << (run.complete() ? "" : ", or a lower bound") << ", as computed\n";
-    section(out, "certified");
+    section(out, "certificate");
     if (report.certified() > 0)
-        out << "at least " << report.certified()
-            << ": the certificate shows so many solutions, for plcheck to replay\n";
+        out << "of at least " << report.certified()
+            << " solutions: certified once plcheck accepts it\n";
     else
-        out << "nothing: there is no certificate\n";
+        out << "none\n";
     section(out, "complete");
     if (run.evidence)
         out << "by evidence, not proved: " << run.evidence->edges
