@@ -15,6 +15,15 @@
 
 using namespace plprove;
 
+namespace checker { // where the checker's functions of vectors look for them
+inline Residue operator+(Residue a, Residue b) {
+    return Residue::of(Wide{a.value} + b.value);
+}
+inline Residue operator-(Residue a, Residue b) {
+    return a + -b;
+}
+} // namespace checker
+
 namespace {
 
 /// A class on (P^1)^3 x B, by the h_v in it, as bits: on B a number, multiples of delta, delta' and
@@ -81,15 +90,8 @@ constexpr std::array<std::array<int, 3>, 2> once{{{0, 0, 1}, {0, 0, 1}}}; // eta
 using checker::Residue;
 constexpr Residue zero{}, unit{1};
 
-Residue operator+(Residue a, Residue b) {
-    return Residue::of(checker::Wide{a.value} + b.value);
-}
-Residue operator-(Residue a, Residue b) {
-    return a + -b;
-}
-
 /// A vector in the coordinates of alpha, beta and n; a line, by its products with these.
-using Triple = std::array<Residue, 3>;
+using Triple = checker::Triple<Residue>;
 
 /// A line in a view.
 struct Seen {
@@ -144,8 +146,7 @@ private:
         for (std::size_t v = 0; v < 3; ++v)
             for (std::size_t i = 0; i < 2; ++i)
                 m[i][v] = row(planes[v], {})[i];
-        return {m[0][1] * m[1][2] - m[0][2] * m[1][1], m[0][2] * m[1][0] - m[0][0] * m[1][2],
-                m[0][0] * m[1][1] - m[0][1] * m[1][0]};
+        return checker::cross(m[0], m[1]);
     }
 
     /// A or Q of a free line: the left side of this equation of (7).
@@ -159,16 +160,14 @@ private:
 
     /// The camera with these b_v and s_1 = 0 at which the A of both lines vanish.
     Camera camera(const Triple& b, const Condition& first, const Condition& second) const {
-        std::array<std::array<Residue, 3>, 2> m; // coefficients of s_2 and s_3, and the rest
-        for (const std::size_t i : {0, 1}) {
-            const Condition& planes = i == 0 ? first : second;
-            m[i] = {side(planes, 2, {Triple{}, Triple{zero, unit, zero}}),
-                    side(planes, 2, {Triple{}, Triple{zero, zero, unit}}),
-                    side(planes, 2, {b, Triple{}})};
-        }
-        const Residue scale = (m[0][0] * m[1][1] - m[0][1] * m[1][0]).inverse();
-        return {b, Triple{zero, (m[0][1] * m[1][2] - m[0][2] * m[1][1]) * scale,
-                          (m[0][2] * m[1][0] - m[0][0] * m[1][2]) * scale}};
+        const auto equation =
+            [&](const Condition& planes) { // coefficients of s_2, s_3, and the rest
+                return Triple{side(planes, 2, {Triple{}, Triple{zero, unit, zero}}),
+                              side(planes, 2, {Triple{}, Triple{zero, zero, unit}}),
+                              side(planes, 2, {b, Triple{}})};
+            };
+        const auto [s2, s3, scale] = checker::cross(equation(first), equation(second));
+        return {b, Triple{zero, s2 * scale.inverse(), s3 * scale.inverse()}};
     }
 
     std::mt19937_64 random_;
@@ -207,11 +206,9 @@ private:
 };
 
 bool Example::six_zeros(const Condition& first, const Condition& second, const Condition& third) {
+    using checker::minus, checker::times;
     const auto form = [&](const Condition& planes, const Triple& b) { // Q, where all A are 0
         return side(planes, 3, camera(b, first, second));
-    };
-    const auto add = [](const Triple& a, Residue factor, const Triple& b) {
-        return Triple{a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
     };
     // A point of the conic Q_2 = 0: a square root of the discriminant, as q = 3 modulo 4.
     Triple start{zero, zero, unit};
@@ -219,7 +216,7 @@ bool Example::six_zeros(const Condition& first, const Condition& second, const C
         start = {zero, start[1] + unit, unit};
         const Triple along{unit, zero, zero};
         const Residue c = form(second, start), a = form(second, along),
-                      b = form(second, add(start, unit, along)) - a - c,
+                      b = a + c - form(second, minus(start, along)),
                       discriminant = b * b - Residue{4} * a * c;
         Residue root = discriminant;
         for (int n = 0; n < 59; ++n)
@@ -234,8 +231,8 @@ bool Example::six_zeros(const Condition& first, const Condition& second, const C
     const auto point = [&](Residue z) {
         const Triple direction{unit, z, zero};
         const Residue q = form(second, direction);
-        const Residue mixed = form(second, add(start, unit, direction)) - q;
-        return add({q * start[0], q * start[1], q * start[2]}, -mixed, direction);
+        const Residue mixed = q - form(second, minus(start, direction));
+        return minus(times(q, start), times(mixed, direction));
     };
     const auto rows = [&](Residue z) {
         std::vector<std::vector<Residue>> all;
