@@ -273,4 +273,76 @@ inline void put(Wide& x, int lane, double value) {
     put(x.low, lane, 0);
 }
 
+/// About 48 decimal digits: the unevaluated sum of three numbers in each lane, each as small as
+/// the rounding error of the one before (N. Fabiano, J.-M. Muller, J. Picot, IEEE Trans. Comput.
+/// 68, 2019).
+struct Triple {
+    static constexpr int width = Real::width;
+    Real high, middle, low;
+    static Triple of(double x) { return {Real::of(x), Real::of(0), Real::of(0)}; }
+    void store(double* x) const { high.store(x); }
+};
+/// The sum a + b + c as a Triple, if each is about as large as the sum before it or smaller.
+[[gnu::always_inline]] inline Triple renormalized(Real a, Real b, Real c) {
+    const Wide tail = exact_sum(b, c), head = exact_sum(a, tail.high);
+    const Wide rest = exact_sum(head.low, tail.low);
+    return {head.high, rest.high, rest.low};
+}
+[[gnu::always_inline]] inline Triple negative(Triple a) {
+    const Real zero = Real::of(0);
+    return {zero - a.high, zero - a.middle, zero - a.low};
+}
+[[gnu::always_inline]] inline Triple operator+(Triple a, Triple b) {
+    const Wide high = exact_sum(a.high, b.high), middle = exact_sum(a.middle, b.middle);
+    const Wide between = exact_sum(middle.high, high.low);
+    return renormalized(high.high, between.high, (a.low + b.low) + (middle.low + between.low));
+}
+[[gnu::always_inline]] inline Triple operator-(Triple a, Triple b) {
+    return a + negative(b);
+}
+[[gnu::always_inline]] inline Triple operator*(Triple a, Triple b) {
+    const Real zero = Real::of(0);
+    const Real high = a.high * b.high, lacking = fnma(a.high, b.high, high);
+    const Real across = a.high * b.middle, lacking_across = fnma(a.high, b.middle, across);
+    const Real back = a.middle * b.high, lacking_back = fnma(a.middle, b.high, back);
+    const Wide crossed = exact_sum(across, back);
+    const Wide middle = exact_sum(crossed.high, zero - lacking);
+    const Real low = fma(a.high, b.low, fma(a.low, b.high, a.middle * b.middle));
+    const Real rest = (crossed.low + middle.low) - (lacking_across + lacking_back);
+    return renormalized(high, middle.high, low + rest);
+}
+[[gnu::always_inline]] inline Triple operator/(Triple a, Triple b) {
+    const Real zero = Real::of(0);
+    Real digits[3];
+    for (Real& digit : digits) {
+        digit = a.high / b.high;
+        a = a - b * Triple{digit, zero, zero};
+    }
+    return renormalized(digits[0], digits[1], digits[2]);
+}
+[[gnu::always_inline]] inline Triple fma(Triple a, Triple b, Triple c) {
+    return a * b + c;
+}
+[[gnu::always_inline]] inline Triple fnma(Triple a, Triple b, Triple c) {
+    return c - a * b;
+}
+/// Only as accurate as Real's: enough for the sizes of steps.
+[[gnu::always_inline]] inline Triple sqrt(Triple a) {
+    return {sqrt(a.high), Real::of(0), Real::of(0)};
+}
+[[gnu::always_inline]] inline Mask less(Triple a, Triple b) {
+    return less((a - b).high, Real::of(0));
+}
+[[gnu::always_inline]] inline Triple select(Mask m, Triple a, Triple b) {
+    return {select(m, a.high, b.high), select(m, a.middle, b.middle), select(m, a.low, b.low)};
+}
+inline double at(Triple x, int lane) {
+    return at(x.high, lane);
+}
+inline void put(Triple& x, int lane, double value) {
+    put(x.high, lane, value);
+    put(x.middle, lane, 0);
+    put(x.low, lane, 0);
+}
+
 } // namespace plprove::PLC_LANES

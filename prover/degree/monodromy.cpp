@@ -116,6 +116,19 @@ PathFollower::Ends PathFollower::follow_closely(const TrackedImages& images,
     return ends;
 }
 
+PathFollower::Ends PathFollower::follow_precisely(const TrackedImages& images,
+                                                  const std::vector<CameraPoint>& starts) {
+    TrackSettings settings = close_settings();
+    // Newton's method may converge only from 1e-18 or nearer here, and the largest rounding errors
+    // seen are 1e-26.
+    settings.noise = 1e-22;
+    settings.smallest_step = 1e-18;
+    settings.largest_steps = 6000;
+    const Ends ends = attempt(fastest_triple_tracker(), images, settings, starts);
+    counts_.failed -= arrived(ends);
+    return ends;
+}
+
 PathFollower::Ends PathFollower::follow_detours(const Detours& detours,
                                                 const std::vector<CameraPoint>& starts) {
     constexpr int most = 3;
@@ -164,8 +177,10 @@ std::uint64_t PathFollower::arrived(const Ends& ends) {
         std::ranges::count_if(ends, [](const auto& end) { return end.has_value(); }));
 }
 
-Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream)
-    : system_(system), random_(seed, stream), chart_{{random_.complex3(), random_.complex3()}, {}},
+Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
+                     double suspicious)
+    : system_(system), suspicious_(suspicious),
+      random_(seed, stream), chart_{{random_.complex3(), random_.complex3()}, {}},
       constants_(random_constants(system, random_)), follower_({}) {
     for (Complex& x : chart_.centre)
         x = random_.complex();
@@ -238,7 +253,7 @@ bool Monodromy::follow_edge(Edge& edge, int from, int most) {
     if (starting.empty()) return false;
     const auto ends = follower_.follow_quickly(edge.images[source], starts);
     for (std::size_t k = 0; k < starting.size(); ++k)
-        std::ranges::copy(match(edge, from, starting[k], ends[k], suspicious),
+        std::ranges::copy(match(edge, from, starting[k], ends[k], suspicious_),
                           std::back_inserter(edge.postponed[source]));
     return true;
 }
@@ -274,8 +289,13 @@ bool Monodromy::follow_postponed() {
                     starts.push_back(nodes_[source].solutions[i]);
                 }
             const int before = nodes_[1 - source].solutions.size();
-            // Solutions nearly as degenerate as rounding do occur.
-            const auto ends = follower_.follow_closely(edge.images[source], starts);
+            // Solutions nearly as degenerate as rounding do occur. Any way leads to other images,
+            // but an edge matches all solutions only if all follow the same: hence still more
+            // digits.
+            auto ends = follower_.follow_closely(edge.images[source], starts);
+            fill(ends, starts, [&](const auto& left) {
+                return follower_.follow_precisely(edge.images[source], left);
+            });
             for (std::size_t k = 0; k < starting.size(); ++k)
                 match(edge, from, starting[k], ends[k], 0);
             follow_detours(edge, from, starting, starts, ends);

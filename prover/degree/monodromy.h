@@ -58,8 +58,10 @@ public:
                 const std::vector<CameraPoint>& starts);
     /// Loses about one of a hundred, which is not counted.
     Ends follow_quickly(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With tighter settings and twice as many digits; what is lost then is lost for good.
+    /// With tighter settings and twice as many digits; what is lost then counts as lost for good.
     Ends follow_closely(const TrackedImages& images, const std::vector<CameraPoint>& starts);
+    /// With three times as many digits, what was lost closely: what arrives was not lost for good.
+    Ends follow_precisely(const TrackedImages& images, const std::vector<CameraPoint>& starts);
     /// Closely, what was lost on the straight way: what arrives was not lost for good.
     Ends follow_detours(const Detours& detours, const std::vector<CameraPoint>& starts);
     const PathCounts& counts() const { return counts_; }
@@ -77,7 +79,10 @@ private:
 /// Two nodes with random images, and edges between them along which all solutions are followed.
 class Monodromy {
 public:
-    Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream);
+    /// What is less nondegenerate than `suspicious` is likely to be no solution, but a degenerate
+    /// one.
+    Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
+              double suspicious = 1e-8);
 
     /// Follows solutions along all edges until each edge has matched all solutions of both nodes,
     /// or `target` solutions (0: any number) are known at the first node.
@@ -101,8 +106,6 @@ private:
         SolutionSet solutions;
     };
     static constexpr int open = -1, lost = -2;
-    /// What is less nondegenerate than this is likely to be no solution, but a degenerate one.
-    static constexpr double suspicious = 1e-8;
     struct Edge {
         Images to;                                            ///< those of node 1, turned
         std::array<TrackedImages, 2> images{};                ///< forth and back
@@ -130,6 +133,7 @@ private:
     bool follow_postponed();
 
     const CameraSystem& system_;
+    double suspicious_;
     Random random_;
     CameraChart chart_;
     std::vector<Complex3> constants_;

@@ -71,15 +71,15 @@ using TraceFunction = void(const TrackedSystem& system, const TracePencil* penci
                            const CameraPoint* solutions, TraceTerm* terms);
 
 namespace avx512 {
-TrackFunction track, track_wide;
+TrackFunction track, track_wide, track_triple;
 TraceFunction trace_terms;
 } // namespace avx512
 namespace avx2 {
-TrackFunction track, track_wide;
+TrackFunction track, track_wide, track_triple;
 TraceFunction trace_terms;
 } // namespace avx2
 namespace portable {
-TrackFunction track, track_wide;
+TrackFunction track, track_wide, track_triple;
 TraceFunction trace_terms;
 } // namespace portable
 
@@ -88,7 +88,9 @@ TrackFunction* fastest_tracker();
 /// The same, with about 32 digits throughout, some ten times as slow; starts and ends are
 /// doubles.
 TrackFunction* fastest_wide_tracker();
-/// Likewise.
+/// The same, with about 48 digits; a few times as slow again.
+TrackFunction* fastest_triple_tracker();
+/// The terms of the trace test with the most lanes.
 TraceFunction* fastest_trace();
 
 } // namespace plprove

@@ -1,5 +1,5 @@
 // The path tracker, with the lanes of the instruction set that the including file is compiled for;
-// with twice as many digits if that file defines PLC_WIDE.
+// with twice or three times as many digits if that file defines PLC_WIDE or PLC_TRIPLE.
 //
 // No function of the standard library is used here: see lanes.h.
 #pragma once
@@ -11,8 +11,12 @@ namespace plprove::PLC_LANES {
 
 namespace {
 
+#if defined(PLC_WIDE) || defined(PLC_TRIPLE)
 #if defined(PLC_WIDE)
 using Real = Wide;
+#else
+using Real = Triple;
+#endif
 #undef PLC_UNROLLED
 #define PLC_UNROLLED // a column does not fit into the registers
 #endif
@@ -630,6 +634,8 @@ private:
 
 #if defined(PLC_WIDE)
 TrackCost track_wide(
+#elif defined(PLC_TRIPLE)
+TrackCost track_triple(
 #else
 TrackCost track(
 #endif

@@ -140,6 +140,7 @@ public:
         ratio("check_classification", "flint_whole_jacobian");
         ratio("track_chicago", "track_chicago_one_lane", "track");
         ratio("track_chicago_wide", "track_chicago", "track");
+        ratio("track_chicago_triple", "track_chicago_wide", "track");
         ratio("check_solutions", "track_chicago", "solution and track");
     }
 

@@ -1,5 +1,6 @@
 // Speed of the degree engine: paths of the Chicago problem (class 2394) with the widest lanes of
-// this machine, with one lane, and with twice as many digits, and proving solutions in the checker.
+// this machine, with one lane, and with two and three times as many digits, and proving solutions
+// in the checker.
 #include "checker/report.h"
 #include "prover/degree/degree.h"
 #include "prover/degree/monodromy.h"
@@ -63,6 +64,9 @@ void track_chicago_one_lane(benchmark::State& state) {
 void track_chicago_wide(benchmark::State& state) {
     follow(state, fastest_wide_tracker());
 }
+void track_chicago_triple(benchmark::State& state) {
+    follow(state, fastest_triple_tracker());
+}
 
 void check_solutions(benchmark::State& state) {
     const DegreeRun run = compute_degree(chicago, {});
@@ -78,4 +82,5 @@ void check_solutions(benchmark::State& state) {
 BENCHMARK(track_chicago)->Unit(benchmark::kMillisecond);
 BENCHMARK(track_chicago_one_lane)->Unit(benchmark::kMillisecond);
 BENCHMARK(track_chicago_wide)->Unit(benchmark::kMillisecond);
+BENCHMARK(track_chicago_triple)->Unit(benchmark::kMillisecond);
 BENCHMARK(check_solutions)->Unit(benchmark::kMillisecond);
