@@ -273,16 +273,16 @@ inline void put(Wide& x, int lane, double value) {
     put(x.low, lane, 0);
 }
 
-/// About 48 decimal digits: the unevaluated sum of three numbers in each lane, each as small as
-/// the rounding error of the one before (N. Fabiano, J.-M. Muller, J. Picot, IEEE Trans. Comput.
-/// 68, 2019).
+/// About 48 decimal digits: the unevaluated sum of three numbers in each lane, each about as small
+/// as the rounding error of the one before (after N. Fabiano, J.-M. Muller, J. Picot, IEEE Trans.
+/// Comput. 68, 2019).
 struct Triple {
     static constexpr int width = Real::width;
     Real high, middle, low;
     static Triple of(double x) { return {Real::of(x), Real::of(0), Real::of(0)}; }
     void store(double* x) const { high.store(x); }
 };
-/// The sum a + b + c as a Triple, if each is about as large as the sum before it or smaller.
+/// a + b + c, where none is much larger than the one before.
 [[gnu::always_inline]] inline Triple renormalized(Real a, Real b, Real c) {
     const Wide tail = exact_sum(b, c), head = exact_sum(a, tail.high);
     const Wide rest = exact_sum(head.low, tail.low);
