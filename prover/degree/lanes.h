@@ -292,15 +292,16 @@ struct Triple {
     const Real zero = Real::of(0);
     return {zero - a.high, zero - a.middle, zero - a.low};
 }
-[[gnu::always_inline]] inline Triple operator+(Triple a, Triple b) {
+[[gnu::always_inline]] inline Triple operator+(const Triple& a, const Triple& b) {
     const Wide high = exact_sum(a.high, b.high), middle = exact_sum(a.middle, b.middle);
     const Wide between = exact_sum(middle.high, high.low);
     return renormalized(high.high, between.high, (a.low + b.low) + (middle.low + between.low));
 }
-[[gnu::always_inline]] inline Triple operator-(Triple a, Triple b) {
+[[gnu::always_inline]] inline Triple operator-(const Triple& a, const Triple& b) {
     return a + negative(b);
 }
-[[gnu::always_inline]] inline Triple operator*(Triple a, Triple b) {
+// The large ones are calls: inlined everywhere they would take the compiler minutes.
+[[gnu::noinline]] inline Triple operator*(const Triple& a, const Triple& b) {
     const Real zero = Real::of(0);
     const Real high = a.high * b.high, lacking = fnma(a.high, b.high, high);
     const Real across = a.high * b.middle, lacking_across = fnma(a.high, b.middle, across);
@@ -311,7 +312,7 @@ struct Triple {
     const Real rest = (crossed.low + middle.low) - (lacking_across + lacking_back);
     return renormalized(high, middle.high, low + rest);
 }
-[[gnu::always_inline]] inline Triple operator/(Triple a, Triple b) {
+[[gnu::noinline]] inline Triple operator/(Triple a, const Triple& b) {
     const Real zero = Real::of(0);
     Real digits[3];
     for (Real& digit : digits) {
@@ -320,10 +321,10 @@ struct Triple {
     }
     return renormalized(digits[0], digits[1], digits[2]);
 }
-[[gnu::always_inline]] inline Triple fma(Triple a, Triple b, Triple c) {
+[[gnu::noinline]] inline Triple fma(const Triple& a, const Triple& b, const Triple& c) {
     return a * b + c;
 }
-[[gnu::always_inline]] inline Triple fnma(Triple a, Triple b, Triple c) {
+[[gnu::noinline]] inline Triple fnma(const Triple& a, const Triple& b, const Triple& c) {
     return c - a * b;
 }
 /// Only as accurate as Real's: enough for the sizes of steps.
