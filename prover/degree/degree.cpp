@@ -103,7 +103,8 @@ DegreeRun attempt_degree(std::size_t number, const DegreeOptions& options, std::
     const CameraSystem system = camera_system(label_classes()[number]);
     const std::uint64_t stream = number + (attempt << 32U);
     // Only a certificate finds out that something is no solution; without one, suspect more.
-    Monodromy monodromy(system, options.seed, stream, options.certificate ? 1e-8 : 1e-6);
+    Monodromy monodromy(system, options.seed, stream,
+                        options.certificate ? Monodromy::suspicious : 1e-6);
     Random random(options.seed, ~stream);
     DegreeRun run;
     run.number = number;

@@ -178,8 +178,8 @@ std::uint64_t PathFollower::arrived(const Ends& ends) {
 }
 
 Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
-                     double suspicious)
-    : system_(system), suspicious_(suspicious),
+                     double least)
+    : system_(system), least_(least),
       random_(seed, stream), chart_{{random_.complex3(), random_.complex3()}, {}},
       constants_(random_constants(system, random_)), follower_({}) {
     for (Complex& x : chart_.centre)
@@ -253,7 +253,7 @@ bool Monodromy::follow_edge(Edge& edge, int from, int most) {
     if (starting.empty()) return false;
     const auto ends = follower_.follow_quickly(edge.images[source], starts);
     for (std::size_t k = 0; k < starting.size(); ++k)
-        std::ranges::copy(match(edge, from, starting[k], ends[k], suspicious_),
+        std::ranges::copy(match(edge, from, starting[k], ends[k], least_),
                           std::back_inserter(edge.postponed[source]));
     return true;
 }

@@ -79,10 +79,12 @@ private:
 /// Two nodes with random images, and edges between them along which all solutions are followed.
 class Monodromy {
 public:
-    /// What is less nondegenerate than `suspicious` is likely to be no solution, but a degenerate
-    /// one.
+    /// What is less nondegenerate than this is likely to be no solution, but a degenerate one.
+    static constexpr double suspicious = 1e-8;
+
+    /// What is less nondegenerate than `least` when it is found is followed more closely.
     Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
-              double suspicious = 1e-8);
+              double least = suspicious);
 
     /// Follows solutions along all edges until each edge has matched all solutions of both nodes,
     /// or `target` solutions (0: any number) are known at the first node.
@@ -133,7 +135,7 @@ private:
     bool follow_postponed();
 
     const CameraSystem& system_;
-    double suspicious_;
+    double least_;
     Random random_;
     CameraChart chart_;
     std::vector<Complex3> constants_;
