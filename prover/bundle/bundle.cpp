@@ -1,6 +1,6 @@
 #include "prover/bundle/bundle.h"
 
-#include "prover/bundle/sha256.h"
+#include "prover/system/sha256.h"
 
 #include <algorithm>
 #include <fstream>
@@ -27,7 +27,7 @@ const Selection selections[] = {
     {"proofs", {".md", ".v", ".awk", "Makefile"}},
 };
 
-constexpr const char* single_files[] = {"CITATION.cff", "LICENSE", "tests/two_points.cpp"};
+constexpr const char* single_files[] = {"CITATION.cff", "LICENSE", "tests/theorems/two_points.cpp"};
 
 constexpr const char* landmarks[] = {"certs/FORMAT.md", "certs/SHA256SUMS", "checker/main.cpp"};
 
@@ -40,7 +40,7 @@ tests/     an example that one of the proofs computes
 
 With a C++20 compiler and GMP (https://gmplib.org), in this folder:
 
-    c++ -std=c++20 -O2 -I. checker/*.cpp -lgmpxx -lgmp -o plcheck
+    c++ -std=c++20 -O2 -I. $(find checker -name '*.cpp') -lgmpxx -lgmp -o plcheck
     ./plcheck certs/*.plc
 
 The first line builds the checker, the second prints what the certificates prove and exits with 0

@@ -4,6 +4,7 @@
 #include "prover/catalogue/catalogue.h"
 
 #include <limits>
+#include <vector>
 
 namespace plprove {
 
@@ -45,6 +46,13 @@ struct Filter {
     std::optional<ObstructionFilter> obstruction;
     std::optional<DegreeStatus> degree_status;
     std::optional<DegreeBound> degree_bound;
+};
+
+/// A family of classes: those that pass the filter and, if ranges are given, are numbered in one.
+struct ClassFilter {
+    Filter filter;
+    std::vector<Range> numbers;
+    bool by_number_only = false; ///< whether the filter has no condition
 };
 
 bool matches(const Filter& filter, const Entry& entry);

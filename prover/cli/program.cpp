@@ -2,19 +2,19 @@
 // here.
 #include "prover/cli/program.h"
 
-#include "prover/bounds/commands.h"
 #include "prover/bundle/bundle.h"
-#include "prover/catalogue/commands.h"
 #include "prover/classification/archive.h"
 #include "prover/classification/problem_certificate.h"
-#include "prover/cli/atomic_file.h"
-#include "prover/cli/exit.h"
+#include "prover/cli/bounds_command.h"
+#include "prover/cli/catalogue_commands.h"
+#include "prover/cli/degree_commands.h"
 #include "prover/cli/problem_report.h"
-#include "prover/cli/progress.h"
-#include "prover/degree_sweep/commands.h"
 #include "prover/drawing/drawing.h"
 #include "prover/problem/spec.h"
 #include "prover/scripts/scripts.h"
+#include "prover/system/atomic_file.h"
+#include "prover/system/exit.h"
+#include "prover/system/progress.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "prover/degree/random.h"
-#include "prover/degree/tracker.h"
+#include "prover/degree/tracking/tracker.h"
 
 namespace plprove {
 

@@ -1,6 +1,6 @@
 #include "prover/degree_sweep/checked.h"
 
-#include "prover/bundle/sha256.h"
+#include "prover/system/sha256.h"
 
 #include <charconv>
 #include <fstream>

@@ -2,7 +2,11 @@
 // minimal problems, each named by the number of its first label class.
 #pragma once
 
-#include "prover/catalogue/filter_options.h"
+#include "prover/catalogue/filter.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
 
 namespace plprove {
 

@@ -1,6 +1,6 @@
 #include "prover/degree_sweep/folder.h"
 
-#include "prover/cli/atomic_file.h"
+#include "prover/system/atomic_file.h"
 
 #include <algorithm>
 #include <cerrno>

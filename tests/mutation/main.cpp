@@ -10,7 +10,7 @@
 #include "tests/mutation/referee.h"
 #include "tests/mutation/short_archive.h"
 #include "tests/mutation/table.h"
-#include "tests/random_problems.h"
+#include "tests/support/random_problems.h"
 
 #include <fstream>
 #include <iostream>

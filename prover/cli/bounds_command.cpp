@@ -1,0 +1,70 @@
+#include "prover/cli/bounds_command.h"
+
+#include "prover/bounds/template.h"
+#include "prover/system/progress.h"
+
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace plprove {
+
+namespace {
+
+/// A line of the table for people: how many solutions a type has at most.
+std::string line_of(const bounds::Registration& type, int classes,
+                    const std::optional<bounds::Template>& found) {
+    std::ostringstream text;
+    text << bounds::describe(type) << ": " << classes << " label classes, ";
+    if (found)
+        text << "at most " << found->basis.size() << " cameras; frame "
+             << bounds::name(found->frame) << ", minor of size "
+             << bounds::rotation_ring(found->frame).monomials(found->degree).size() -
+                    found->basis.size();
+    else
+        text << "no template found";
+    return text.str() + '\n';
+}
+
+void prove_bounds(const std::string& path, bool table, const Deliver& deliver) {
+    auto types = bounds::registration_types(label_classes());
+    types.emplace(bounds::relative_pose(), 0);
+    std::vector<bounds::Template> templates;
+    std::string lines;
+    {
+        ProgressLine progress("templates of registration problems", types.size());
+        std::size_t done = 0;
+        for (const auto& [type, classes] : types) {
+            auto found = bounds::best_template(type);
+            lines += line_of(type, classes, found);
+            if (found) templates.push_back(std::move(*found));
+            progress.show(++done);
+        }
+    }
+    deliver(path, bounds::write(templates));
+    if (table) std::cerr << lines;
+    if (path != "-")
+        std::cerr << "wrote " << path << ": templates of " << templates.size() << " of "
+                  << types.size() << " types, the relative pose among them\n";
+}
+
+} // namespace
+
+Command add_bounds_command(CLI::App& program, Deliver deliver) {
+    struct Request {
+        std::string path = "certs/bounds.plc";
+        bool table = false;
+    };
+    auto request = std::make_shared<Request>();
+    CLI::App* app = program.add_subcommand(
+        "bounds", "Bound the camera-degrees of extensions of the five-point problem from above");
+    app->add_option("-o,--output", request->path, "the file to write, - for standard output")
+        ->capture_default_str();
+    app->add_flag("--table", request->table, "also list the types, on standard error");
+    return {app, [request, deliver = std::move(deliver)] {
+                prove_bounds(request->path, request->table, deliver);
+                return 0;
+            }};
+}
+
+} // namespace plprove

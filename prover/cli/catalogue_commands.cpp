@@ -1,0 +1,110 @@
+#include "prover/cli/catalogue_commands.h"
+
+#include "prover/catalogue/export.h"
+#include "prover/catalogue/spelling.h"
+#include "prover/cli/filter_options.h"
+
+#include <system_error>
+
+namespace plprove {
+
+namespace {
+
+struct ListRequest {
+    Filter filter;
+    std::string format = "number";
+};
+
+struct ExportRequest {
+    std::optional<std::string> database, csv, json;
+};
+
+constexpr const char* list_examples =
+    "A class is listed if all filters hold; N may also be a range, 2..5, 2.. or ..5.\n\n"
+    "Examples:\n"
+    "  plprove list --minimal | wc -l               how many classes are minimal\n"
+    "  plprove list --terminal --one-pin --points ..4\n"
+    "                                               at most one pin per point, four points\n"
+    "  plprove list --pl0p --minimal --format notation\n"
+    "                                               points and lines only, spelled out\n"
+    "  plprove list --points-in-views 5,5,3         one view sees 3 points, the others 5\n"
+    "  plprove list --obstruction epipolar --rank ..7\n"
+    "                                               not minimal, and by far\n"
+    "  plprove list --five-point --format csv       with all columns (certs/CATALOGUE.md)\n";
+
+constexpr const char* export_examples =
+    "Examples:\n"
+    "  plprove export catalogue.db                  an SQLite database of all 143,494 classes\n"
+    "  plprove export --csv all.csv --json all.json the same as text\n"
+    "  plprove export --csv - | head -3             to standard output\n"
+    "  sqlite3 catalogue.db 'SELECT * FROM counts'  ask it (certs/CATALOGUE.md)\n";
+
+std::string list(const ListRequest& request) {
+    std::vector<Entry> chosen = catalogue(parse_degrees(degree_lines()));
+    std::erase_if(chosen, [&](const Entry& entry) { return !matches(request.filter, entry); });
+    if (request.format == "csv") return to_csv(chosen);
+    std::string text;
+    for (const Entry& entry : chosen)
+        text += (request.format == "notation" ? notation(entry.signature)
+                                              : std::to_string(entry.number)) +
+                '\n';
+    return text;
+}
+
+void export_files(const ExportRequest& request, const Deliver& deliver) {
+    if (!request.database && !request.csv && !request.json) return;
+    const std::vector<DegreeRecord> degrees = parse_degrees(degree_lines());
+    const std::vector<Entry> entries = catalogue(degrees);
+    if (request.database) deliver(*request.database, to_sqlite(entries, degrees));
+    if (request.csv) deliver(*request.csv, to_csv(entries));
+    if (request.json) deliver(*request.json, to_json(entries));
+}
+
+/// Runs `action`. A reader that has seen enough (`| head`) is no failure to report, but not all was
+/// written.
+int quiet_on_closed_pipe(const std::function<void()>& action) {
+    try {
+        action();
+        return 0;
+    } catch (const std::system_error& error) {
+        if (error.code() != std::errc::broken_pipe) throw;
+        return 1;
+    }
+}
+
+} // namespace
+
+Command add_list_command(CLI::App& program, Deliver deliver) {
+    const auto request = std::make_shared<ListRequest>();
+    CLI::App* command =
+        program.add_subcommand("list", "List the label classes that satisfy some filters");
+    add_filters(*command, request->filter);
+    command
+        ->add_option("--format", request->format,
+                     "the authors' numbers, the problems in notation, or a table")
+        ->check(CLI::IsMember({"number", "notation", "csv"}))
+        ->capture_default_str();
+    command->footer(list_examples);
+    return {command, [request, deliver = std::move(deliver)] {
+                return quiet_on_closed_pipe([&] { deliver("-", list(*request)); });
+            }};
+}
+
+Command add_export_command(CLI::App& program, Deliver deliver) {
+    const auto request = std::make_shared<ExportRequest>();
+    CLI::App* command =
+        program.add_subcommand("export", "Write the catalogue of all label classes");
+    command->add_option("DATABASE", request->database, "the SQLite database to write")
+        ->type_name("FILE");
+    command->add_option("--csv", request->csv, "the CSV file to write, - for standard output")
+        ->type_name("FILE");
+    command->add_option("--json", request->json, "the JSON file to write, - for standard output")
+        ->type_name("FILE");
+    command->require_option(1, 0);
+    command->footer(export_examples);
+    return {command, [request, deliver = std::move(deliver)] {
+                return quiet_on_closed_pipe([&] { export_files(*request, deliver); });
+            }};
+}
+
+} // namespace plprove

@@ -1,3 +1,0 @@
-// One path at a time, with three times as many digits, on any machine.
-#define PLC_TRIPLE
-#include "prover/degree/tracker_kernel.h"

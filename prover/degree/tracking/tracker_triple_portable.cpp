@@ -1,0 +1,3 @@
+// One path at a time, with three times as many digits, on any machine.
+#define PLC_TRIPLE
+#include "prover/degree/tracking/tracker_kernel.h"

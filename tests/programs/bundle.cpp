@@ -1,0 +1,102 @@
+// The bundle that is archived for decades, as its reader meets it: an empty folder, a compiler.
+#include "tests/support/program.h"
+
+#include <doctest/doctest.h>
+#include <sstream>
+#include <vector>
+
+namespace {
+
+const std::string plprove = PLPROVE;
+const std::string plcheck = PLCHECK;
+const std::string source = SOURCE_DIR;
+
+/// The indented lines of the README: what it says to type.
+std::vector<std::string> commands_in(const std::string& readme) {
+    std::vector<std::string> commands;
+    std::istringstream lines(readme);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("    ")) commands.push_back(line.substr(4));
+    return commands;
+}
+
+/// A source folder that has what a bundle needs, and little else.
+void make_project(const TemporaryFolder& folder) {
+    std::filesystem::create_directories(folder / "tests/theorems");
+    for (const char* name :
+         {"certs", "checker", "proofs", "LICENSE", "CITATION.cff", "tests/theorems/two_points.cpp"})
+        std::filesystem::copy(std::filesystem::path(source) / name, folder / name,
+                              std::filesystem::copy_options::recursive);
+}
+
+} // namespace
+
+TEST_CASE("the bundle unpacks, builds and checks with what it brings along") {
+    const TemporaryFolder folder;
+    const std::string in_folder = "cd " + folder.path().string();
+    REQUIRE(
+        run(plprove + " archive --source " + source + " -o " + (folder / "b").string()).status ==
+        0);
+    REQUIRE(run(in_folder + " && zstd -q -d -c b | tar -x && rm b").status == 0);
+    REQUIRE(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+
+    const std::string inside = in_folder + "/* && ";
+    CHECK(run(inside + "sha256sum --check --strict --quiet SHA256SUMS").status == 0);
+    CHECK(run(inside + "cd certs && sha256sum --check --strict --quiet SHA256SUMS").status == 0);
+
+    const std::vector<std::string> commands = commands_in(run(inside + "cat README").out);
+    REQUIRE(commands.size() == 2);
+    const Outcome build = run(inside + commands[0]);
+    CAPTURE(build.err);
+    REQUIRE(build.status == 0);
+    const Outcome fresh = run(inside + commands[1]);
+    CHECK(fresh.status == 0);
+    CHECK(fresh.out.find("143494 certificates hold") != std::string::npos);
+    const Outcome degrees =
+        run(inside + "printf 'plcert 1 degrees\\n' >degrees.plc && ./plcheck degrees.plc");
+    CHECK(degrees.status == 1); // built from C++ and GMP alone
+    CHECK(degrees.err == "degrees.plc:1: refused: this plcheck was built without Arb\n");
+    const Outcome installed = run("cd " + source + " && " + plcheck + " certs/*.plc");
+    CHECK(fresh.out == installed.out);
+}
+
+TEST_CASE("the bundle depends on the files alone, not on their dates, rights or neighbours") {
+    const TemporaryFolder folder;
+    make_project(folder);
+    const auto from_sources = run(plprove + " archive -o - --source " + source);
+    REQUIRE(from_sources.status == 0);
+    REQUIRE(run("cd " + folder.path().string() +
+                " && chmod 600 LICENSE && touch -d 2001-01-01 certs/FORMAT.md && "
+                "touch proofs/left-over.vo checker/core")
+                .status == 0);
+    const auto from_copy = run("cd " + folder.path().string() + " && " + plprove + " archive -o -");
+    CHECK(from_copy.status == 0);
+    const bool same = from_copy.out == from_sources.out;
+    CHECK(same);
+}
+
+TEST_CASE("a bundle is refused where a certificate has not the digest on file") {
+    const TemporaryFolder folder;
+    make_project(folder);
+    const std::string command =
+        plprove + " archive --source " + folder.path().string() + " -o " + (folder / "b").string();
+    CHECK(run(command).status == 0);
+    write_file(folder / "certs/extra.plc", "plcert 1 problem\n");
+    const Outcome extra = run(command);
+    CHECK(extra.status == 1);
+    CHECK(extra.err.find("certs/extra.plc is not the file whose digest") != std::string::npos);
+    std::filesystem::remove(folder / "certs/extra.plc");
+    std::filesystem::remove(folder / "certs/classification.plc");
+    const Outcome missing = run(command);
+    CHECK(missing.status == 1);
+    CHECK(missing.err.find("names certs/classification.plc") != std::string::npos);
+}
+
+TEST_CASE("a bundle is made from the project's source folder only") {
+    const TemporaryFolder folder;
+    const Outcome outcome = run("cd " + folder.path().string() + " && " + plprove + " archive");
+    CHECK(outcome.status == 1);
+    CHECK(outcome.err.find("not the project's source folder") != std::string::npos);
+    CHECK(outcome.err.find("--source") != std::string::npos);
+    CHECK(std::filesystem::is_empty(folder.path()));
+}

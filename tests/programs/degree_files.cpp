@@ -1,0 +1,82 @@
+// plcheck and degree files, as a user meets them: the example of FORMAT.md, alone and with others.
+#include "tests/support/program.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+const std::string plcheck = PLCHECK;
+const std::string source = SOURCE_DIR;
+
+/// The file that section 9 shows.
+std::string example() {
+    const std::string format = read_file(source + "/certs/FORMAT.md");
+    const std::size_t start = format.find("\nplcert 1 degrees\n") + 1;
+    return format.substr(start, format.find("```", start) - start);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("the degree file in FORMAT.md holds") {
+    const TemporaryFolder folder;
+    write_file(folder / "one.plc", example());
+    const Outcome outcome = run("cd " + folder.path().string() + " && " + plcheck + " one.plc");
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out ==
+          "one.plc: 1 degree records hold, 0 refused\n"
+          "- class 2394: certified to have at least 1 solutions; evidence that there are no more: "
+          "none\n"
+          "The degrees are not compared with the paper: no class of theirs is certified to be "
+          "minimal in this run.\n");
+    CHECK(outcome.err.empty());
+}
+
+TEST_CASE("a degree file is compared with the paper where the classification is given") {
+    const TemporaryFolder folder;
+    write_file(folder / "one.plc", example());
+    const std::string files = source + "/certs/classification.plc " + source +
+                              "/certs/SHA256SUMS " + (folder / "one.plc").string();
+    const Outcome text = run(plcheck + " " + files);
+    CHECK(text.status == 0);
+    CHECK(contains(text.out, "digest as in "));
+    CHECK(contains(text.out, "camera-degrees"));
+    CHECK(contains(text.out, "terminal, degree 160                                     547"));
+
+    const Outcome outcome = run(plcheck + " --json " + files);
+    CHECK(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(json["files"][0]["digest"] == "as in " + source + "/certs/SHA256SUMS");
+    CHECK(json["files"][2]["degrees"] ==
+          nlohmann::json::array(
+              {{{"class", 2394}, {"certified_at_least", 1}, {"evidence_complete", false}}}));
+    std::size_t found = 0;
+    for (const auto& claim : json["degree_claims"]) {
+        if (claim["claim"] != "3002_1, class 2394: 2*Pa/Pa/Pa + P/P/P") continue;
+        ++found;
+        CHECK(claim["claimed_exactly"].is_null());
+        CHECK(claim["certified_at_least"] == 1);
+        CHECK(claim["known_exactly"].is_null());
+    }
+    CHECK(found == 1);
+    CHECK(json["degree_claims"].size() == 51 + 12 + (11 + 3) + (29 + 3));
+}
+
+TEST_CASE("an altered degree file is refused, and says why") {
+    const TemporaryFolder folder;
+    std::string altered = example();
+    const std::size_t last = altered.rfind("real ");
+    write_file(folder / "twice.plc", altered + altered.substr(last));
+    const Outcome twice = run("cd " + folder.path().string() + " && " + plcheck + " twice.plc");
+    CHECK(twice.status == 1);
+    CHECK(twice.err == "twice.plc:7: refused: class 2394: this may be the solution of line 6\n");
+    write_file(folder / "none.plc", altered.substr(0, last));
+    const Outcome none = run("cd " + folder.path().string() + " && " + plcheck + " none.plc");
+    CHECK(none.status == 2);
+    CHECK(none.err ==
+          "none.plc:5: does not conform to FORMAT.md: found nothing, expected `pair`\n");
+}

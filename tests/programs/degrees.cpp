@@ -1,0 +1,379 @@
+// plprove degree and degrees as users run them, and what happens to a sweep that is killed. The
+// program is plprove with a double in the place of its engine (degree_double).
+#include "tests/support/process.h"
+#include "tests/support/program.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <doctest/doctest.h>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Seconds = std::chrono::duration<double>;
+
+const std::string plprove = PLPROVE_DOUBLE;
+
+/// Numbers of classes: of 37 constraint classes, two of which the double does not like.
+const std::string some = "60000..60150";
+
+Arguments sweep_of(const fs::path& folder, const Arguments& more = {}) {
+    Arguments arguments{"degrees", "--target", "40", "--classes", some, "-o", folder.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+pid_t start(const Arguments& arguments, const char* milliseconds) {
+    return start_program(plprove, "/", arguments,
+                         [&] { ::setenv("PLC_DOUBLE_MS", milliseconds, 1); });
+}
+
+std::string shell(const Arguments& arguments) {
+    std::string line = plprove;
+    for (const std::string& argument : arguments)
+        line += " '" + argument + "'";
+    return line;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// The finished classes of a sweep, by path.
+std::map<std::string, std::string> finished(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    if (!fs::exists(folder / "seed-0")) return files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "seed-0"))
+        if (entry.path().extension() == ".plc") files[entry.path()] = read_file(entry.path());
+    return files;
+}
+
+/// Every file is whole and what it was before; beside them stands nothing that is taken for one.
+void check_nothing_lost(const std::map<std::string, std::string>& before,
+                        const std::map<std::string, std::string>& now) {
+    bool kept = true, whole = true;
+    for (const auto& [path, text] : before)
+        kept = kept && now.contains(path) && now.at(path) == text;
+    for (const auto& [path, text] : now)
+        whole = whole && text.starts_with("plcert 1 degrees\n# run {") && text.ends_with("\n");
+    CHECK(kept);
+    CHECK(whole);
+}
+
+void wait_until(const std::function<bool()>& condition) {
+    for (int i = 0; i < 1000 && !condition(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    REQUIRE(condition());
+}
+
+} // namespace
+
+TEST_CASE("a sweep that is killed at random moments goes on and loses nothing") {
+    const TemporaryFolder folder;
+    const fs::path whole = folder / "whole";
+    // The double fails for some classes, and says so.
+    const auto begin = std::chrono::steady_clock::now();
+    REQUIRE(WEXITSTATUS(wait_for(start(sweep_of(whole, {"--threads", "3"}), "4"))) == 1);
+    const Seconds undisturbed = std::chrono::steady_clock::now() - begin;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> moment(0, undisturbed.count());
+    int kills = 0, rounds = 0;
+    std::size_t between = 0;
+    for (; kills < 60; ++rounds) {
+        const fs::path sweep = folder / ("sweep-" + std::to_string(rounds));
+        std::map<std::string, std::string> files;
+        for (bool done = false; !done;) {
+            const pid_t child = start(sweep_of(sweep, {"--threads", "3"}), "4");
+            std::this_thread::sleep_for(Seconds(moment(random)));
+            ::kill(child, SIGKILL);
+            const int status = wait_for(child);
+            done = WIFEXITED(status);
+            kills += !done;
+            const auto now = finished(sweep);
+            check_nothing_lost(files, now);
+            between += now.size() > files.size() && !done;
+            files = now;
+            if (files.size() == finished(whole).size() && !done) {
+                // Nothing left to compute: let it collect.
+                REQUIRE(WEXITSTATUS(wait_for(start(sweep_of(sweep), "0"))) == 1);
+                done = true;
+            }
+        }
+        for (const char* file : {"degrees.csv", "degrees.plc"})
+            CHECK(read_file(sweep / file) == read_file(whole / file));
+    }
+    CHECK(between > 10);
+    MESSAGE(kills << " kills in " << rounds << " sweeps, new results before " << between);
+}
+
+TEST_CASE("Ctrl-C and SIGTERM end a sweep with a message and their own status, and it goes on") {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const TemporaryFolder folder;
+        const fs::path sweep = folder / "sweep";
+        const std::string err = (folder / "err").string();
+        const pid_t child =
+            start_program("/bin/sh", "/",
+                          {"-c", "PLC_DOUBLE_MS=20 exec " + shell(sweep_of(sweep)) + " 2>" + err});
+        wait_until([&] { return finished(sweep).size() > 3; });
+        ::kill(child, signal);
+        const int status = wait_for(child);
+        REQUIRE(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == signal);
+        const std::string message = read_file(err);
+        CHECK(contains(message, "plprove: interrupted: "));
+        CHECK(contains(message, "goes on from there"));
+        const auto files = finished(sweep);
+        const Outcome rest = run(shell(sweep_of(sweep)));
+        check_nothing_lost(files, finished(sweep));
+        CHECK(contains(rest.out, "; " + std::to_string(files.size()) + " were on file"));
+    }
+}
+
+TEST_CASE("an ignored signal stays ignored") {
+    const TemporaryFolder folder;
+    const pid_t child = start_program(
+        "/bin/sh", "/",
+        {"-c", "trap '' INT; PLC_DOUBLE_MS=5 exec " + shell(sweep_of(folder / "sweep"))});
+    wait_until([&] { return !finished(folder / "sweep").empty(); });
+    ::kill(child, SIGINT);
+    CHECK(WIFEXITED(wait_for(child)));
+    CHECK(fs::exists(folder / "sweep" / "degrees.csv"));
+}
+
+TEST_CASE("a second sweep in the same folder is refused until the first one ends or dies") {
+    const TemporaryFolder folder;
+    const fs::path sweep = folder / "sweep";
+    const pid_t first = start(sweep_of(sweep), "50");
+    wait_until([&] { return !finished(sweep).empty(); });
+    const Outcome second = run(shell(sweep_of(sweep)));
+    CHECK(second.status == 1);
+    CHECK(second.out.empty());
+    CHECK(second.err == "plprove: another sweep is at work in " + sweep.string() + "\n");
+    // Another folder is free, and the results so far can be looked at.
+    CHECK(run(shell(sweep_of(folder / "other"))).err.find("another sweep") == std::string::npos);
+    CHECK(run(shell({"degrees", "--collect", "-o", sweep.string()})).status == 0);
+    ::kill(first, SIGKILL);
+    wait_for(first);
+    CHECK(contains(run(shell(sweep_of(sweep))).out, "were on file"));
+}
+
+TEST_CASE("two sweeps started at a time: one works, one is refused") {
+    int refused = 0;
+    for (int i = 0; i < 10; ++i) {
+        const TemporaryFolder folder;
+        // No class of this filter fails in the double.
+        const Arguments arguments{"degrees", "--classes", "2394,6723", "-o", folder.path()};
+        const pid_t one = start(arguments, "200");
+        const pid_t other = start(arguments, "200");
+        const int statuses[] = {WEXITSTATUS(wait_for(one)), WEXITSTATUS(wait_for(other))};
+        CHECK(statuses[0] + statuses[1] <= 1); // 0 if one has ended before the other has begun
+        refused += statuses[0] + statuses[1];
+    }
+    CHECK(refused > 0);
+}
+
+TEST_CASE("the number of threads has no part in the bytes") {
+    const TemporaryFolder folder;
+    for (const char* threads : {"1", "4"})
+        run(shell(sweep_of(folder / threads, {"--threads", threads})));
+    for (const char* file : {"degrees.csv", "degrees.plc"})
+        CHECK(read_file(folder / "1" / file) == read_file(folder / "4" / file));
+    CHECK(contains(read_file(folder / "1" / "degrees.plc"), "\nreal "));
+}
+
+TEST_CASE("a sweep says what it did, names what fell short, and is silent on the way") {
+    const TemporaryFolder folder;
+    const Outcome first = run(shell(sweep_of(folder / "sweep")));
+    CHECK(first.status == 1);
+    CHECK(contains(first.out, "computed "));
+    CHECK(contains(first.out, "; 0 were on file\n"));
+    CHECK(contains(first.out, "certified once plcheck accepts them\n"));
+    CHECK(contains(first.err, " fell short: #"));
+    CHECK(!contains(first.err, "computing degrees"));
+    const Outcome again = run(shell(sweep_of(folder / "sweep")));
+    CHECK(again.status == 1);
+    CHECK(contains(again.out, "computed      0 classes in 0 s; "));
+    CHECK(again.err == first.err);
+    const Outcome retried = run(shell(sweep_of(folder / "sweep", {"--retry"})));
+    CHECK(!contains(retried.out, "computed      0 classes"));
+    const Outcome well = run(
+        shell({"degrees", "--exact", "--classes", "2394,6723", "-o", (folder / "two").string()}));
+    CHECK(well.status == 0);
+    CHECK(well.err.empty());
+    const std::string runs = read_file(folder / "two" / "runs.jsonl");
+    const auto line = nlohmann::json::parse(runs.substr(0, runs.find('\n')));
+    for (const char* field :
+         {"number", "degree", "certified", "complete", "edges", "trace_exponent", "tracks",
+          "retried", "failed", "seconds", "notes", "seed"})
+        CHECK(line.contains(field));
+}
+
+TEST_CASE("a progress line with rate and time left is shown on a terminal and wiped") {
+    const TemporaryFolder folder;
+    const std::string line = shell({"degrees", "--classes", "60000..60050", "--threads", "1", "-o",
+                                    (folder / "sweep").string()});
+    if (run("command -v script").status != 0) {
+        MESSAGE("there is no script(1) here: not tested");
+        return;
+    }
+    write_file(folder / "sweep.sh", "PLC_DOUBLE_MS=40 " + line + "\n");
+    const Outcome outcome =
+        run("script -qec 'sh " + (folder / "sweep.sh").string() + "' /dev/null");
+    CHECK(contains(outcome.out, "\rcomputing degrees: "));
+    CHECK(contains(outcome.out, " a second, "));
+    CHECK(contains(outcome.out, " left\x1b[K"));
+}
+
+TEST_CASE("a full disk or a read-only folder ends a sweep with a message, and nothing is lost") {
+    const TemporaryFolder folder;
+    const std::string path = folder.path().string();
+    const std::string sweep = shell(sweep_of("sweep"));
+    std::string quoted; // within the single quotes of the script
+    for (const char c : sweep)
+        quoted += c == '\'' ? std::string("\"") : std::string(1, c);
+    if (const auto full = run_with_mounts("mount -t tmpfs -o size=64k none " + path + " && cd " +
+                                          path + " && " + quoted + "; echo status $?; " +
+                                          "mount -o remount,size=64m " + path + "; " + quoted +
+                                          "; echo status $?; grep -c ^degree sweep/degrees.plc")) {
+        CHECK(contains(full->err, "plprove: cannot write sweep/"));
+        CHECK(contains(full->err, ": No space left on device\n"));
+        CHECK(full->out.starts_with("status 1\n"));
+        CHECK(contains(full->out, "computed "));
+        CHECK(!contains(full->out, "; 0 were on file"));
+    }
+    if (const auto read_only =
+            run_with_mounts("mount -t tmpfs none " + path + " && mkdir " + path +
+                            "/sweep && mount -o remount,bind,ro " + path + " && cd " + path +
+                            " && " + quoted + "; echo status $?")) {
+        CHECK(read_only->out == "status 1\n");
+        CHECK(read_only->err == "plprove: cannot write sweep/lock: Read-only file system\n");
+    }
+    write_file(folder / "file", "");
+    const Outcome no_folder = run(shell(sweep_of(folder / "file")));
+    CHECK(no_folder.status == 1);
+    CHECK(contains(no_folder.err, (folder / "file").string()));
+    CHECK(run("cd " + path + " && ulimit -f 1 && " + sweep).status == 1);
+}
+
+TEST_CASE("degree answers for people and for machines") {
+    const Outcome text = run(plprove + " degree 2394");
+    CHECK(text.status == 0);
+    CHECK(text.err.empty());
+    CHECK(contains(text.out, "problem     2*Pa/Pa/Pa + P/P/P\n"));
+    CHECK(contains(text.out, "by evidence, not proved: 5 edges"));
+    CHECK(contains(text.out, "certified once plcheck accepts it"));
+    const Outcome json = run(plprove + " degree '2*Pa/Pa/Pa + P/P/P' --json");
+    CHECK(json.status == 0);
+    const auto report = nlohmann::json::parse(json.out);
+    CHECK(report["number"] == 2394);
+    CHECK(report["notation"] == "2*Pa/Pa/Pa + P/P/P");
+    CHECK(report["complete"] == true);
+    CHECK(report["degree"] == report["certified"]);
+    CHECK(report["edges"] == 5);
+    CHECK(report["trace_exponent"] == -11);
+    for (const char* field : {"tracks", "retried", "failed", "seconds", "notes", "target", "seed",
+                              "constraint_class", "problem", "minimal"})
+        CHECK(report.contains(field));
+    const auto stopped = nlohmann::json::parse(run(plprove + " degree 2394 --target 2 --json").out);
+    CHECK(stopped["degree"] == 2);
+    CHECK(stopped["complete"] == false);
+    CHECK(stopped["edges"].is_null());
+    const Outcome bound = run(plprove + " degree 2394 --target 2");
+    CHECK(contains(bound.out, "at least 2: "));
+    CHECK(contains(bound.out, "the run stopped at its target, 2"));
+}
+
+TEST_CASE("degree names a problem in all the ways of plprove problem, reduced or not") {
+    const auto answer = [](const std::string& spec) {
+        auto report = nlohmann::json::parse(run(plprove + " degree --json '" + spec + "'").out);
+        report.erase("seconds");
+        return report;
+    };
+    CHECK(answer("#2394") == answer("2394"));
+    CHECK(answer("{{0,1},{{{1,1},{1,1,1}},{{1,1},{1,1,1}},{{1,1},{1,1,1}}}}") == answer("2394"));
+    const auto camera_minimal = answer("3*P/P/P + P/P/a");
+    CHECK(camera_minimal["number"] == 6723);
+    CHECK(camera_minimal["minimal"] == false);
+    CHECK(camera_minimal["problem"] == "3*P/P/P + P/P/a");
+    CHECK(camera_minimal["degree"] == answer("6723")["degree"]);
+    // A line that one view sees beside its point is forgotten.
+    CHECK(answer("2*Pa/Pa/Pa + Pa/P/P")["constraint_class"] == 2394);
+    // Swapped: the same class, another number.
+    CHECK(answer("3*P/P/P + P/Pa/a")["constraint_class"] ==
+          answer("3*P/P/P + Pa/P/a")["constraint_class"]);
+}
+
+TEST_CASE("degree writes the certificate, or nothing") {
+    const TemporaryFolder folder;
+    const std::string path = (folder / "file").string();
+    CHECK(run(plprove + " degree 2394 -o " + path).status == 0);
+    const std::string text = read_file(path);
+    CHECK(text.starts_with("plcert 1 degrees\ndegree 2394 evidence complete edges 5 trace -11\n"));
+    CHECK(run(plprove + " degree 2394 -o -").out == text);
+    const Outcome nowhere = run(plprove + " degree 2394 -o /nowhere/at/all");
+    CHECK(nowhere.status == 1);
+    CHECK(nowhere.out.empty());
+    CHECK(contains(nowhere.err, "/nowhere/at/all"));
+    CHECK(run(plprove + " degree 2394 >/dev/full").status == 1);
+}
+
+TEST_CASE("what is no minimal problem, or no command, is refused") {
+    const auto refused = [](const std::string& arguments, int status, const std::string& reason) {
+        CAPTURE(arguments);
+        const TemporaryFolder folder;
+        const Outcome outcome =
+            run("cd " + folder.path().string() + " && " + plprove + " " + arguments);
+        CHECK(outcome.status == status);
+        CHECK(outcome.out.empty());
+        CHECK(contains(outcome.err, reason));
+        CHECK(fs::is_empty(folder.path()));
+    };
+    refused("degree 0", 2, "only minimal and camera-minimal problems have a degree");
+    refused("degree '4*P/P/P'", 2, "over-constrained");
+    refused("degree P/P/P -o file", 2, "under-constrained");
+    refused("degree '5*P/P'", 2, "three views");
+    refused("degree nonsense", 2, "not a problem");
+    refused("degree 143494", 2, "not a problem");
+    refused("degree", 3, "PROBLEM");
+    refused("degree 2394 --target 0", 3, "--target");
+    refused("degree 2394 --target x", 3, "--target");
+    refused("degree 2394 --seed -1", 3, "--seed");
+    refused("degrees", 3, "--output");
+    refused("degrees -o d --target 3 --exact", 3, "--exact");
+    refused("degrees -o d --threads 0", 3, "--threads");
+    refused("degrees -o d --classes nonsense", 3, "nonsense");
+    refused("degrees -o d --classes --nonsense", 3, "nonsense");
+    refused("degrees -o d --classes", 3, "--classes");
+    refused("degrees -o d --classes 0", 2, "no minimal class passes the filter");
+    refused("degrees -o d --collect --exact", 3, "--collect");
+    refused("degrees -o d --also pl0p", 3, "--below");
+    refused("degrees -o d --checked report", 3, "--collect");
+    refused("degrees -o d --collect", 2, "no results in d");
+    for (const char* command : {"degree", "degrees"}) {
+        const Outcome help = run(plprove + " " + command + " --help");
+        CHECK(help.status == 0);
+        CHECK(contains(help.out, "Examples:"));
+    }
+}
+
+TEST_CASE("filters are given with dashes or without") {
+    const TemporaryFolder folder;
+    const auto count = [&](const std::string& filter, const std::string& name) {
+        run("PLC_DOUBLE_MS=0 " + plprove + " degrees " + filter + " -o " +
+            (folder / name).string());
+        return finished(folder / name).size();
+    };
+    CHECK(count("--classes pl0p", "a") == 51);
+    CHECK(count("--classes --pl0p", "b") == 51);
+    CHECK(count("--classes=--pl0p", "c") == 51);
+    CHECK(count("--classes '--pl0p --points ..3' --classes 2394", "d") < 51);
+    CHECK(count("--classes \"$(" + plprove + " list --pl0p --minimal)\"", "e") == 51);
+}

@@ -1,0 +1,83 @@
+// plprove as its users run it.
+#include "tests/support/program.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+const std::string plprove = PLPROVE;
+const std::string plcheck = PLCHECK;
+const std::string committed = std::string(SOURCE_DIR) + "/certs/classification.plc";
+
+} // namespace
+
+TEST_CASE("the committed archive is what plprove writes, byte for byte") {
+    const TemporaryFolder folder;
+    const auto path = folder / "all.plc";
+    const Outcome outcome = run(plprove + " classification -o " + path.string());
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out.empty());
+    const bool same = read_file(path) == read_file(committed);
+    CHECK(same);
+    CHECK(std::filesystem::file_size(path) <= 8'000'000);
+}
+
+TEST_CASE("the digests are those of the committed archives") {
+    CHECK(run("cd " SOURCE_DIR "/certs && sha256sum --check --strict SHA256SUMS").status == 0);
+}
+
+TEST_CASE("a problem certified by itself is accepted by the checker") {
+    const TemporaryFolder folder;
+    for (const char* id : {"0", "2394", "'#6722'", "143493", "19", "77"}) {
+        CAPTURE(id);
+        const auto path = (folder / "one.plc").string();
+        CHECK(run(plprove + " certify " + id + " -o " + path).status == 0);
+        CHECK(run(plcheck + " " + path).status == 0);
+        CHECK(run(plprove + " certify " + id).out == read_file(path));
+    }
+}
+
+TEST_CASE("bad input is refused on standard error with its own exit status") {
+    const Outcome number = run(plprove + " certify 143494");
+    CHECK(number.status == 2);
+    CHECK(number.out.empty());
+    CHECK(number.err.find("0 to 143493") != std::string::npos);
+    CHECK(run(plprove + " certify Chicago").status == 2);
+    CHECK(run(plprove).status == 3);
+    CHECK(run(plprove + " certify").status == 3);
+    CHECK(run(plprove + " certify 1 --unknown").status == 3);
+    CHECK(run(plprove + " --help").status == 0);
+    CHECK(run(plprove + " certify 1 -o /nowhere/at/all.plc").status == 1);
+}
+
+TEST_CASE("a failed write leaves the old file and nothing else") {
+    const TemporaryFolder folder;
+    const auto path = folder / "kept.plc";
+    write_file(path, "old");
+    // A file size limit of 0 blocks stands for a full disk.
+    const Outcome outcome = run("trap '' XFSZ; ulimit -f 0; " + plprove + " certify 2394 -o " +
+                                path.string() + " 2>/dev/null");
+    CHECK(outcome.status != 0);
+    CHECK(read_file(path) == "old");
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("the README shows the table as plcheck prints it, and the checker's true size") {
+    const std::string readme = read_file(std::string(SOURCE_DIR) + "/README.md");
+    const Outcome outcome = run(plcheck + " " + committed);
+    CHECK(outcome.status == 0);
+    const std::size_t table = outcome.out.find("claim ");
+    REQUIRE(table != std::string::npos);
+    CHECK(readme.find(outcome.out.substr(table)) != std::string::npos);
+    const Outcome lines =
+        run("cat " SOURCE_DIR "/checker/*.h " SOURCE_DIR "/checker/*.cpp | wc -l");
+    const int count = std::stoi(lines.out);
+    CHECK(count <= 2814); // 1400 for verdicts, 900 for degrees and digests, the rest for bounds
+    CHECK(readme.find(std::to_string(count) + " lines of C++") != std::string::npos);
+}
+
+TEST_CASE("the configuration of the Coq proof is that of the committed archive") {
+    CHECK(run("cd " SOURCE_DIR "/proofs/coq && LC_ALL=C awk -f pool.awk " + committed +
+              " | cmp - Pool.v")
+              .status == 0);
+}

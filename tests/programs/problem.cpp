@@ -1,0 +1,94 @@
+// plprove problem, show and export of scripts, and plcheck on the certificates of verdicts, as
+// users run them.
+#include "tests/support/program.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+const std::string plprove = PLPROVE;
+const std::string plcheck = PLCHECK;
+
+nlohmann::json decide(const std::string& spec) {
+    const Outcome outcome = run(plprove + " problem --json '" + spec + "'");
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err.empty());
+    return nlohmann::json::parse(outcome.out);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("a minimal problem is found in the catalogue, however it is named") {
+    for (const char* spec : {"2*Pa/Pa/Pa + P/P/P", "#2394", "2394",
+                             "{{0,1},{{{1,1},{1,1,1}},{{1,1},{1,1,1}},{{1,1},{1,1,1}}}}"}) {
+        const auto report = decide(spec);
+        CHECK(report["verdict"] == "minimal");
+        CHECK(report["number"] == 2394);
+        CHECK(report["families"]["plmp"] == "3002_1");
+        CHECK(report["degree"]["value"] == 312);
+        CHECK(report["degree"]["bound"] == "exact");
+        CHECK(report["degrees"].back()["status"] == "claimed");
+        CHECK(report["degrees"].front() == report["degree"]);
+    }
+}
+
+TEST_CASE("a problem that is no minimal one is told why") {
+    CHECK(decide("3*P/P/P + P/P/a")["verdict"] == "camera-minimal");
+    CHECK(decide("3*P/P/P + P/P/a")["families"]["trifocal_linear"] == true);
+    CHECK(decide("4*P/P/P")["verdict"] == "over-constrained");
+    CHECK(decide("P/P/P")["verdict"] == "under-constrained");
+    CHECK(decide("5*P/P")["verdict"] == "minimal");
+    const auto epipolar = decide("6*P/P/- + 5*P/-/P");
+    CHECK(epipolar["verdict"] == "obstructed");
+    CHECK(contains(epipolar["reasons"].dump(), "views 1 and 2 share 6 points"));
+    const auto star = decide("Pabc/Pabc/Pabc + 5*-/P/P");
+    CHECK(contains(star["reasons"].dump(), "view 1 sees only the point with 3 pins"));
+}
+
+TEST_CASE("text and JSON say the same") {
+    const Outcome text = run(plprove + " problem '4*Pabc/Pab/P + Pa/a/-'");
+    const auto json = decide("4*Pabc/Pab/P + Pa/a/-");
+    CHECK(contains(text.out, "over-constrained by 1"));
+    CHECK(json["constraints"] == 12);
+    for (const auto& step : json["reduction"])
+        CHECK(contains(text.out, step["feature"].get<std::string>() + " -> "));
+}
+
+TEST_CASE("the certificate of a verdict proves it to the checker") {
+    const TemporaryFolder folder;
+    const auto file = (folder / "verdict.plc").string();
+    for (const auto& [spec, verdict] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"2*Pa/Pa/Pa + P/P/P", "certified minimal"},
+             {"3*P/P/P + P/P/a", "certified camera-minimal"},
+             {"6*P/P/- + 5*P/-/P", "certified obstructed"},
+             {"Pabcdefgh/Pabcdefgh/Pabcdefgh", "certified obstructed"},
+             {"P/b/a + 10*P/P/-", "certified obstructed, class 130461"},
+             {"4*Pabc/Pab/P", "certified over-constrained 1"},
+             {"5*P/P + a/b", "certified camera-minimal"}}) {
+        CAPTURE(spec);
+        CHECK(run(plprove + " problem '" + spec + "' --certificate " + file).status == 0);
+        const Outcome checked = run(plcheck + " " + file);
+        CHECK(checked.status == 0);
+        CHECK(contains(checked.out, verdict));
+    }
+}
+
+TEST_CASE("what is no problem is refused with the column") {
+    const Outcome outcome = run(plprove + " problem 'P/P/P + ab/P/P'");
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(contains(outcome.err, "column 10"));
+    CHECK(contains(outcome.err, "Definition 1"));
+    CHECK(run(plprove + " show 'P/P'/").status == 2);
+    CHECK(run(plprove + " export --julia 'P//P'").status == 2);
+}
+
+TEST_CASE("a problem is drawn in the terminal and as a picture") {
+    CHECK(contains(run(plprove + " show 2394").out, "view 3"));
+    CHECK(run(plprove + " show 2394 --svg -").out.starts_with("<?xml"));
+}
