@@ -1,5 +1,5 @@
 // The text of certificates, as certs/FORMAT.md section 5 has it.
-#include "prover/classification/archive.h"
+#include "prover/classification/classification_file.h"
 #include "prover/classification/problem_certificate.h"
 
 #include <type_traits>
@@ -98,21 +98,21 @@ void append_step(Text& text, const ReductionStep& step) {
 
 } // namespace
 
-std::string write(const Archive& archive) {
+std::string write(const ClassificationFile& file) {
     Text text;
     append_head(text, "classification");
     text.line(
         "# A certificate for each label class of balanced point-line problems in three views.");
     text.line("# certs/FORMAT.md of the project point-line-certificates explains every line.");
     append_modulus(text);
-    for (std::size_t i = 0; i < archive.pools.size(); ++i) {
+    for (std::size_t i = 0; i < file.pools.size(); ++i) {
         text.line("pool", i + 1);
-        append_cameras(text, archive.pools[i].cameras);
-        for (const auto& instances : archive.pools[i].instances)
+        append_cameras(text, file.pools[i].cameras);
+        for (const auto& instances : file.pools[i].instances)
             for (const PlacedFeature& placed : instances)
                 append_feature(text, placed);
     }
-    for (const Record& record : archive.records)
+    for (const Record& record : file.records)
         std::visit(
             [&](const auto& held) {
                 append_record(text, std::to_string(record.number), record.pool, held);

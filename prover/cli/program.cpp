@@ -3,7 +3,7 @@
 #include "prover/cli/program.h"
 
 #include "prover/bundle/bundle.h"
-#include "prover/classification/archive.h"
+#include "prover/classification/classification_file.h"
 #include "prover/classification/problem_certificate.h"
 #include "prover/cli/bounds_command.h"
 #include "prover/cli/catalogue_commands.h"
@@ -22,7 +22,9 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 namespace plprove {
@@ -41,23 +43,22 @@ void deliver(const std::string& path, const std::string& text) {
 }
 
 void prove_classification(const std::string& path) {
-    Archive archive;
+    ClassificationFile file;
     {
         ProgressLine line("certifying label classes", label_classes().size());
-        archive =
-            certify_classification(label_classes(), [&](std::size_t done) { line.show(done); });
+        file = certify_classification(label_classes(), [&](std::size_t done) { line.show(done); });
     }
-    deliver(path, write(archive));
+    deliver(path, write(file));
     if (path != "-")
-        std::cerr << "wrote " << path << ": certificates of " << archive.records.size()
-                  << " label classes, " << archive.pools.size() << " pool(s) of coordinates\n";
+        std::cerr << "wrote " << path << ": certificates of " << file.records.size()
+                  << " label classes, " << file.pools.size() << " pool(s) of coordinates\n";
 }
 
 Command classification_command(CLI::App& program) {
     auto path = std::make_shared<std::string>("certs/classification.plc");
     CLI::App* app = program.add_subcommand(
-        "classification", "Certify every label class of balanced signatures in one archive");
-    app->add_option("-o,--output", *path, "the archive to write, - for standard output")
+        "classification", "Certify every label class of balanced signatures in one file");
+    app->add_option("-o,--output", *path, "the file to write, - for standard output")
         ->capture_default_str();
     return {app, [path] {
                 prove_classification(*path);
@@ -165,14 +166,15 @@ Command export_command(CLI::App& program) {
             }};
 }
 
-Command archive_command(CLI::App& program) {
+Command bundle_command(CLI::App& program) {
     struct Request {
         std::string source = ".";
         std::string path = "point-line-certificates.tar.zst";
     };
     auto request = std::make_shared<Request>();
     CLI::App* app = program.add_subcommand(
-        "archive", "Bundle certificates, proofs and the checker's sources, for an archive");
+        "bundle",
+        "Pack the certificates, the proofs and the checker's sources into one file to keep");
     app->add_option("-o,--output", request->path,
                     "the .tar.zst file to write, - for standard output")
         ->capture_default_str();
@@ -197,7 +199,18 @@ std::vector<std::string> words_of(int argc, char** argv) {
     return words;
 }
 
+/// What to call instead of a command that has another name now; nothing if there is none.
+std::optional<std::string> renamed(int argc, char** argv) {
+    if (argc > 1 && std::string_view(argv[1]) == "archive")
+        return "the command `archive` is called `bundle` now: run `plprove bundle`";
+    return std::nullopt;
+}
+
 int run(int argc, char** argv, const ComputeDegree& compute) {
+    if (const std::optional<std::string> advice = renamed(argc, argv)) {
+        std::cerr << "plprove: " << *advice << '\n';
+        return exit_usage;
+    }
     CLI::App program("Finds certificates for point-line minimal problems; plcheck checks them.",
                      "plprove");
     program.footer("Examples:\n"
@@ -219,7 +232,7 @@ int run(int argc, char** argv, const ComputeDegree& compute) {
                                 add_degree_command(program, deliver, compute),
                                 add_degrees_command(program, compute),
                                 export_command(program),
-                                archive_command(program)};
+                                bundle_command(program)};
     try {
         program.parse(words_of(argc, argv));
     } catch (const CLI::ParseError& error) {

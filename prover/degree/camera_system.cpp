@@ -6,8 +6,8 @@
 
 namespace plprove {
 
-Cameras CameraChart::cameras(const CameraPoint& point) const {
-    Cameras result;
+QuaternionCameras CameraChart::cameras(const CameraPoint& point) const {
+    QuaternionCameras result;
     for (std::size_t v = 0; v < 2; ++v) {
         auto& q = result.quaternion[v];
         q[0] = 1.0;
@@ -25,7 +25,7 @@ Cameras CameraChart::cameras(const CameraPoint& point) const {
     return result;
 }
 
-CameraPoint CameraChart::point(const Cameras& cameras) const {
+CameraPoint CameraChart::point(const QuaternionCameras& cameras) const {
     CameraPoint result;
     for (std::size_t v = 0; v < 2; ++v) {
         const auto& q = cameras.quaternion[v];
@@ -86,8 +86,8 @@ private:
         system_.equations.push_back({EquationKind::pencil, {l, m, n}});
     }
 
-    void place(const CameraEquation& meet) {
-        system_.places.push_back({meet.vectors[0], meet.vectors[1], {}, {}});
+    void triangulate(const CameraEquation& meet) {
+        system_.triangulations.push_back({meet.vectors[0], meet.vectors[1], {}, {}});
     }
 
     void add(const Feature& feature) {
@@ -128,26 +128,26 @@ private:
         };
         if (!feature.has_point) {
             incidence(across(lines[0][0]), lines[0][1], lines[0][2]);
-            place(system_.equations.back());
+            triangulate(system_.equations.back());
         } else if (seeing.size() == 3) {
             epipolar(points[0], points[1]);
             epipolar(points[0], points[2]);
             // In two statements: compilers evaluate the arguments of a call in different orders.
             const int third = across(points[2]), second = across(points[1]);
             incidence(points[0], second, third);
-            place(system_.equations.back());
+            triangulate(system_.equations.back());
         } else if (seeing.size() == 2) {
             const int ray = points[seeing[0]], plane = across(points[seeing[1]]);
             epipolar(ray, points[seeing[1]]);
             if (const int line = pin(others[0]); line >= 0) incidence(ray, plane, line);
-            place({EquationKind::incidence, {ray, plane, -1}});
+            triangulate({EquationKind::incidence, {ray, plane, -1}});
         } else {
             incidence(points[seeing[0]], pin(others[0]), pin(others[1]));
-            place(system_.equations.back());
+            triangulate(system_.equations.back());
         }
         for (const std::size_t v : seeing)
-            system_.places.back().sees_point[v] = true;
-        system_.places.back().lines = lines;
+            system_.triangulations.back().sees_point[v] = true;
+        system_.triangulations.back().lines = lines;
         for (const auto& line : lines)
             if (line[0] >= 0 && line[1] >= 0 && line[2] >= 0) pencil(line[0], line[1], line[2]);
     }

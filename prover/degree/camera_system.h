@@ -17,7 +17,7 @@ using Complex3 = std::array<Complex, 3>;
 using CameraPoint = std::array<Complex, 11>;
 
 /// Quaternions of cameras 2 and 3 (any length) and centres, which are up to a common factor.
-struct Cameras {
+struct QuaternionCameras {
     std::array<std::array<Complex, 4>, 2> quaternion;
     std::array<Complex3, 2> centre;
 };
@@ -29,9 +29,9 @@ struct CameraChart {
     std::array<Complex3, 2> rotation;
     std::array<Complex, 5> centre;
 
-    Cameras cameras(const CameraPoint& point) const;
+    QuaternionCameras cameras(const CameraPoint& point) const;
     /// Assumes that the cameras are not at infinity of the chart.
-    CameraPoint point(const Cameras& cameras) const;
+    CameraPoint point(const QuaternionCameras& cameras) const;
 };
 
 /// The chart of FORMAT.md: quaternions (1, x, y, z), the first coordinate of the second centre 1.
@@ -71,7 +71,7 @@ struct FreeVector {
 
 /// Where the point of a feature is in space (a point of the line, if it is a free line), and which
 /// image vectors its lines have, -1 in views that do not see them.
-struct Place {
+struct Triangulation {
     int ray = 0; ///< the image vectors of the ray and the plane that meet there
     int plane = 0;
     std::array<bool, 3> sees_point{};
@@ -80,7 +80,7 @@ struct Place {
 
 struct CameraSystem {
     std::vector<Feature> features;
-    std::vector<Place> places; ///< one for each feature
+    std::vector<Triangulation> triangulations; ///< one for each feature
     std::vector<FreeVector> free;
     std::vector<ImageVector> vectors;
     std::vector<CameraEquation> equations; ///< 11

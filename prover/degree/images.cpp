@@ -51,7 +51,8 @@ Complex3 rotate_back(const std::array<Complex, 4>& quaternion, const Complex3& x
     return result;
 }
 
-Images images_of_scene(const CameraSystem& system, const Cameras& cameras, Random& random) {
+Images images_of_scene(const CameraSystem& system, const QuaternionCameras& cameras,
+                       Random& random) {
     std::vector<Complex3> points;
     std::vector<std::vector<Complex3>> directions;
     for (const Feature& feature : system.features) {
@@ -93,16 +94,16 @@ Images random_neighbour(const Images& images, Random& random) {
     return displaced(images, 0.8, random);
 }
 
-Images beside_way(const Images& from, const Images& to, Random& random) {
+Images detour_midpoint(const Images& from, const Images& to, Random& random) {
     Images middle;
     for (std::size_t i = 0; i < from.size(); ++i)
         middle.push_back(combine(from[i], difference(to[i], from[i]), 0.5));
     return displaced(middle, 0.1, random);
 }
 
-Images turned(Images images, Turn turn, Random& random) {
+Images rephased(Images images, Phases phases, Random& random) {
     for (Complex3& x : images) {
-        const Complex phase = turn == Turn::near ? random.phase() : random.any_phase();
+        const Complex phase = phases == Phases::near_one ? random.phase() : random.any_phase();
         for (Complex& coordinate : x)
             coordinate *= phase;
     }

@@ -16,21 +16,22 @@ Complex3 rotate_back(const std::array<Complex, 4>& quaternion, const Complex3& x
 Complex3 rotate(const std::array<Complex, 4>& quaternion, const Complex3& x);
 
 /// Images of a random scene in these cameras.
-Images images_of_scene(const CameraSystem& system, const Cameras& cameras, Random& random);
+Images images_of_scene(const CameraSystem& system, const QuaternionCameras& cameras,
+                       Random& random);
 
 /// Random images in the neighbourhood: far enough for loops to mix the solutions, near enough for
 /// the paths to be short.
 Images random_neighbour(const Images& images, Random& random);
 
-/// Images near the middle of the straight way, for a detour.
-Images beside_way(const Images& from, const Images& to, Random& random);
+/// Images near the middle of the straight way: a detour leads over them.
+Images detour_midpoint(const Images& from, const Images& to, Random& random);
 
 /// Which numbers of modulus 1 there are to choose from: those nearer to 1, or all.
-enum class Turn : std::uint8_t { near, anywhere };
+enum class Phases : std::uint8_t { near_one, any };
 
 /// The same images with each vector multiplied by a random number of modulus 1: another path leads
 /// there, a longer one the farther the numbers are from 1.
-Images turned(Images images, Turn turn, Random& random);
+Images rephased(Images images, Phases phases, Random& random);
 
 /// The constants that the auxiliary lines and points of the system are made with.
 std::vector<Complex3> random_constants(const CameraSystem& system, Random& random);

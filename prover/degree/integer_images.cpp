@@ -138,7 +138,7 @@ public:
         std::vector<CameraPoint> open;
         for (std::size_t i = 0; i < starts.size(); ++i)
             if (!result[i]) open.push_back(starts[i]);
-        const auto ends = solve(open, fastest_wide_tracker(), 1e-16);
+        const auto ends = solve(open, fastest_double_double_tracker(), 1e-16);
         auto end = ends.begin();
         for (auto& point : result)
             if (!point) point = *end++;
@@ -174,7 +174,7 @@ void choose_bits(std::vector<Found>& found, const FixedImages& fixed) {
             }
         // In the end few are left, which are ill-conditioned.
         const auto ends = bits < 12 ? fixed.solve(starts, fastest_tracker(), 1e-7)
-                                    : fixed.solve(starts, fastest_wide_tracker(), 1e-16);
+                                    : fixed.solve(starts, fastest_double_double_tracker(), 1e-16);
         for (std::size_t k = 0; k < open.size(); ++k) {
             Found& solution = found[open[k]];
             int& count = successes[open[k]];
@@ -265,13 +265,13 @@ DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodrom
     if (std::ssize(solutions) > most) solutions.resize(static_cast<std::size_t>(most));
     Arrivals arrivals(system, images);
     for (int path = 0; path < most_paths && arrivals.size() < wanted; ++path) {
-        const Images from = monodromy.images(), to = turned(images, Turn::near, random);
+        const Images from = monodromy.images(), to = rephased(images, Phases::near_one, random);
         const auto moving = [&](const Images& a, const Images& b) {
             return moving_images(system, monodromy.constants(), a, b);
         };
         const auto detour = [&]() -> std::array<TrackedImages, 2> {
-            const Images beside = beside_way(from, to, random);
-            return {moving(from, beside), moving(beside, to)};
+            const Images middle = detour_midpoint(from, to, random);
+            return {moving(from, middle), moving(middle, to)};
         };
         std::vector<CameraPoint> ends;
         for (const auto& end :

@@ -79,7 +79,7 @@ void fill(PathFollower::Ends& ends, const std::vector<CameraPoint>& starts, Foll
 PathFollower::Ends PathFollower::follow(const TrackedImages& images, const Detours& detours,
                                         const std::vector<CameraPoint>& starts) {
     Ends ends = follow_quickly(images, starts);
-    fill(ends, starts, [&](const auto& open) { return follow_closely(images, open); });
+    fill(ends, starts, [&](const auto& open) { return follow_double_double(images, open); });
     fill(ends, starts, [&](const auto& open) { return follow_detours(detours, open); });
     return ends;
 }
@@ -95,7 +95,7 @@ namespace {
 
 /// What doubles lose they nearly always lose to rounding, where both rotations are nearly
 /// isotropic.
-TrackSettings close_settings() {
+TrackSettings tight_settings() {
     TrackSettings settings;
     settings.prediction = 1e-4; // near clusters of degenerate solutions longer steps go astray
     settings.contraction = 0.02;
@@ -107,24 +107,24 @@ TrackSettings close_settings() {
 
 } // namespace
 
-PathFollower::Ends PathFollower::follow_closely(const TrackedImages& images,
-                                                const std::vector<CameraPoint>& starts) {
-    Ends ends = attempt(fastest_wide_tracker(), images, close_settings(), starts);
+PathFollower::Ends PathFollower::follow_double_double(const TrackedImages& images,
+                                                      const std::vector<CameraPoint>& starts) {
+    Ends ends = attempt(fastest_double_double_tracker(), images, tight_settings(), starts);
     counts_.tracks += starts.size();
     counts_.retried += starts.size();
     counts_.failed += starts.size() - arrived(ends);
     return ends;
 }
 
-PathFollower::Ends PathFollower::follow_precisely(const TrackedImages& images,
-                                                  const std::vector<CameraPoint>& starts) {
-    TrackSettings settings = close_settings();
+PathFollower::Ends PathFollower::follow_triple_double(const TrackedImages& images,
+                                                      const std::vector<CameraPoint>& starts) {
+    TrackSettings settings = tight_settings();
     // Newton's method may converge only from 1e-18 or nearer here, and the largest rounding errors
     // seen are 1e-26.
     settings.noise = 1e-22;
     settings.smallest_step = 1e-18;
     settings.largest_steps = 6000;
-    const Ends ends = attempt(fastest_triple_tracker(), images, settings, starts);
+    const Ends ends = attempt(fastest_triple_double_tracker(), images, settings, starts);
     counts_.failed -= arrived(ends);
     return ends;
 }
@@ -143,7 +143,7 @@ PathFollower::Ends PathFollower::follow_detours(const Detours& detours,
 
 PathFollower::Ends PathFollower::follow_legs(const std::array<TrackedImages, 2>& legs,
                                              const std::vector<CameraPoint>& starts) {
-    const Ends middle = attempt(fastest_wide_tracker(), legs[0], close_settings(), starts);
+    const Ends middle = attempt(fastest_double_double_tracker(), legs[0], tight_settings(), starts);
     std::vector<std::size_t> indices;
     std::vector<CameraPoint> from;
     for (std::size_t i = 0; i < starts.size(); ++i)
@@ -151,7 +151,7 @@ PathFollower::Ends PathFollower::follow_legs(const std::array<TrackedImages, 2>&
             indices.push_back(i);
             from.push_back(*middle[i]);
         }
-    const Ends last = attempt(fastest_wide_tracker(), legs[1], close_settings(), from);
+    const Ends last = attempt(fastest_double_double_tracker(), legs[1], tight_settings(), from);
     Ends ends(starts.size());
     for (std::size_t k = 0; k < indices.size(); ++k)
         ends[indices[k]] = last[k];
@@ -199,7 +199,8 @@ void Monodromy::add_edge() {
     // Short paths are quicker, but have fewer branch points in their loops.
     constexpr int short_edges = 3;
     const Images& images = nodes_[1].images;
-    const Images to = turned(images, edges() < short_edges ? Turn::near : Turn::anywhere, random_);
+    const Images to =
+        rephased(images, edges() < short_edges ? Phases::near_one : Phases::any, random_);
     edges_.push_back({to,
                       {moving_images(system_, constants_, nodes_[0].images, to),
                        moving_images(system_, constants_, to, nodes_[0].images)},
@@ -207,12 +208,12 @@ void Monodromy::add_edge() {
 }
 
 std::array<std::array<TrackedImages, 2>, 2> Monodromy::random_detour(const Images& to) {
-    const Images from = nodes_[0].images, beside = beside_way(from, to, random_);
+    const Images from = nodes_[0].images, middle = detour_midpoint(from, to, random_);
     const auto moving = [&](const Images& a, const Images& b) {
         return moving_images(system_, constants_, a, b);
     };
     return {
-        {{moving(from, beside), moving(beside, to)}, {moving(to, beside), moving(beside, from)}}};
+        {{moving(from, middle), moving(middle, to)}, {moving(to, middle), moving(middle, from)}}};
 }
 
 std::vector<int> Monodromy::match(Edge& edge, int from, int start,
@@ -292,9 +293,9 @@ bool Monodromy::follow_postponed() {
             // Solutions nearly as degenerate as rounding do occur. Any way leads to other images,
             // but an edge matches all solutions only if all follow the same: hence still more
             // digits.
-            auto ends = follower_.follow_closely(edge.images[source], starts);
+            auto ends = follower_.follow_double_double(edge.images[source], starts);
             fill(ends, starts, [&](const auto& left) {
-                return follower_.follow_precisely(edge.images[source], left);
+                return follower_.follow_triple_double(edge.images[source], left);
             });
             for (std::size_t k = 0; k < starting.size(); ++k)
                 match(edge, from, starting[k], ends[k], 0);

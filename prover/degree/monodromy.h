@@ -53,16 +53,19 @@ public:
         std::function<std::array<TrackedImages, 2>()> another;
     };
 
-    /// Quickly, those that are lost closely, and those that are lost then on detours.
+    /// In doubles; then, with twice as many digits, those that are lost; then on detours those that
+    /// are lost again.
     Ends follow(const TrackedImages& images, const Detours& detours,
                 const std::vector<CameraPoint>& starts);
     /// Loses about one of a hundred, which is not counted.
     Ends follow_quickly(const TrackedImages& images, const std::vector<CameraPoint>& starts);
     /// With tighter settings and twice as many digits; what is lost then counts as lost for good.
-    Ends follow_closely(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With three times as many digits, what was lost closely: what arrives was not lost for good.
-    Ends follow_precisely(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// Closely, what was lost on the straight way: what arrives was not lost for good.
+    Ends follow_double_double(const TrackedImages& images, const std::vector<CameraPoint>& starts);
+    /// With three times as many digits, what was lost with twice as many: what arrives was not lost
+    /// for good.
+    Ends follow_triple_double(const TrackedImages& images, const std::vector<CameraPoint>& starts);
+    /// With twice as many digits, what was lost on the straight way: what arrives was not lost for
+    /// good.
     Ends follow_detours(const Detours& detours, const std::vector<CameraPoint>& starts);
     const PathCounts& counts() const { return counts_; }
 
@@ -82,7 +85,7 @@ public:
     /// What is less nondegenerate than this is likely to be no solution, but a degenerate one.
     static constexpr double suspicious = 1e-8;
 
-    /// What is less nondegenerate than `least` when it is found is followed more closely.
+    /// What is less nondegenerate than `least` when it is found is followed again with more digits.
     Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
               double least = suspicious);
 
@@ -109,11 +112,11 @@ private:
     };
     static constexpr int open = -1, lost = -2;
     struct Edge {
-        Images to;                                            ///< those of node 1, turned
+        Images to;                                            ///< those of node 1, rephased
         std::array<TrackedImages, 2> images{};                ///< forth and back
         std::array<std::array<TrackedImages, 2>, 2> detour{}; ///< the same, in two legs
         std::array<std::vector<int>, 2> partner{};   ///< of each solution of node 0, node 1
-        std::array<std::vector<int>, 2> postponed{}; ///< starts of paths to be followed closely
+        std::array<std::vector<int>, 2> postponed{}; ///< starts of paths to follow again
     };
 
     void add_edge();
@@ -121,8 +124,8 @@ private:
     std::array<std::array<TrackedImages, 2>, 2> random_detour(const Images& to);
     int unmatched(const Edge& edge) const;
     /// Matches the end of a path from a solution of node `from`. Returns the solutions whose paths
-    /// are to be followed more closely: one that was lost, or has an end that is less nondegenerate
-    /// than `least`, or two that have the same end, as one of them must have jumped.
+    /// are to be followed again with more digits: one that was lost, or has an end that is less
+    /// nondegenerate than `least`, or two that have the same end, as one of them must have jumped.
     std::vector<int> match(Edge& edge, int from, int start, const std::optional<CameraPoint>& end,
                            double least);
     /// Follows solutions of node `from` that have no partner, `most` of them; false if there are
@@ -131,7 +134,7 @@ private:
     /// Follows those of the paths on a detour that have no end, and matches what arrives.
     void follow_detours(Edge& edge, int from, const std::vector<int>& starting,
                         const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends);
-    /// Follows closely what is to be. Whether that found solutions.
+    /// Follows the postponed paths with more digits. Whether that found solutions.
     bool follow_postponed();
 
     const CameraSystem& system_;

@@ -24,7 +24,7 @@ Complex3 along(const Complex3& a, const Complex& s, const Complex3& d) {
 } // namespace
 
 double nondegeneracy(const CameraSystem& system, const std::vector<Complex3>& vectors,
-                     const Cameras& cameras) {
+                     const QuaternionCameras& cameras) {
     double least = 1;
     const auto require = [&](double value, double scale) {
         least = std::min(least, value / scale);
@@ -54,9 +54,9 @@ double nondegeneracy(const CameraSystem& system, const std::vector<Complex3>& ve
             for (const std::size_t k : {1U, 2U})
                 meeting(static_cast<std::size_t>(equation.vectors[0]),
                         static_cast<std::size_t>(equation.vectors[k]));
-    for (const Place& place : system.places) {
-        const auto ray = static_cast<std::size_t>(place.ray);
-        const auto plane = static_cast<std::size_t>(place.plane);
+    for (const Triangulation& triangulation : system.triangulations) {
+        const auto ray = static_cast<std::size_t>(triangulation.ray);
+        const auto plane = static_cast<std::size_t>(triangulation.plane);
         meeting(ray, plane);
         const Complex3& from = centre[static_cast<std::size_t>(system.vectors[ray].view)];
         const Complex3& through = centre[static_cast<std::size_t>(system.vectors[plane].view)];
@@ -67,8 +67,8 @@ double nondegeneracy(const CameraSystem& system, const std::vector<Complex3>& ve
         for (std::size_t v = 0; v < 3; ++v) {
             const Complex3 seen = along(point, -1.0, centre[v]);
             const double scale = norm(point) + norm(centre[1]) + norm(centre[2]);
-            if (place.sees_point[v]) require(norm(seen), scale);
-            for (const auto& line : place.lines) {
+            if (triangulation.sees_point[v]) require(norm(seen), scale);
+            for (const auto& line : triangulation.lines) {
                 if (line[v] < 0) continue;
                 std::vector<std::size_t> planes;
                 for (const int vector : line)

@@ -10,6 +10,6 @@ namespace plprove {
 /// the centre of a camera that sees it, a line through such a centre. 0 if one is violated;
 /// solutions that are no more than rounding errors away from that are no solutions of the problem.
 double nondegeneracy(const CameraSystem& system, const std::vector<Complex3>& vectors,
-                     const Cameras& cameras);
+                     const QuaternionCameras& cameras);
 
 } // namespace plprove

@@ -16,7 +16,7 @@ bool is_epipolar(const CameraSystem& system, const CameraEquation& equation,
 }
 
 /// The rotation from the first view of the pair to the second, as a quaternion with real part 1.
-Complex3 relative_rotation(const Cameras& cameras, const std::array<int, 2>& pair) {
+Complex3 relative_rotation(const QuaternionCameras& cameras, const std::array<int, 2>& pair) {
     const auto quaternion = [&](int view) {
         return view == 0 ? std::array<Complex, 4>{1.0, 0.0, 0.0, 0.0}
                          : cameras.quaternion[static_cast<std::size_t>(view) - 1];

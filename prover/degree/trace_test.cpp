@@ -47,17 +47,17 @@ std::optional<double> trace_residual(const CameraSystem& system, const CameraCha
     std::optional<double> residual;
     for (std::size_t p = 0; p < moving.size(); ++p) {
         Complex sum;
-        double bends = 0, others = 0;
+        double sizes = 0, others = 0;
         for (std::size_t i = p; i < terms.size(); i += moving.size()) {
-            sum += terms[i].bend;
-            bends += std::abs(terms[i].bend);
-            others += std::abs(terms[i].slope) + std::abs(terms[i].value);
+            sum += terms[i].quadratic;
+            sizes += std::abs(terms[i].quadratic);
+            others += std::abs(terms[i].linear) + std::abs(terms[i].constant);
         }
-        // If phi is linear for each solution, its second derivative is nothing but rounding, and
-        // says nothing.
+        // If phi is linear for each solution, its quadratic coefficient is nothing but rounding,
+        // and says nothing.
         constexpr double rounding = 1e-11;
-        if (bends < rounding * others) continue;
-        residual = std::max(residual.value_or(0), std::abs(sum) / bends);
+        if (sizes < rounding * others) continue;
+        residual = std::max(residual.value_or(0), std::abs(sum) / sizes);
     }
     return residual;
 }

@@ -3,7 +3,7 @@
 // determinant of their whole Jacobians. See degrees.cpp for degrees.
 #include "checker/modular.h"
 #include "checker/report.h"
-#include "prover/classification/archive.h"
+#include "prover/classification/classification_file.h"
 
 #include <benchmark/benchmark.h>
 #include <fstream>

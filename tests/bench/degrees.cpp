@@ -26,9 +26,9 @@ struct Paths {
         monodromy.run(5, 0);
         Random random(1, 1);
         tracked = tracked_system(system, monodromy.chart());
-        edge =
-            moving_images(system, monodromy.constants(), monodromy.images(),
-                          turned(random_neighbour(monodromy.images(), random), Turn::near, random));
+        edge = moving_images(
+            system, monodromy.constants(), monodromy.images(),
+            rephased(random_neighbour(monodromy.images(), random), Phases::near_one, random));
     }
 };
 
@@ -62,10 +62,10 @@ void track_chicago_one_lane(benchmark::State& state) {
     follow(state, portable::track);
 }
 void track_chicago_wide(benchmark::State& state) {
-    follow(state, fastest_wide_tracker());
+    follow(state, fastest_double_double_tracker());
 }
 void track_chicago_triple(benchmark::State& state) {
-    follow(state, fastest_triple_tracker());
+    follow(state, fastest_triple_double_tracker());
 }
 
 void check_solutions(benchmark::State& state) {

@@ -3,7 +3,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace degree_double {
+namespace fake_engine {
 
 using namespace plprove;
 
@@ -60,14 +60,15 @@ bool falls_short(std::size_t number) {
 
 DegreeRun compute(std::size_t number, const DegreeOptions& options) {
     if (throws(number))
-        throw std::runtime_error("the double does not like \"" + std::to_string(number) + "\"");
+        throw std::runtime_error("the fake engine does not like \"" + std::to_string(number) +
+                                 "\"");
     DegreeRun run;
     run.number = number;
     run.degree = degree(number);
     const bool stopped = options.target > 0 && run.degree >= options.target;
     if (stopped) run.degree = options.target;
     if (falls_short(number))
-        run.notes = {"the double is tired", "and \xFF not even UTF-8"};
+        run.notes = {"the fake engine is tired", "and \xFF not even UTF-8"};
     else if (!stopped)
         run.evidence = {5, -11};
     if (falls_short(number)) run.degree = 1;
@@ -78,4 +79,4 @@ DegreeRun compute(std::size_t number, const DegreeOptions& options) {
     return run;
 }
 
-} // namespace degree_double
+} // namespace fake_engine

@@ -4,7 +4,7 @@
 
 #include "prover/degree/degree.h"
 
-namespace degree_double {
+namespace fake_engine {
 
 /// What compute() says of the class if no target stops it.
 int degree(std::size_t number);
@@ -15,4 +15,4 @@ bool falls_short(std::size_t number);
 
 plprove::DegreeRun compute(std::size_t number, const plprove::DegreeOptions& options);
 
-} // namespace degree_double
+} // namespace fake_engine

@@ -167,7 +167,7 @@ bool differ(const Point& a, const Point& b) {
     return false;
 }
 
-plprove::Cameras cameras(const Point& z) {
+plprove::QuaternionCameras cameras(const Point& z) {
     plprove::CameraPoint point;
     for (std::size_t k = 0; k < point.size(); ++k)
         point[k] = plprove::Complex(z[static_cast<Eigen::Index>(k)]);

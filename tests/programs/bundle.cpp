@@ -34,9 +34,8 @@ void make_project(const TemporaryFolder& folder) {
 TEST_CASE("the bundle unpacks, builds and checks with what it brings along") {
     const TemporaryFolder folder;
     const std::string in_folder = "cd " + folder.path().string();
-    REQUIRE(
-        run(plprove + " archive --source " + source + " -o " + (folder / "b").string()).status ==
-        0);
+    REQUIRE(run(plprove + " bundle --source " + source + " -o " + (folder / "b").string()).status ==
+            0);
     REQUIRE(run(in_folder + " && zstd -q -d -c b | tar -x && rm b").status == 0);
     REQUIRE(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 
@@ -63,13 +62,13 @@ TEST_CASE("the bundle unpacks, builds and checks with what it brings along") {
 TEST_CASE("the bundle depends on the files alone, not on their dates, rights or neighbours") {
     const TemporaryFolder folder;
     make_project(folder);
-    const auto from_sources = run(plprove + " archive -o - --source " + source);
+    const auto from_sources = run(plprove + " bundle -o - --source " + source);
     REQUIRE(from_sources.status == 0);
     REQUIRE(run("cd " + folder.path().string() +
                 " && chmod 600 LICENSE && touch -d 2001-01-01 certs/FORMAT.md && "
                 "touch proofs/left-over.vo checker/core")
                 .status == 0);
-    const auto from_copy = run("cd " + folder.path().string() + " && " + plprove + " archive -o -");
+    const auto from_copy = run("cd " + folder.path().string() + " && " + plprove + " bundle -o -");
     CHECK(from_copy.status == 0);
     const bool same = from_copy.out == from_sources.out;
     CHECK(same);
@@ -79,7 +78,7 @@ TEST_CASE("a bundle is refused where a certificate has not the digest on file") 
     const TemporaryFolder folder;
     make_project(folder);
     const std::string command =
-        plprove + " archive --source " + folder.path().string() + " -o " + (folder / "b").string();
+        plprove + " bundle --source " + folder.path().string() + " -o " + (folder / "b").string();
     CHECK(run(command).status == 0);
     write_file(folder / "certs/extra.plc", "plcert 1 problem\n");
     const Outcome extra = run(command);
@@ -94,9 +93,17 @@ TEST_CASE("a bundle is refused where a certificate has not the digest on file") 
 
 TEST_CASE("a bundle is made from the project's source folder only") {
     const TemporaryFolder folder;
-    const Outcome outcome = run("cd " + folder.path().string() + " && " + plprove + " archive");
+    const Outcome outcome = run("cd " + folder.path().string() + " && " + plprove + " bundle");
     CHECK(outcome.status == 1);
     CHECK(outcome.err.find("not the project's source folder") != std::string::npos);
     CHECK(outcome.err.find("--source") != std::string::npos);
     CHECK(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_CASE("the old name of the command says the new one") {
+    const Outcome outcome = run(plprove + " archive -o -");
+    CHECK(outcome.status == 3);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err ==
+          "plprove: the command `archive` is called `bundle` now: run `plprove bundle`\n");
 }

@@ -1,5 +1,5 @@
 // plprove degree and degrees as users run them, and what happens to a sweep that is killed. The
-// program is plprove with a double in the place of its engine (degree_double).
+// program is plprove with a fake engine.
 #include "tests/support/process.h"
 #include "tests/support/program.h"
 
@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using Seconds = std::chrono::duration<double>;
 
-const std::string plprove = PLPROVE_DOUBLE;
+const std::string plprove = PLPROVE_FAKE_ENGINE;
 
-/// Numbers of classes: of 37 constraint classes, two of which the double does not like.
+/// Numbers of classes: of 37 constraint classes, two of which the fake engine does not like.
 const std::string some = "60000..60150";
 
 Arguments sweep_of(const fs::path& folder, const Arguments& more = {}) {
@@ -33,7 +33,7 @@ Arguments sweep_of(const fs::path& folder, const Arguments& more = {}) {
 
 pid_t start(const Arguments& arguments, const char* milliseconds) {
     return start_program(plprove, "/", arguments,
-                         [&] { ::setenv("PLC_DOUBLE_MS", milliseconds, 1); });
+                         [&] { ::setenv("PLC_FAKE_ENGINE_MS", milliseconds, 1); });
 }
 
 std::string shell(const Arguments& arguments) {
@@ -119,9 +119,9 @@ TEST_CASE("Ctrl-C and SIGTERM end a sweep with a message and their own status, a
         const TemporaryFolder folder;
         const fs::path sweep = folder / "sweep";
         const std::string err = (folder / "err").string();
-        const pid_t child =
-            start_program("/bin/sh", "/",
-                          {"-c", "PLC_DOUBLE_MS=20 exec " + shell(sweep_of(sweep)) + " 2>" + err});
+        const pid_t child = start_program(
+            "/bin/sh", "/",
+            {"-c", "PLC_FAKE_ENGINE_MS=20 exec " + shell(sweep_of(sweep)) + " 2>" + err});
         wait_until([&] { return finished(sweep).size() > 3; });
         ::kill(child, signal);
         const int status = wait_for(child);
@@ -141,7 +141,7 @@ TEST_CASE("an ignored signal stays ignored") {
     const TemporaryFolder folder;
     const pid_t child = start_program(
         "/bin/sh", "/",
-        {"-c", "trap '' INT; PLC_DOUBLE_MS=5 exec " + shell(sweep_of(folder / "sweep"))});
+        {"-c", "trap '' INT; PLC_FAKE_ENGINE_MS=5 exec " + shell(sweep_of(folder / "sweep"))});
     wait_until([&] { return !finished(folder / "sweep").empty(); });
     ::kill(child, SIGINT);
     CHECK(WIFEXITED(wait_for(child)));
@@ -169,7 +169,7 @@ TEST_CASE("two sweeps started at a time: one works, one is refused") {
     int refused = 0;
     for (int i = 0; i < 10; ++i) {
         const TemporaryFolder folder;
-        // No class of this filter fails in the double.
+        // No class of this filter fails in the fake engine.
         const Arguments arguments{"degrees", "--classes", "2394,6723", "-o", folder.path()};
         const pid_t one = start(arguments, "200");
         const pid_t other = start(arguments, "200");
@@ -224,7 +224,7 @@ TEST_CASE("a progress line with rate and time left is shown on a terminal and wi
         MESSAGE("there is no script(1) here: not tested");
         return;
     }
-    write_file(folder / "sweep.sh", "PLC_DOUBLE_MS=40 " + line + "\n");
+    write_file(folder / "sweep.sh", "PLC_FAKE_ENGINE_MS=40 " + line + "\n");
     const Outcome outcome =
         run("script -qec 'sh " + (folder / "sweep.sh").string() + "' /dev/null");
     CHECK(contains(outcome.out, "\rcomputing degrees: "));
@@ -367,7 +367,7 @@ TEST_CASE("what is no minimal problem, or no command, is refused") {
 TEST_CASE("filters are given with dashes or without") {
     const TemporaryFolder folder;
     const auto count = [&](const std::string& filter, const std::string& name) {
-        run("PLC_DOUBLE_MS=0 " + plprove + " degrees " + filter + " -o " +
+        run("PLC_FAKE_ENGINE_MS=0 " + plprove + " degrees " + filter + " -o " +
             (folder / name).string());
         return finished(folder / name).size();
     };

@@ -65,7 +65,7 @@ TEST_CASE(
     // The relative rotation R_3 R_2^T, which is the quaternion q_3 q_2^* up to scale.
     std::vector<std::pair<std::array<Complex, 3>, int>> poses;
     for (const CameraPoint& point : solutions.points()) {
-        const Cameras cameras = solved.monodromy.chart().cameras(point);
+        const QuaternionCameras cameras = solved.monodromy.chart().cameras(point);
         const auto& [a, b, c, d] = cameras.quaternion[1];
         const auto& [e, f, g, h] = cameras.quaternion[0];
         const Complex scale = a * e + b * f + c * g + d * h;
@@ -165,9 +165,9 @@ TEST_CASE("what doubles lose arrives with two or three times as many digits") {
     Monodromy monodromy(system, 0, 257);
     monodromy.run(3, 600);
     Random random(13, 0);
-    const TrackedImages images =
-        moving_images(system, monodromy.constants(), monodromy.images(),
-                      turned(random_neighbour(monodromy.images(), random), Turn::near, random));
+    const TrackedImages images = moving_images(
+        system, monodromy.constants(), monodromy.images(),
+        rephased(random_neighbour(monodromy.images(), random), Phases::near_one, random));
     const std::vector<CameraPoint>& starts = monodromy.solutions().points();
     PathFollower follower(tracked_system(system, monodromy.chart()));
     const auto lost = [](const std::vector<CameraPoint>& from, const PathFollower::Ends& ends) {
@@ -177,27 +177,27 @@ TEST_CASE("what doubles lose arrives with two or three times as many digits") {
         return result;
     };
     const auto quickly = lost(starts, follower.follow_quickly(images, starts));
-    const auto closely = lost(quickly, follower.follow_closely(images, quickly));
+    const auto lost_again = lost(quickly, follower.follow_double_double(images, quickly));
     CHECK(quickly.size() > 10);
-    CHECK(closely.size() == 1);
+    CHECK(lost_again.size() == 1);
     CHECK(follower.counts().failed == 1);
-    CHECK(lost(closely, follower.follow_precisely(images, closely)).empty());
+    CHECK(lost(lost_again, follower.follow_triple_double(images, lost_again)).empty());
     CHECK(follower.counts().failed == 0);
 }
 
 namespace {
 
+using plprove::PLC_LANES::DoubleDouble;
 using plprove::PLC_LANES::Real;
-using plprove::PLC_LANES::Triple;
-using plprove::PLC_LANES::Wide;
+using plprove::PLC_LANES::TripleDouble;
 
 mpq_class exact(Real x) {
     return mpq_class(at(x, 0));
 }
-mpq_class exact(Wide x) {
+mpq_class exact(DoubleDouble x) {
     return exact(x.high) + exact(x.low);
 }
-mpq_class exact(Triple x) {
+mpq_class exact(TripleDouble x) {
     return exact(x.high) + exact(x.middle) + exact(x.low);
 }
 
@@ -233,15 +233,16 @@ void check_operations(int bits) {
 } // namespace
 
 TEST_CASE("sums of two and three doubles have 30 and 45 digits at least") {
-    check_operations<Wide>(100);
-    check_operations<Triple>(150);
+    check_operations<DoubleDouble>(100);
+    check_operations<TripleDouble>(150);
 }
 
 TEST_CASE("every instruction set tracks the same paths to the same bits, with any precision") {
     const Solved solved(number_of("3*P/P/P + a/a/a"));
     const Monodromy& monodromy = solved.monodromy;
     Random random(4, 0);
-    const Images to = turned(random_neighbour(monodromy.images(), random), Turn::near, random);
+    const Images to =
+        rephased(random_neighbour(monodromy.images(), random), Phases::near_one, random);
     const TrackedSystem system = tracked_system(solved.system, monodromy.chart());
     const TrackedImages images =
         moving_images(solved.system, monodromy.constants(), monodromy.images(), to);
@@ -255,8 +256,8 @@ TEST_CASE("every instruction set tracks the same paths to the same bits, with an
         return result;
     };
     const std::vector<CameraPoint> expected = ends(portable::track);
-    const std::vector<CameraPoint> expected_wide = ends(portable::track_wide);
-    const std::vector<CameraPoint> expected_triple = ends(portable::track_triple);
+    const std::vector<CameraPoint> expected_double_double = ends(portable::track_double_double);
+    const std::vector<CameraPoint> expected_triple_double = ends(portable::track_triple_double);
     const TracePencil pencil{
         0, images, moving_images(solved.system, monodromy.constants(), to, to),
         moving_images(solved.system, monodromy.constants(), monodromy.images(), to)};
@@ -265,19 +266,19 @@ TEST_CASE("every instruction set tracks the same paths to the same bits, with an
         trace(system, &pencil, 1, starts.size(), starts.data(), terms.data());
         std::vector<Complex> result;
         for (const TraceTerm& term : terms)
-            result.push_back(term.bend);
+            result.push_back(term.quadratic);
         return result;
     };
     const std::vector<Complex> expected_bends = bends(portable::trace_terms);
     CHECK(ends(fastest_tracker()) == expected);
-    CHECK(ends(fastest_wide_tracker()) == expected_wide);
-    CHECK(ends(fastest_triple_tracker()) == expected_triple);
+    CHECK(ends(fastest_double_double_tracker()) == expected_double_double);
+    CHECK(ends(fastest_triple_double_tracker()) == expected_triple_double);
     CHECK(bends(fastest_trace()) == expected_bends);
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
         CHECK(ends(avx2::track) == expected);
-        CHECK(ends(avx2::track_wide) == expected_wide);
-        CHECK(ends(avx2::track_triple) == expected_triple);
+        CHECK(ends(avx2::track_double_double) == expected_double_double);
+        CHECK(ends(avx2::track_triple_double) == expected_triple_double);
         CHECK(bends(avx2::trace_terms) == expected_bends);
     }
 #endif
@@ -398,7 +399,7 @@ Exact3 exactly(const std::array<int, 3>& x) {
 
 /// Makes the scene of one feature from two views and sees it in all of them: how far the images are
 /// from the given ones, relative to their size.
-double misfit(const FeatureImage& image, const std::array<ExactCamera, 3>& cameras) {
+double reprojection_error(const FeatureImage& image, const std::array<ExactCamera, 3>& cameras) {
     std::array<std::vector<Exact3>, 3> lines;
     std::vector<std::size_t> with_point, with_lines;
     for (std::size_t v = 0; v < 3; ++v) {
@@ -503,19 +504,19 @@ TEST_CASE("certified cameras see the scene that they come from, in exact arithme
         settings.first_step = settings.largest_step = 1;
         std::vector<CameraPoint> ends(starts.size());
         std::vector<TrackOutcome> outcomes(starts.size());
-        fastest_wide_tracker()(tracked_system(system, standard_chart()),
-                               moving_images(system, standard_constants(system), images, images),
-                               settings, starts.size(), starts.data(), ends.data(),
-                               outcomes.data());
+        fastest_double_double_tracker()(
+            tracked_system(system, standard_chart()),
+            moving_images(system, standard_constants(system), images, images), settings,
+            starts.size(), starts.data(), ends.data(), outcomes.data());
         const ExactCamera first({1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
         for (std::size_t i = 0; i < ends.size(); i += 5) {
             REQUIRE(outcomes[i] == TrackOutcome::arrived);
-            const Cameras cameras = standard_chart().cameras(ends[i]);
+            const QuaternionCameras cameras = standard_chart().cameras(ends[i]);
             const std::array<ExactCamera, 3> exact{
                 first, ExactCamera(cameras.quaternion[0], cameras.centre[0]),
                 ExactCamera(cameras.quaternion[1], cameras.centre[1])};
             for (const FeatureImage& image : certificate.images)
-                CHECK(misfit(image, exact) < 1e-8);
+                CHECK(reprojection_error(image, exact) < 1e-8);
         }
     }
 }

@@ -1,4 +1,4 @@
-// What a sweep keeps and collects, in process, with a double in the place of the engine.
+// What a sweep keeps and collects, in process, with a fake engine.
 #include "prover/catalogue/degrees.h"
 #include "prover/cli/filter_options.h"
 #include "prover/degree_sweep/classes.h"
@@ -30,7 +30,7 @@ void run_sweep(const SweepFolder& folder, const std::vector<std::size_t>& classe
                const DegreeOptions& options, unsigned threads = 2, bool retry = false) {
     SweepPlan plan = plan_sweep(folder, classes, options, retry);
     plan.threads = threads;
-    sweep(folder, plan, degree_double::compute, unwatched);
+    sweep(folder, plan, fake_engine::compute, unwatched);
 }
 
 std::size_t left_to_do(const SweepFolder& folder, const std::vector<std::size_t>& classes,
@@ -38,7 +38,7 @@ std::size_t left_to_do(const SweepFolder& folder, const std::vector<std::size_t>
     return plan_sweep(folder, classes, options, retry).classes.size();
 }
 
-/// A class that the double computes without fault, with this remainder of its degree.
+/// A class that the fake engine computes without fault, with this remainder of its degree.
 std::size_t class_with(const std::function<bool(std::size_t)>& condition) {
     for (const std::size_t number : minimal_constraint_classes())
         if (condition(number)) return number;
@@ -46,7 +46,7 @@ std::size_t class_with(const std::function<bool(std::size_t)>& condition) {
 }
 
 bool is_well(std::size_t number) {
-    return !degree_double::throws(number) && !degree_double::falls_short(number);
+    return !fake_engine::throws(number) && !fake_engine::falls_short(number);
 }
 
 /// What plcheck would say of degrees.plc in the folder, if it accepted these classes, and found
@@ -105,7 +105,7 @@ TEST_CASE("what the sweep writes conforms to the grammar, line by line") {
     for (const std::size_t number : {2394U, 6722U, 100005U, 142849U}) {
         if (!is_well(number)) continue;
         const std::string text =
-            write(class_result(degree_double::compute(number, options), options, 1.5));
+            write(class_result(fake_engine::compute(number, options), options, 1.5));
         CHECK(text.back() == '\n');
         for (const std::string& line : lines_of(text)) {
             CAPTURE(line);
@@ -162,9 +162,9 @@ TEST_CASE("a result is read back as it was written") {
     const TemporaryFolder folder;
     const DegreeOptions options{20, 7, true};
     for (const std::size_t number : some_classes()) {
-        if (degree_double::throws(number)) continue;
+        if (fake_engine::throws(number)) continue;
         const ClassResult result =
-            class_result(degree_double::compute(number, options), options, 0.25);
+            class_result(fake_engine::compute(number, options), options, 0.25);
         write_file(folder / "file", write(result));
         const auto head = read_class_result(folder / "file", false);
         const auto whole = read_class_result(folder / "file", true);
@@ -181,8 +181,8 @@ TEST_CASE("a result is read back as it was written") {
 TEST_CASE("a damaged result is no result") {
     const TemporaryFolder folder;
     const std::size_t number =
-        class_with([](std::size_t n) { return is_well(n) && degree_double::degree(n) > 5; });
-    const std::string text = write(class_result(degree_double::compute(number, {}), {}, 1));
+        class_with([](std::size_t n) { return is_well(n) && fake_engine::degree(n) > 5; });
+    const std::string text = write(class_result(fake_engine::compute(number, {}), {}, 1));
     const auto reads = [&](const std::string& changed) {
         write_file(folder / "file", changed);
         return read_class_result(folder / "file", true).has_value();
@@ -245,8 +245,7 @@ TEST_CASE("what is on file is not computed again, unless more is asked for") {
     };
     const std::size_t well = count(is_well);
     const auto above = [&](int degree) {
-        return count(
-            [&](std::size_t n) { return is_well(n) && degree_double::degree(n) >= degree; });
+        return count([&](std::size_t n) { return is_well(n) && fake_engine::degree(n) >= degree; });
     };
     CHECK(left_to_do(results, classes, {20, 0, true}) == classes.size());
     run_sweep(results, classes, {20, 0, true});
@@ -267,8 +266,8 @@ TEST_CASE("what is on file is not computed again, unless more is asked for") {
         const auto result = results.read(number, true);
         REQUIRE(result);
         CHECK(result->complete());
-        CHECK(result->degree() == degree_double::degree(number));
-        CHECK(result->certified == std::min(degree_double::degree(number), 25));
+        CHECK(result->degree() == fake_engine::degree(number));
+        CHECK(result->certified == std::min(fake_engine::degree(number), 25));
     }
 }
 
@@ -278,8 +277,8 @@ TEST_CASE("a class that fails is on file with the reason, and the others are not
     const SweepFolder results(folder.path(), 0);
     run_sweep(results, classes, {});
     CHECK(results.numbers() == classes);
-    const auto failing = std::ranges::find_if(classes, degree_double::throws);
-    const auto short_one = std::ranges::find_if(classes, degree_double::falls_short);
+    const auto failing = std::ranges::find_if(classes, fake_engine::throws);
+    const auto short_one = std::ranges::find_if(classes, fake_engine::falls_short);
     REQUIRE(failing != classes.end());
     REQUIRE(short_one != classes.end());
     CHECK(results.read(*failing, true)->run.notes.front().find("does not like") !=
@@ -351,14 +350,14 @@ TEST_CASE("a collection is read as the project's own files are, in parts and as 
             CHECK(whole.find("\ndegree " + std::to_string(record.number) + " ") !=
                   std::string::npos);
         } else if (record.bound == DegreeBound::exact) {
-            CHECK(record.degree == degree_double::degree(record.number));
+            CHECK(record.degree == fake_engine::degree(record.number));
             CHECK(record.source == "5 edges; trace 1e-11");
         }
     }
     CHECK(certified == all.certificates);
     // Where plcheck finds lower and upper bound to meet, the degree is certified.
     const std::size_t met = all_classes.front();
-    const int degree = degree_double::degree(met);
+    const int degree = fake_engine::degree(met);
     collect(results, {0, {}, checked(folder.path(), all_classes, {{met, degree}})});
     std::size_t exact = 0;
     for (const DegreeRecord& record : read_degrees())
@@ -382,7 +381,7 @@ TEST_CASE("a collection is read as the project's own files are, in parts and as 
     CHECK(joined == whole);
     // Chosen ones; the parts of the earlier collection are gone.
     const std::size_t large =
-        class_with([](std::size_t n) { return is_well(n) && degree_double::degree(n) >= 40; });
+        class_with([](std::size_t n) { return is_well(n) && fake_engine::degree(n) >= 40; });
     const Collected chosen = collect(results, {20, {large}, {}});
     CHECK(chosen.files.size() == 1);
     CHECK(!std::filesystem::exists(folder / "degrees-2.plc"));
@@ -410,7 +409,7 @@ TEST_CASE("nothing is certified but the very certificates that plcheck accepted"
     const std::size_t refused = accepted.back();
     accepted.pop_back();
     const Checked report = checked(folder.path(), accepted);
-    DegreeRun other = degree_double::compute(accepted[0], {40, 1, true});
+    DegreeRun other = fake_engine::compute(accepted[0], {40, 1, true});
     results.save(class_result(std::move(other), {40, 0, true}, 1));
     CHECK(report.accepts(*results.read(accepted[1], true)));
     CHECK(!report.accepts(*results.read(accepted[0], true)));

@@ -1,6 +1,6 @@
 // Minors of the Jacobian: elimination by blocks against the whole matrix, and the laws of
 // certificates.
-#include "prover/classification/archive.h"
+#include "prover/classification/classification_file.h"
 #include "prover/classification/problem_certificate.h"
 
 #include <doctest/doctest.h>

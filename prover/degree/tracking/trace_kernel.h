@@ -4,7 +4,7 @@
 // No function of the standard library is used here: see lanes.h.
 #pragma once
 
-#define PLC_WIDE
+#define PLC_DOUBLE_DOUBLE
 #include "prover/degree/tracking/tracker_kernel.h"
 
 namespace plprove::PLC_LANES {
@@ -148,7 +148,7 @@ private:
 
 void trace_terms(const TrackedSystem& system, const TracePencil* pencils, std::size_t pencil_count,
                  std::size_t count, const CameraPoint* solutions, TraceTerm* terms) {
-    constexpr std::size_t width = Wide::width;
+    constexpr std::size_t width = DoubleDouble::width;
     const Tracer tracer(system, pencils, pencil_count);
     for (std::size_t i = 0; i < count; i += width)
         tracer.block(count - i < width ? count - i : width, solutions + i,

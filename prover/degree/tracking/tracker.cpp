@@ -5,18 +5,21 @@ namespace plprove {
 namespace {
 
 struct Trackers {
-    TrackFunction *doubles, *wide, *triple;
+    TrackFunction *doubles, *double_double, *triple_double;
     TraceFunction* trace;
 };
 
 Trackers fastest() {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx512f"))
-        return {avx512::track, avx512::track_wide, avx512::track_triple, avx512::trace_terms};
+        return {avx512::track, avx512::track_double_double, avx512::track_triple_double,
+                avx512::trace_terms};
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return {avx2::track, avx2::track_wide, avx2::track_triple, avx2::trace_terms};
+        return {avx2::track, avx2::track_double_double, avx2::track_triple_double,
+                avx2::trace_terms};
 #endif
-    return {portable::track, portable::track_wide, portable::track_triple, portable::trace_terms};
+    return {portable::track, portable::track_double_double, portable::track_triple_double,
+            portable::trace_terms};
 }
 
 } // namespace
@@ -25,12 +28,12 @@ TrackFunction* fastest_tracker() {
     return fastest().doubles;
 }
 
-TrackFunction* fastest_wide_tracker() {
-    return fastest().wide;
+TrackFunction* fastest_double_double_tracker() {
+    return fastest().double_double;
 }
 
-TrackFunction* fastest_triple_tracker() {
-    return fastest().triple;
+TrackFunction* fastest_triple_double_tracker() {
+    return fastest().triple_double;
 }
 
 TraceFunction* fastest_trace() {

@@ -60,9 +60,9 @@ struct TracePencil {
     TrackedImages direction, across; ///< m and m' in the place of p, at rest
 };
 
-/// phi = G(m') / G(m) at a solution, to the second power of s.
+/// phi = G(m') / G(m) at a solution, to the second power of s: constant + linear s + quadratic s^2.
 struct TraceTerm {
-    Complex value, slope, bend;
+    Complex constant, linear, quadratic;
 };
 
 /// Computes terms[solution][pencil] from approximate solutions, with about 32 digits.
@@ -71,15 +71,15 @@ using TraceFunction = void(const TrackedSystem& system, const TracePencil* penci
                            const CameraPoint* solutions, TraceTerm* terms);
 
 namespace avx512 {
-TrackFunction track, track_wide, track_triple;
+TrackFunction track, track_double_double, track_triple_double;
 TraceFunction trace_terms;
 } // namespace avx512
 namespace avx2 {
-TrackFunction track, track_wide, track_triple;
+TrackFunction track, track_double_double, track_triple_double;
 TraceFunction trace_terms;
 } // namespace avx2
 namespace portable {
-TrackFunction track, track_wide, track_triple;
+TrackFunction track, track_double_double, track_triple_double;
 TraceFunction trace_terms;
 } // namespace portable
 
@@ -87,9 +87,9 @@ TraceFunction trace_terms;
 TrackFunction* fastest_tracker();
 /// The same, with about 32 digits throughout, some ten times as slow; starts and ends are
 /// doubles.
-TrackFunction* fastest_wide_tracker();
+TrackFunction* fastest_double_double_tracker();
 /// The same, with about 48 digits; a few times as slow again.
-TrackFunction* fastest_triple_tracker();
+TrackFunction* fastest_triple_double_tracker();
 /// The terms of the trace test with the most lanes.
 TraceFunction* fastest_trace();
 

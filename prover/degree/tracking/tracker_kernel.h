@@ -1,5 +1,6 @@
 // The path tracker, with the lanes of the instruction set that the including file is compiled for;
-// with twice or three times as many digits if that file defines PLC_WIDE or PLC_TRIPLE.
+// with twice or three times as many digits if that file defines PLC_DOUBLE_DOUBLE or
+// PLC_TRIPLE_DOUBLE.
 //
 // No function of the standard library is used here: see lanes.h.
 #pragma once
@@ -11,11 +12,11 @@ namespace plprove::PLC_LANES {
 
 namespace {
 
-#if defined(PLC_WIDE) || defined(PLC_TRIPLE)
-#if defined(PLC_WIDE)
-using Real = Wide;
+#if defined(PLC_DOUBLE_DOUBLE) || defined(PLC_TRIPLE_DOUBLE)
+#if defined(PLC_DOUBLE_DOUBLE)
+using Real = DoubleDouble;
 #else
-using Real = Triple;
+using Real = TripleDouble;
 #endif
 #undef PLC_UNROLLED
 #define PLC_UNROLLED // a column does not fit into the registers
@@ -632,10 +633,10 @@ private:
 
 } // namespace
 
-#if defined(PLC_WIDE)
-TrackCost track_wide(
-#elif defined(PLC_TRIPLE)
-TrackCost track_triple(
+#if defined(PLC_DOUBLE_DOUBLE)
+TrackCost track_double_double(
+#elif defined(PLC_TRIPLE_DOUBLE)
+TrackCost track_triple_double(
 #else
 TrackCost track(
 #endif

@@ -1,4 +1,5 @@
-// Archives: the certificates of all label classes, with the pools of coordinates they use.
+// The file that certifies the classification: certificates of all label classes, with the pools of
+// coordinates they use.
 #pragma once
 
 #include "prover/classification/certificate.h"
@@ -8,7 +9,7 @@
 
 namespace plprove {
 
-/// One certificate of an archive: the class with this number is posed in the pool with this index.
+/// One certificate of the file: the class with this number is posed in the pool with this index.
 struct Record {
     std::size_t number = 0;
     std::size_t pool = 0;
@@ -16,7 +17,7 @@ struct Record {
 };
 
 /// A certificate for each label class, ascending.
-struct Archive {
+struct ClassificationFile {
     std::vector<Pool> pools;
     std::vector<Record> records;
 };
@@ -27,9 +28,10 @@ using Progress = std::function<void(std::size_t done)>;
 /// Certifies the given label classes (all of them: label_classes()), numbered in order. A class
 /// whose minor vanishes in one pool is tried in the next. Throws std::runtime_error where the pools
 /// are used up: then a class has a smaller generic rank than its obstruction explains.
-Archive certify_classification(const std::vector<Signature>& classes, const Progress& progress);
+ClassificationFile certify_classification(const std::vector<Signature>& classes,
+                                          const Progress& progress);
 
-/// The text of the archive (certs/FORMAT.md, section 5, "classification").
-std::string write(const Archive& archive);
+/// The text of the file (certs/FORMAT.md, section 5, "classification").
+std::string write(const ClassificationFile& archive);
 
 } // namespace plprove

@@ -1,4 +1,4 @@
-#include "prover/classification/archive.h"
+#include "prover/classification/classification_file.h"
 
 #include <stdexcept>
 
@@ -48,16 +48,17 @@ Record certify_class(const Signature& signature, std::size_t number,
 
 } // namespace
 
-Archive certify_classification(const std::vector<Signature>& classes, const Progress& progress) {
-    Archive archive;
+ClassificationFile certify_classification(const std::vector<Signature>& classes,
+                                          const Progress& progress) {
+    ClassificationFile file;
     std::vector<PreparedPool> pools;
     for (std::size_t number = 0; number < classes.size(); ++number) {
-        archive.records.push_back(certify_class(classes[number], number, pools));
+        file.records.push_back(certify_class(classes[number], number, pools));
         if (number % progress_interval == 0) progress(number);
     }
     for (PreparedPool& prepared : pools)
-        archive.pools.push_back(std::move(prepared.pool));
-    return archive;
+        file.pools.push_back(std::move(prepared.pool));
+    return file;
 }
 
 } // namespace plprove
