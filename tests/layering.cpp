@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 const fs::path root = SOURCE_DIR;
 
 /// The folders of prover/, from the bottom to the top.
-const std::vector<std::string> layers{"system",  "problem", "geometry",  "classification",
-                                      "bounds",  "degree",  "catalogue", "degree_sweep",
-                                      "drawing", "scripts", "bundle",    "cli"};
+const std::vector<std::string> layers{
+    "system",    "format",       "problem", "geometry", "classification", "bounds", "degree",
+    "catalogue", "degree_sweep", "drawing", "scripts",  "bundle",         "cli"};
 
 /// A line `#include "to"` in the file `from`; both are paths in the project.
 struct Arrow {

@@ -1,82 +1,65 @@
 // The text of templates, as certs/FORMAT.md section 10 has it.
 #include "prover/bounds/template.h"
+#include "prover/format/certificate_text.h"
 
 namespace plprove::bounds {
 
 namespace {
 
-class Text {
-public:
-    void words(const std::string& word) { text_ += word + ' '; }
-    void words(Residue number) { words(std::to_string(number)); }
-    void words(const Vector3& vector) {
-        for (const std::int64_t coordinate : vector)
-            words(std::to_string(coordinate));
-    }
-    template <class... Words>
-    requires(sizeof...(Words) > 1) void words(const Words&... all) { (words(all), ...); }
-    void end_line() { text_.back() = '\n'; }
-    std::string take() { return std::move(text_); }
+/// The word, and the vector that it announces.
+std::string named(const char* word, const Vector3& vector) {
+    return word + (' ' + coordinates(vector));
+}
 
-private:
-    std::string text_;
-};
+std::vector<std::size_t> numbered_from_one(std::vector<std::size_t> indices) {
+    for (std::size_t& index : indices)
+        ++index;
+    return indices;
+}
 
-void append(Text& text, const RegistrationData& data) {
-    using namespace std::string_literals;
+void append(CertificateText& text, const RegistrationData& data) {
     for (const auto& star : data.stars) {
-        text.words("star point"s, star.point, "image"s, star.image);
-        for (const auto& pin : star.pins)
-            text.words("pin"s, pin.direction, "toward"s, pin.toward);
-        text.end_line();
+        std::vector<std::string> pins;
+        for (const auto& pin : star.pins) {
+            pins.push_back(named("pin", pin.direction));
+            pins.push_back(named("toward", pin.toward));
+        }
+        text.line("star", named("point", star.point), named("image", star.image), pins);
     }
-    for (const auto& line : data.lines) {
-        text.words("line point"s, line.point, "direction"s, line.direction, "image"s, line.image);
-        text.end_line();
-    }
-    for (const auto& incidence : data.incidences) {
-        text.words("incidence point"s, incidence.point, "line"s, incidence.line);
-        text.end_line();
-    }
+    for (const auto& line : data.lines)
+        text.line("line", named("point", line.point), named("direction", line.direction),
+                  named("image", line.image));
+    for (const auto& incidence : data.incidences)
+        text.line("incidence", named("point", incidence.point), named("line", incidence.line));
     for (const auto& group : data.groups) {
-        text.words("transversals point"s, group.point);
-        for (const auto& ray : group.rays)
-            text.words("direction"s, ray.direction, "image"s, ray.image);
-        text.end_line();
+        std::vector<std::string> rays;
+        for (const auto& ray : group.rays) {
+            rays.push_back(named("direction", ray.direction));
+            rays.push_back(named("image", ray.image));
+        }
+        text.line("transversals", named("point", group.point), rays);
     }
 }
 
-void append(Text& text, const Template& proof) {
-    text.words("template", name(proof.frame), "degree");
-    text.words(static_cast<Residue>(proof.degree[0]));
-    if (proof.frame != Frame::general) text.words(static_cast<Residue>(proof.degree[1]));
-    text.end_line();
+void append(CertificateText& text, const Template& proof) {
+    std::vector<int> degree{proof.degree[0]};
+    if (proof.frame != Frame::general) degree.push_back(proof.degree[1]);
+    text.line("template", name(proof.frame), "degree", degree);
     append(text, proof.data);
-    text.words("basis");
-    for (const std::size_t monomial : proof.basis)
-        text.words(monomial + 1);
-    text.end_line();
-    for (const auto& [equation, monomials] : proof.rows) {
-        text.words("rows", std::to_string(equation + 1));
-        for (const std::size_t monomial : monomials)
-            text.words(monomial + 1);
-        text.end_line();
-    }
-    text.words("minor", std::to_string(proof.minor));
-    text.end_line();
+    text.line("basis", numbered_from_one(proof.basis));
+    for (const auto& [equation, monomials] : proof.rows)
+        text.line("rows", equation + 1, numbered_from_one(monomials));
+    text.line("minor", proof.minor);
 }
 
 } // namespace
 
 std::string write(const std::vector<Template>& templates) {
-    Text text;
-    text.words("plcert 1 bounds");
-    text.end_line();
-    text.words("modulus", std::to_string(modulus));
-    text.end_line();
+    CertificateText text;
+    text.line("modulus", modulus);
     for (const Template& proof : templates)
         append(text, proof);
-    return text.take();
+    return certificate_file("bounds", text.take(), "write fewer templates");
 }
 
 } // namespace plprove::bounds

@@ -25,7 +25,7 @@ struct ProblemCertificate {
 /// std::runtime_error where no point of the search has the rank that the verdict claims.
 ProblemCertificate certify_problem(const Problem& problem);
 
-/// The text of the certificate.
+/// The text of the certificate. Throws FormatLimit if the format does not allow it.
 std::string write(const ProblemCertificate& certificate);
 
 } // namespace plprove

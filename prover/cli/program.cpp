@@ -10,6 +10,7 @@
 #include "prover/cli/degree_commands.h"
 #include "prover/cli/problem_report.h"
 #include "prover/drawing/drawing.h"
+#include "prover/format/version.h"
 #include "prover/problem/spec.h"
 #include "prover/scripts/scripts.h"
 #include "prover/system/atomic_file.h"
@@ -206,6 +207,10 @@ std::optional<std::string> renamed(int argc, char** argv) {
     return std::nullopt;
 }
 
+std::string version_text() {
+    return std::string("plprove ") + software_version + ", certificate format " + format_version;
+}
+
 int run(int argc, char** argv, const ComputeDegree& compute) {
     if (const std::optional<std::string> advice = renamed(argc, argv)) {
         std::cerr << "plprove: " << *advice << '\n';
@@ -221,7 +226,7 @@ int run(int argc, char** argv, const ComputeDegree& compute) {
                    "  plprove classification -o all.plc   certify all 143,494 label classes\n"
                    "  plcheck all.plc                     believe nothing, replay everything\n\n"
                    "Exit status: 0 done, 1 failure, 2 bad input, 3 usage.");
-    program.set_version_flag("--version", "plprove 1.0.0, certificate format 1");
+    program.set_version_flag("--version", version_text());
     program.require_subcommand(1);
     const Command commands[] = {problem_command(program),
                                 show_command(program),

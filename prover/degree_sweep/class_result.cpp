@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view run_mark = "# run ";
-constexpr std::size_t longest_line = 16000; // of FORMAT.md's 16,384 bytes
+constexpr std::size_t longest_run_line = 16000; // leaves room for the mark in a line of the format
 
 Json json_of(const ClassResult& result) {
     const DegreeRun& run = result.run;
@@ -36,6 +36,12 @@ Json json_of(const ClassResult& result) {
 
 std::string ascii(const Json& json) {
     return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+/// Whether this is the first line of the file. Sweeps of version 1.0 wrote the same records under
+/// the number of format 1: they remain valid, and are written again under the present one.
+bool is_head(const std::string& line) {
+    return line + '\n' == degree_file("") || line == "plcert 1 degrees";
 }
 
 /// Throws Json::exception.
@@ -119,21 +125,21 @@ bool fulfils(const ClassResult& result, const DegreeOptions& options) {
 std::string run_line(const ClassResult& result) {
     Json json = json_of(result);
     std::string line = ascii(json);
-    for (Json& notes = json["notes"]; line.size() > longest_line; line = ascii(json))
+    for (Json& notes = json["notes"]; line.size() > longest_run_line; line = ascii(json))
         notes.erase(notes.size() - 1);
     return line;
 }
 
 std::string write(const ClassResult& result) {
-    std::string text(degree_file_head);
-    text.append(run_mark).append(run_line(result)) += '\n';
-    return text + result.record;
+    std::string lines(run_mark);
+    lines.append(run_line(result)) += '\n';
+    return degree_file(lines + result.record);
 }
 
 std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole) {
     std::ifstream file(path, std::ios::binary);
     std::string head, line;
-    if (!std::getline(file, head) || head + '\n' != degree_file_head) return std::nullopt;
+    if (!std::getline(file, head) || !is_head(head)) return std::nullopt;
     if (!std::getline(file, line) || !line.starts_with(run_mark)) return std::nullopt;
     try {
         ClassResult result = result_of(Json::parse(line.substr(run_mark.size())));

@@ -1,7 +1,7 @@
 // What a sweep keeps of a class: one file, which is a valid file of certificates (certs/FORMAT.md,
 // section 9) with the rest of the run in a comment, so that both appear at a stroke.
 //
-//     plcert 1 degrees
+//     plcert 2 degrees
 //     # run {"number":2394,"degree":312,...}
 //     degree 2394 evidence complete edges 6 trace -11
 //     ...

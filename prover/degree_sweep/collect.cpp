@@ -19,33 +19,35 @@ public:
     Parts(const fs::path& folder, std::size_t file_size) : folder_(folder), file_size_(file_size) {}
 
     void add(const std::string& record) {
-        if (text_.size() > degree_file_head.size() && text_.size() + record.size() > file_size_)
+        if (!records_.empty() && head_size() + records_.size() + record.size() > file_size_)
             write();
-        text_ += record;
+        records_ += record;
     }
 
     /// Writes what is left, if only an empty file, and removes what an earlier collection left.
     std::vector<std::string> finish() {
-        if (written_.empty() || text_.size() > degree_file_head.size()) write();
+        if (written_.empty() || !records_.empty()) write();
         for (std::size_t part = written_.size() + 1; fs::remove(folder_ / name(part)); ++part) {
         }
         return written_;
     }
 
 private:
+    static std::size_t head_size() { return degree_file("").size(); }
+
     static std::string name(std::size_t part) {
         return part == 1 ? "degrees.plc" : "degrees-" + std::to_string(part) + ".plc";
     }
 
     void write() {
         written_.push_back(name(written_.size() + 1));
-        write_atomically(folder_ / written_.back(), text_);
-        text_ = degree_file_head;
+        write_atomically(folder_ / written_.back(), degree_file(records_));
+        records_.clear();
     }
 
     fs::path folder_;
     std::size_t file_size_;
-    std::string text_{degree_file_head};
+    std::string records_;
     std::vector<std::string> written_;
 };
 

@@ -1,56 +1,60 @@
 #include "prover/degree_sweep/write.h"
 
+#include "prover/format/certificate_text.h"
+
 namespace plprove {
 
 namespace {
 
-template <class Integers>
-void append(std::string& text, const Integers& integers) {
-    for (const auto integer : integers)
-        (text += ' ') += std::to_string(integer);
+constexpr std::size_t digits_of_solutions = 18;
+
+std::string words_of(const std::optional<CompletenessEvidence>& evidence) {
+    if (!evidence) return "none";
+    const std::optional<int> exponent = evidence->trace_exponent;
+    return "complete edges " + std::to_string(evidence->edges) + " trace " +
+           (exponent ? std::to_string(*exponent) : "none");
 }
 
-void append_evidence(std::string& text, const std::optional<CompletenessEvidence>& evidence) {
-    if (evidence)
-        text += " evidence complete edges " + std::to_string(evidence->edges) + " trace " +
-                (evidence->trace_exponent ? std::to_string(*evidence->trace_exponent) : "none") +
-                '\n';
-    else
-        text += " evidence none\n";
+std::string words_of(const FeatureImage& image) {
+    std::string words = notation(image.feature);
+    for (const ViewImage& view : image.views) {
+        if (!view.point && view.lines.empty()) continue;
+        words += " view";
+        if (view.point) words += " point " + coordinates(*view.point);
+        for (const std::array<int, 3>& line : view.lines)
+            words += (view.point ? " toward " : " line ") + coordinates(line);
+    }
+    return words;
 }
 
-void append_view(std::string& text, const ViewImage& view) {
-    if (!view.point && view.lines.empty()) return;
-    text += " view";
-    if (view.point) append(text += " point", *view.point);
-    for (const auto& line : view.lines)
-        append(text += view.point ? " toward" : " line", line);
+std::string words_of(const ApproximateSolution& solution) {
+    std::string words = std::to_string(solution.bits);
+    for (const std::int64_t value : solution.values)
+        words += ' ' + with_digits(value, digits_of_solutions, "a solution");
+    return words;
 }
 
 } // namespace
 
 std::string write_record(const DegreeCertificate& certificate) {
-    std::string text = "degree " + std::to_string(certificate.number);
-    append_evidence(text, certificate.evidence);
-    for (const FeatureImage& image : certificate.images) {
-        text += "image " + notation(image.feature);
-        for (const ViewImage& view : image.views)
-            append_view(text, view);
-        text += '\n';
-    }
-    for (const ApproximateSolution& solution : certificate.solutions) {
-        text += (solution.real ? "real " : "pair ") + std::to_string(solution.bits);
-        append(text, solution.values);
-        text += '\n';
-    }
-    return text;
+    CertificateText text;
+    text.line("degree", certificate.number, "evidence", words_of(certificate.evidence));
+    for (const FeatureImage& image : certificate.images)
+        text.line("image", words_of(image));
+    for (const ApproximateSolution& solution : certificate.solutions)
+        text.line(solution.real ? "real" : "pair", words_of(solution));
+    return text.take();
+}
+
+std::string degree_file(std::string_view records) {
+    return certificate_file("degrees", records, "ask for fewer solutions with --target");
 }
 
 std::string write_degree_file(std::span<const DegreeCertificate> certificates) {
-    std::string text(degree_file_head);
+    std::string records;
     for (const DegreeCertificate& certificate : certificates)
-        text += write_record(certificate);
-    return text;
+        records += write_record(certificate);
+    return degree_file(records);
 }
 
 } // namespace plprove

@@ -9,13 +9,14 @@
 
 namespace plprove {
 
-/// The first line of a file of such certificates.
-inline constexpr std::string_view degree_file_head = "plcert 1 degrees\n";
-
-/// The record of one class, without the first line of the file.
+/// The record of one class, without the first line of the file. Throws FormatLimit if the format
+/// does not allow it.
 std::string write_record(const DegreeCertificate& certificate);
 
-/// A whole file. Assumes that the numbers of the classes ascend.
+/// A whole file of records, whose classes ascend. Throws FormatLimit if it is too large.
+std::string degree_file(std::string_view records);
+
+/// The same for these certificates.
 std::string write_degree_file(std::span<const DegreeCertificate> certificates);
 
 } // namespace plprove

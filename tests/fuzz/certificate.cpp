@@ -25,7 +25,7 @@ const Classification few = classification_of(all, short_classes);
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    const bool problem = bytes.starts_with("plcert 1 problem");
+    const bool problem = bytes.starts_with("plcert 2 problem");
     std::vector<FileReport> files{replay(problem ? all : few, "fuzzed", bytes)};
     const FileReport& file = files.front();
     require(file.conforms || (file.verdicts.empty() && file.certified.empty()),

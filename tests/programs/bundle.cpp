@@ -52,7 +52,7 @@ TEST_CASE("the bundle unpacks, builds and checks with what it brings along") {
     CHECK(fresh.status == 0);
     CHECK(fresh.out.find("143494 certificates hold") != std::string::npos);
     const Outcome degrees =
-        run(inside + "printf 'plcert 1 degrees\\n' >degrees.plc && ./plcheck degrees.plc");
+        run(inside + "printf 'plcert 2 degrees\\n' >degrees.plc && ./plcheck degrees.plc");
     CHECK(degrees.status == 1); // built from C++ and GMP alone
     CHECK(degrees.err == "degrees.plc:1: refused: this plcheck was built without Arb\n");
     const Outcome installed = run("cd " + source + " && " + plcheck + " certs/*.plc");
@@ -80,7 +80,7 @@ TEST_CASE("a bundle is refused where a certificate has not the digest on file") 
     const std::string command =
         plprove + " bundle --source " + folder.path().string() + " -o " + (folder / "b").string();
     CHECK(run(command).status == 0);
-    write_file(folder / "certs/extra.plc", "plcert 1 problem\n");
+    write_file(folder / "certs/extra.plc", "plcert 2 problem\n");
     const Outcome extra = run(command);
     CHECK(extra.status == 1);
     CHECK(extra.err.find("certs/extra.plc is not the file whose digest") != std::string::npos);

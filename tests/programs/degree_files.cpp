@@ -12,7 +12,7 @@ const std::string source = SOURCE_DIR;
 /// The file that section 9 shows.
 std::string example() {
     const std::string format = read_file(source + "/certs/FORMAT.md");
-    const std::size_t start = format.find("\nplcert 1 degrees\n") + 1;
+    const std::size_t start = format.find("\nplcert 2 degrees\n") + 1;
     return format.substr(start, format.find("```", start) - start);
 }
 

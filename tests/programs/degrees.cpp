@@ -63,7 +63,7 @@ void check_nothing_lost(const std::map<std::string, std::string>& before,
     for (const auto& [path, text] : before)
         kept = kept && now.contains(path) && now.at(path) == text;
     for (const auto& [path, text] : now)
-        whole = whole && text.starts_with("plcert 1 degrees\n# run {") && text.ends_with("\n");
+        whole = whole && text.starts_with("plcert 2 degrees\n# run {") && text.ends_with("\n");
     CHECK(kept);
     CHECK(whole);
 }
@@ -316,7 +316,7 @@ TEST_CASE("degree writes the certificate, or nothing") {
     const std::string path = (folder / "file").string();
     CHECK(run(plprove + " degree 2394 -o " + path).status == 0);
     const std::string text = read_file(path);
-    CHECK(text.starts_with("plcert 1 degrees\ndegree 2394 evidence complete edges 5 trace -11\n"));
+    CHECK(text.starts_with("plcert 2 degrees\ndegree 2394 evidence complete edges 5 trace -11\n"));
     CHECK(run(plprove + " degree 2394 -o -").out == text);
     const Outcome nowhere = run(plprove + " degree 2394 -o /nowhere/at/all");
     CHECK(nowhere.status == 1);

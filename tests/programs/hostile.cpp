@@ -19,7 +19,7 @@ constexpr bool sanitized = false;
 #endif
 
 const std::string plcheck = PLCHECK;
-const std::string head = "plcert 1 classification\nmodulus 2305843009213693951\n";
+const std::string head = "plcert 2 classification\nmodulus 2305843009213693951\n";
 const std::string cameras = "camera 2 quaternion 1 2 3 4 translation 1 2 3\n"
                             "camera 3 quaternion 4 3 2 1 translation 3 2 1\n";
 
@@ -89,13 +89,13 @@ void refused_pipe(const std::string& producer, int status, const std::string& me
 TEST_CASE("bytes that are not text are refused with the line on which they stand") {
     refused_all({
         {""},
-        {std::string("plcert 1 classification\nmodulus\0 23\n", 35), 2},
-        {"plcert 1 classification\r\nmodulus 2305843009213693951\r\n", 1},
+        {std::string("plcert 2 classification\nmodulus\0 23\n", 35), 2},
+        {"plcert 2 classification\r\nmodulus 2305843009213693951\r\n", 1},
         {head + "\xff\xfe\x80\n", 3},
-        {"\xef\xbb\xbfplcert 1 classification\n", 1},
-        {"plcert 1 classification\n\x1b[2J\x1b]0;owned\x07\n", 2},
-        {"plcert 1 classification\n# a comment with \x1b[31m colour\n", 2},
-        {"plcert 1 problem\nproblem P/P\x1b[2J\n", 2},
+        {"\xef\xbb\xbfplcert 2 classification\n", 1},
+        {"plcert 2 classification\n\x1b[2J\x1b]0;owned\x07\n", 2},
+        {"plcert 2 classification\n# a comment with \x1b[31m colour\n", 2},
+        {"plcert 2 problem\nproblem P/P\x1b[2J\n", 2},
         {std::string(1 << 20, '\0'), 1},
         {std::string(1 << 20, '\n'), 1},
         {std::string(1 << 20, ' '), 1},
@@ -113,11 +113,11 @@ TEST_CASE("files of more than 64 MiB are refused, however long, before they are 
     const std::string too_large = "/dev/stdin:0: ";
     refused_pipe("yes", 2, too_large);
     refused_pipe("tr '\\0' x </dev/zero | head -c 1G", 2, too_large); // a line of a gigabyte
-    refused_pipe("printf 'plcert 1 classification\\n'; yes '#'", 2, too_large);
+    refused_pipe("printf 'plcert 2 classification\\n'; yes '#'", 2, too_large);
 }
 
 TEST_CASE("a file of just 64 MiB is read") {
-    refused_pipe("printf 'plcert 1 classification\\n'; yes '# comment' | head -c 67108830", 2,
+    refused_pipe("printf 'plcert 2 classification\\n'; yes '# comment' | head -c 67108830", 2,
                  "/dev/stdin:");
 }
 
@@ -165,13 +165,14 @@ TEST_CASE("numbers out of range are refused on their line") {
                          8});
         if (number != numbers[0]) files.push_back({record + "minimal 1 1 " + number + "\n", 7});
     }
-    files.push_back({"plcert 2 classification\n", 1});
-    files.push_back({"plcert 1 classification\nmodulus 6\n", 2});
+    files.push_back({"plcert 1 classification\n", 1});
+    files.push_back({"plcert 3 classification\n", 1});
+    files.push_back({"plcert 2 classification\nmodulus 6\n", 2});
     refused_all(files);
 }
 
 TEST_CASE("a million pools, records, features or kernel vectors of garbage are refused soon") {
-    const std::string start = "printf 'plcert 1 classification\\nmodulus 2305843009213693951\\n'; ";
+    const std::string start = "printf 'plcert 2 classification\\nmodulus 2305843009213693951\\n'; ";
     refused_pipe(start + "seq -f 'pool %.0f' 1 1000000", 2, "/dev/stdin:4: ");
     refused_pipe(start + "yes 'minimal 0 1 5' | head -n 1000000", 2, "/dev/stdin:4: ");
     refused_pipe(start + "seq -f 'minimal %.0f 1 5' 0 999999", 1, "/dev/stdin:3: refused");
@@ -248,7 +249,7 @@ TEST_CASE("plprove refuses hostile specifications of problems soon") {
 }
 
 TEST_CASE("hostile problem files are refused on their line") {
-    const std::string start = "plcert 1 problem\nproblem ";
+    const std::string start = "plcert 2 problem\nproblem ";
     std::string steps;
     for (int i = 0; i < 10'000; ++i)
         steps += "reduce 1 bare-point nothing\n";
@@ -269,7 +270,7 @@ TEST_CASE("hostile problem files are refused on their line") {
         {start + "5*P/P/P\nreduce 1000000000000000000 bare-point nothing\n", 3},
         {start + "5*P/P/P\nreduce 0 bare-point nothing\nverdict minimal\n"},
         {start + "5*P/P/P\nreduce 1 no-such-rule nothing\nverdict minimal\n", 3},
-        {"plcert 1 problem\n", 0},
+        {"plcert 2 problem\n", 0},
     });
     refused_bytes(start + "P/-/-\n" + steps + "verdict under-constrained 11\n", 1, "");
 }
@@ -277,7 +278,7 @@ TEST_CASE("hostile problem files are refused on their line") {
 TEST_CASE("what is quoted from hostile files and names keeps JSON valid") {
     const TemporaryFolder folder;
     const std::string name = (folder / "a\"b\\c\n\x1b\xff").string();
-    write_file(name, "plcert 1 problem\nproblem \"\\\x01\n");
+    write_file(name, "plcert 2 problem\nproblem \"\\\x01\n");
     const Outcome outcome = run(plcheck + " --json '" + name + "'");
     CHECK(outcome.status == 2);
     CHECK(fit_for_a_terminal(outcome.out));

@@ -2,6 +2,7 @@
 // users run them.
 #include "tests/support/program.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
@@ -76,6 +77,20 @@ TEST_CASE("the certificate of a verdict proves it to the checker") {
         CHECK(checked.status == 0);
         CHECK(contains(checked.out, verdict));
     }
+}
+
+TEST_CASE("evidence that needs more than a line of the format goes on in the next one") {
+    const TemporaryFolder folder;
+    const auto file = (folder / "verdict.plc").string();
+    const std::string spec = "3*P/P/P + a/a/a + 70*-/-/-(abcdefghijklmnopqrstuvwxyz)";
+    CHECK(run(plprove + " problem '" + spec + "' --certificate " + file).status == 0);
+    std::size_t longest = 0;
+    for (const std::string& line : lines_of(read_file(file)))
+        longest = std::max(longest, line.size());
+    CHECK(longest == 16384);
+    const Outcome checked = run(plcheck + " " + file);
+    CHECK(checked.status == 0);
+    CHECK(contains(checked.out, "certified camera-minimal"));
 }
 
 TEST_CASE("what is no problem is refused with the column") {

@@ -79,7 +79,7 @@ TEST_CASE("a certificate is written as FORMAT.md has it") {
          {ViewImage{}, ViewImage{std::array{1, 1, 1}, {}}, ViewImage{std::array{2, 2, 1}, {}}}}};
     certificate.solutions = {{true, 10, {1, -2, 3}}, {false, 0, {0, 5}}};
     CHECK(write_degree_file(std::span(&certificate, 1)) ==
-          "plcert 1 degrees\n"
+          "plcert 2 degrees\n"
           "degree 6722 evidence complete edges 6 trace -9\n"
           "image Pa/P/a view point 1 2 3 toward 4 5 6 view point -7 8 9 view line 0 1 -1\n"
           "image -/P/P view point 1 1 1 view point 2 2 1\n"
@@ -87,13 +87,13 @@ TEST_CASE("a certificate is written as FORMAT.md has it") {
           "pair 0 0 5\n");
     certificate.evidence.reset();
     CHECK(write_record(certificate).starts_with("degree 6722 evidence none\nimage "));
-    CHECK(write_degree_file({}) == "plcert 1 degrees\n");
+    CHECK(write_degree_file({}) == "plcert 2 degrees\n");
 }
 
 TEST_CASE("what the sweep writes conforms to the grammar, line by line") {
     const std::string integer = "(0|-?[1-9][0-9]*)";
     const std::string triple = "( " + integer + "){3}";
-    const std::regex grammar("plcert 1 degrees|# run \\{.*\\}"
+    const std::regex grammar("plcert 2 degrees|# run \\{.*\\}"
                              "|degree " +
                              integer + " evidence (none|complete edges " + integer +
                              " trace -[1-9][0-9]?)"
@@ -188,8 +188,11 @@ TEST_CASE("a damaged result is no result") {
         return read_class_result(folder / "file", true).has_value();
     };
     CHECK(reads(text));
+    const std::string rest = text.substr(text.find('\n'));
+    CHECK(reads("plcert 1 degrees" + rest)); // of version 1.0
+    CHECK(!reads("plcert 3 degrees" + rest));
     CHECK(!reads(""));
-    CHECK(!reads("plcert 1 degrees\n"));
+    CHECK(!reads("plcert 2 degrees\n"));
     CHECK(!reads(text.substr(0, text.find('{') + 20)));
     const std::size_t record = text.find("\ndegree ");
     for (const std::size_t size :
@@ -371,12 +374,12 @@ TEST_CASE("a collection is read as the project's own files are, in parts and as 
     const std::size_t size = 40'000;
     const Collected parts = collect(results, {}, size);
     CHECK(parts.files.size() > 3);
-    std::string joined(degree_file_head);
+    std::string joined = degree_file("");
     for (const std::string& file : parts.files) {
         const std::string part = read_file(folder / file);
         CHECK(part.size() <= size);
-        CHECK(part.starts_with(degree_file_head));
-        joined += part.substr(degree_file_head.size());
+        CHECK(part.starts_with(degree_file("")));
+        joined += part.substr(degree_file("").size());
     }
     CHECK(joined == whole);
     // Chosen ones; the parts of the earlier collection are gone.
