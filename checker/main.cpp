@@ -1,6 +1,6 @@
 // The command plcheck: reads files, has the core replay them, prints the report.
-#include "checker/krawczyk.h"
-#include "checker/report.h"
+#include "checker/degrees/krawczyk.h"
+#include "checker/report/report.h"
 
 #include <cerrno>
 #include <csignal>
@@ -63,7 +63,7 @@ int main(int count, char** values) try {
     }
     if (paths.empty()) return fail("no file given, see --help", 3);
     const Classification classes = classify();
-    std::vector<FileReport> files;
+    std::vector<ReplayedFile> files;
     int status = 0;
     for (const char* path : paths) {
         std::ifstream in(path, std::ios::binary);

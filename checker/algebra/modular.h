@@ -1,0 +1,84 @@
+// Integers modulo the prime q = 2^61 - 1, and the determinant behind every minor. Words of 64 bits
+// suffice, whatever the sizes of `long` and of pointers.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace checker {
+inline constexpr std::uint64_t modulus = (std::uint64_t{1} << 61) - 1;
+
+struct Residue {
+    std::uint64_t value = 0; // less than q
+
+    /// Of any word: as 2^61 = 1, the bits above the lowest 61 are added to these.
+    static constexpr Residue of(std::uint64_t x) {
+        const std::uint64_t folded = (x & modulus) + (x >> 61);
+        return {folded >= modulus ? folded - modulus : folded};
+    }
+
+    constexpr bool operator==(const Residue&) const = default;
+    constexpr Residue operator-() const { return {value == 0 ? 0 : modulus - value}; }
+    constexpr Residue operator+(Residue b) const { return of(value + b.value); }
+    constexpr Residue operator-(Residue b) const { return *this + -b; }
+
+    /// Both factors are split, a = 2^31 high + low with high < 2^30. As 2^62 = 2 and 2^31 2^30 = 1,
+    /// the product is the sum of four numbers below 2^61, 2^32, 2^61 and 2^62.
+    constexpr Residue operator*(Residue b) const {
+        constexpr std::uint64_t low_30 = (std::uint64_t{1} << 30) - 1;
+        constexpr std::uint64_t low_31 = (std::uint64_t{1} << 31) - 1;
+        const std::uint64_t a_high = value >> 31, a_low = value & low_31;
+        const std::uint64_t b_high = b.value >> 31, b_low = b.value & low_31;
+        const std::uint64_t middle = a_high * b_low + a_low * b_high;
+        return of(2 * a_high * b_high + (middle >> 30) + ((middle & low_30) << 31) + a_low * b_low);
+    }
+
+    /// The inverse of this, if it is not 0: its power q - 2, by Fermat.
+    constexpr Residue inverse() const {
+        Residue power{1};
+        Residue square = *this;
+        for (std::uint64_t rest = modulus - 2; rest != 0; rest >>= 1) {
+            if (rest & 1) power = power * square;
+            square = square * square;
+        }
+        return power;
+    }
+};
+
+/// The residue of an integer of any size.
+inline Residue residue(const mpz_class& x) {
+    static const mpz_class q = (mpz_class(1) << 61) - 1;
+    mpz_class rest;
+    mpz_fdiv_r(rest.get_mpz_t(), x.get_mpz_t(), q.get_mpz_t());
+    Residue result;
+    mpz_export(&result.value, nullptr, -1, sizeof result.value, 0, 0, rest.get_mpz_t());
+    return result;
+}
+
+/// The determinant of a square matrix, a container of rows.
+template <class Matrix> Residue determinant(Matrix m) {
+    Residue product{1};
+    Residue scale{1}; // of the rows, which are scaled on the way so as to divide only once
+    for (std::size_t c = 0; c < m.size(); ++c) {
+        std::size_t place = c;
+        while (place < m.size() && m[place][c] == Residue{})
+            ++place;
+        if (place == m.size()) return {};
+        if (place != c) product = -product;
+        std::swap(m[c], m[place]);
+        const Residue pivot = m[c][c];
+        product = product * pivot;
+        for (std::size_t r = c + 1; r < m.size(); ++r) {
+            const Residue factor = -m[r][c];
+            if (factor == Residue{}) continue;
+            for (std::size_t k = c; k < m.size(); ++k)
+                m[r][k] = pivot * m[r][k] + factor * m[c][k];
+            scale = scale * pivot;
+        }
+    }
+    return product * scale.inverse();
+}
+} // namespace checker

@@ -1,0 +1,91 @@
+#include "checker/bounds/degree_bounds.h"
+
+#include "checker/bounds/registration.h"
+#include "checker/bounds/theorems.h"
+#include "checker/degrees/constraint_class.h"
+
+#include <set>
+
+namespace checker {
+/// The signature of a problem in the notation of section 1, made of features of the table.
+static Signature signature_of(std::string_view problem) {
+    Signature signature{};
+    while (!problem.empty()) {
+        std::string_view summand = problem.substr(0, problem.find(' '));
+        problem.remove_prefix(std::min(summand.size() + 3, problem.size())); // with " + "
+        unsigned count = 1;
+        if (summand.find('*') == 1) {
+            count = static_cast<unsigned>(summand[0] - '0');
+            summand.remove_prefix(2);
+        }
+        signature[index_of(summand)] += count;
+    }
+    return signature;
+}
+
+/// The rows of the table of theorems, by constraint class.
+static std::map<Signature, TheoremRow> theorem_rows() {
+    std::map<Signature, TheoremRow> rows;
+    for (std::size_t row = 0; row < theorem_bounds.size(); ++row)
+        rows[constraint_class(signature_of(theorem_bounds[row].problem))] = {row};
+    return rows;
+}
+
+static void add_lower(DegreeBounds& known, const LowerBound& bound) {
+    if (bound.solutions < known.at_least) return;
+    if (bound.solutions > known.at_least) known.complete = false;
+    known.at_least = bound.solutions;
+    known.complete |= bound.complete;
+}
+
+static void add_upper(DegreeBounds& known, const UpperBound& bound) {
+    if (!known.at_most || bound.solutions < known.at_most->solutions) known.at_most = bound;
+}
+
+/// The source of an upper bound, the same for problems that all have the same degree.
+static std::variant<Registration, TheoremRow> source(const UpperBound& bound) {
+    const auto* theorem = std::get_if<TheoremRow>(&bound.by);
+    if (!theorem || theorem_bounds[theorem->row].theorem != theorem_of_equal_degrees)
+        return bound.by;
+    return TheoremRow{0}; // one for all of this theorem, which comes first
+}
+
+/// Where one class attains its bound, so do all whose bound has the same source: the degree of an
+/// extension of the five-point problem depends on the type of registration only (Proposition U7),
+/// and the problems of Theorem U8 have the same degree.
+static void spread_attained(DegreeTable& table) {
+    std::set<std::variant<Registration, TheoremRow>> attained;
+    for (const auto& [signature, known] : table)
+        if (known.exact()) attained.insert(source(*known.at_most));
+    for (auto& [signature, known] : table)
+        if (known.at_most && attained.contains(source(*known.at_most)))
+            known.at_least = std::max(known.at_least, known.at_most->solutions);
+}
+
+DegreeTable combine(const Classification& classes, const std::vector<bool>& minimal,
+                    const std::vector<LowerBound>& lower, const RegistrationBounds& upper) {
+    DegreeTable table;
+    for (const LowerBound& bound : lower)
+        add_lower(table[constraint_class(classes.representatives[bound.number])], bound);
+    const std::map<Signature, TheoremRow> theorems = theorem_rows();
+    for (std::size_t n = 0; n < minimal.size(); ++n) {
+        if (!minimal[n]) continue;
+        const Signature& signature = classes.representatives[n];
+        const Signature key = constraint_class(signature);
+        if (const auto found = bound_by_registration(signature, upper))
+            add_upper(table[key], {found->bound, found->type});
+        if (const auto row = theorems.find(key); row != theorems.end())
+            add_upper(table[key], {theorem_bounds[row->second.row].bound, row->second});
+    }
+    spread_attained(table);
+    return table;
+}
+
+std::optional<std::string> contradiction(const DegreeTable& table) {
+    for (const auto& [signature, known] : table)
+        if (known.at_most && known.at_least > known.at_most->solutions)
+            return say(notation(signature), " has at least ", known.at_least,
+                       " solutions, and at most ", known.at_most->solutions);
+    return std::nullopt;
+}
+} // namespace checker

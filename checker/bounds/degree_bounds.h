@@ -1,0 +1,44 @@
+// What lower and upper bounds together say of the degrees (FORMAT.md, section 10). Here theorems
+// are applied, and only to classes that are proved minimal.
+#pragma once
+
+#include "checker/bounds/bounds_file.h"
+#include "checker/degrees/degree_file.h"
+
+#include <optional>
+#include <variant>
+
+namespace checker {
+/// A bound by theorem, by its place in the table.
+struct TheoremRow {
+    std::size_t row = 0;
+    auto operator<=>(const TheoremRow&) const = default;
+};
+
+struct UpperBound {
+    std::size_t solutions = 0; // at most
+    std::variant<Registration, TheoremRow> by{};
+
+    bool by_theorem() const { return std::holds_alternative<TheoremRow>(by); }
+};
+
+/// What is known of the camera-degree of a constraint class.
+struct DegreeBounds {
+    std::size_t at_least = 0;
+    std::optional<UpperBound> at_most{};
+    bool complete = false; // no more than at_least, by evidence
+
+    bool exact() const { return at_most && at_most->solutions == at_least; }
+};
+
+/// By constraint class. Classes of which nothing is known are absent.
+using DegreeTable = std::map<Signature, DegreeBounds>;
+
+/// Puts bounds together. Upper bounds are applied to the label classes that are `minimal`, by their
+/// numbers.
+DegreeTable combine(const Classification& classes, const std::vector<bool>& minimal,
+                    const std::vector<LowerBound>& lower, const RegistrationBounds& upper);
+
+/// In words, a class whose bounds contradict each other; none if there is none.
+std::optional<std::string> contradiction(const DegreeTable& table);
+} // namespace checker

@@ -1,0 +1,190 @@
+#include "checker/degrees/degree_file.h"
+
+#include "checker/degrees/krawczyk.h"
+#include "checker/problem/obstruction.h"
+
+namespace checker {
+/// An image line: a feature of the table, and what the views see of it.
+struct FeatureLine {
+    std::size_t index = 0;
+    FeatureImages images{};
+};
+
+struct DegreeRecord {
+    std::size_t line = 0;
+    std::size_t number = 0;
+    bool complete = false; // by evidence
+    std::vector<FeatureLine> features{};
+    std::vector<ApproximateSolution> solutions{};
+};
+
+/// A solution that is not proved, or not proved to be a new one.
+struct UnprovedSolution {
+    Complaint complaint;
+};
+
+/// Takes a word and a vector.
+static Image read_image(Reader& reader, std::string_view word) {
+    const Numbers x = reader.take(say(word, " @ @ @"));
+    return {x[0], x[1], x[2]};
+}
+
+/// Takes the rest of an image line.
+static FeatureImages read_images(Reader& reader, const Feature& feature) {
+    FeatureImages images;
+    for (std::size_t view = 0; view < 3; ++view) {
+        if (!has_view(feature.views, view)) continue;
+        reader.take("view");
+        const bool sees_point = has_view(feature.point, view);
+        Image& point = images.point[view];
+        if (sees_point) point = read_image(reader, "point");
+        for (std::size_t pin = 0; pin < feature.pins; ++pin) {
+            if (!has_view(feature.pin[pin], view)) continue;
+            Image& line = images.line[pin][view];
+            if (sees_point)
+                line = cross(point, read_image(reader, "toward"));
+            else
+                line = read_image(reader, "line");
+        }
+    }
+    reader.end_line();
+    return images;
+}
+
+static FeatureLine read_feature_line(Reader& reader) {
+    reader.take("image");
+    const std::string_view name = reader.word();
+    const std::size_t index = index_of(name);
+    if (index == feature_count) reader.fail(name, "a feature of the table");
+    return {index, read_images(reader, features[index])};
+}
+
+static ApproximateSolution read_solution(Reader& reader) {
+    constexpr std::int64_t largest = 999'999'999'999'999'999;
+    ApproximateSolution solution{.line = reader.line(), .real = reader.comes("real")};
+    reader.take(solution.real ? "real" : "pair");
+    solution.bits = reader.small_integer(0, 200);
+    for (auto& [real, imaginary] : solution.coordinates) {
+        real = reader.integer(-largest, largest);
+        if (!solution.real) imaginary = reader.integer(-largest, largest);
+    }
+    reader.end_line();
+    return solution;
+}
+
+/// Takes what follows `evidence`: whether it says that there are no more solutions. At least one
+/// edge, or a trace, has to say so.
+static bool read_evidence(Reader& reader) {
+    if (reader.comes("none")) {
+        reader.take("none $");
+        return false;
+    }
+    reader.take("complete edges");
+    const int edges = reader.small_integer(0, 99);
+    reader.take("trace");
+    const bool has_trace = !reader.comes("none");
+    if (has_trace)
+        reader.small_integer(-99, -1);
+    else if (edges > 0)
+        reader.take("none");
+    else
+        reader.fail("none", "the exponent of a trace, as there are 0 edges");
+    reader.end_line();
+    return true;
+}
+
+static DegreeRecord read_record(Reader& reader) {
+    DegreeRecord record{.line = reader.line()};
+    record.number = static_cast<std::size_t>(reader.take("degree # evidence")[0]);
+    record.complete = read_evidence(reader);
+    do {
+        if (record.features.size() == camera_unknowns) reader.fail("image", "at most 11 features");
+        record.features.push_back(read_feature_line(reader));
+    } while (reader.comes("image"));
+    do
+        record.solutions.push_back(read_solution(reader));
+    while (!reader.at_end() && !reader.comes("degree"));
+    return record;
+}
+
+/// The system of a record. Throws Refused if it does not belong to its class.
+static CameraSystem system_of(const DegreeRecord& record, const Classification& classes) {
+    if (record.number >= classes.representatives.size()) throw Refused("there is no such class");
+    const Signature& signature = classes.representatives[record.number];
+    if (!obstruction(signature).minimal()) throw Refused("the class is not minimal");
+    std::vector<std::size_t> expected, found;
+    for (std::size_t i = 0; i < feature_count; ++i)
+        expected.insert(expected.end(), signature[i], i);
+    CameraSystem system;
+    for (const FeatureLine& line : record.features)
+        found.push_back(line.index);
+    if (found != expected)
+        throw Refused("the images must be, in this order, those of ", notation(signature));
+    for (const auto& [index, images] : record.features)
+        add_feature(system, features[index], images);
+    return system;
+}
+
+/// A box with one solution, and the line of its starting values.
+struct Found {
+    Box box;
+    std::size_t line;
+};
+
+/// The boxes of a line of the record: one if it is real, else also its conjugate.
+static std::vector<Found> prove(const CameraSystem& system, const ApproximateSolution& start) try {
+    const Box box = certify(system, start);
+    if (start.real) return {{box, start.line}};
+    const Box conjugate = box.conjugate();
+    if (box.meets(conjugate)) throw Refused("the pair may be real");
+    return {{box, start.line}, {conjugate, start.line}};
+} catch (const Refused& refused) {
+    throw UnprovedSolution{{start.line, refused.reason}};
+}
+
+/// The number of solutions, proved to be different. Throws UnprovedSolution.
+static std::size_t count_solutions(const CameraSystem& system,
+                                   const std::vector<ApproximateSolution>& starts) {
+    std::vector<Found> found;
+    for (const ApproximateSolution& start : starts)
+        for (const Found& one : prove(system, start))
+            found.push_back(one);
+    // Boxes that meet do so in the real part of the last coordinate, by which they are sorted.
+    constexpr std::size_t last = 2 * camera_unknowns - 2;
+    std::ranges::sort(found, {}, [](const Found& one) { return one.box.low[last]; });
+    for (auto a = found.begin(); a != found.end(); ++a) {
+        for (auto b = a + 1; b != found.end(); ++b) {
+            if (b->box.low[last] > a->box.high[last]) break;
+            if (!a->box.meets(b->box)) continue;
+            const auto [first, second] = std::minmax(a->line, b->line);
+            throw UnprovedSolution{{second, say("this may be the solution of line ", first)}};
+        }
+    }
+    return found.size();
+}
+
+DegreeFile replay_degrees(Reader& reader, const Classification& classes) {
+    DegreeFile file;
+    if (!has_arb) {
+        file.refusals.add(reader.line(), "this plcheck was built without Arb");
+        return file;
+    }
+    for (std::size_t due = 0; !reader.at_end();) {
+        const DegreeRecord record = read_record(reader);
+        const std::string name = say("class ", record.number, ": ");
+        if (record.number < due) throw Malformed{{record.line, name + "is out of order"}};
+        due = record.number + 1;
+        try {
+            const CameraSystem system = system_of(record, classes);
+            const std::size_t count = count_solutions(system, record.solutions);
+            file.bounds.push_back({record.number, count, record.complete});
+        } catch (const Refused& refused) {
+            file.refusals.add(record.line, name + refused.reason);
+        } catch (const UnprovedSolution& unproved) {
+            const auto& [line, reason] = unproved.complaint;
+            file.refusals.add(line, name + reason);
+        }
+    }
+    return file;
+}
+} // namespace checker

@@ -1,0 +1,23 @@
+// Degree files (FORMAT.md, section 9): so many cameras explain the images of a class, with proof.
+#pragma once
+
+#include "checker/file/reader.h"
+#include "checker/problem/classes.h"
+
+namespace checker {
+/// What a record proves: its class has at least so many camera solutions.
+struct LowerBound {
+    std::size_t number = 0; // of the label class
+    std::size_t solutions = 0;
+    bool complete = false; // by evidence, there are no more
+};
+
+/// What a degree file proves.
+struct DegreeFile {
+    std::vector<LowerBound> bounds{};
+    Refusals refusals{};
+};
+
+/// Replays a file after its first line. Throws Malformed.
+DegreeFile replay_degrees(Reader& reader, const Classification& classes);
+} // namespace checker

@@ -1,0 +1,47 @@
+// What the paper claims beside what is certified, and how these compare.
+#pragma once
+
+#include "checker/bounds/degree_bounds.h"
+#include "checker/counts/counts.h"
+
+namespace checker::paper {
+/// A line of the table: a count of classes, or the verdict on a problem that has a name.
+struct Claim {
+    std::string claim{};
+    std::string claimed{};   // - if the paper has none
+    std::string certified{}; // - if not every class that it counts has a certificate
+    std::string verdict{};
+    std::string counted{}; // of a count that differs, if known: what is counted, with a witness
+};
+
+/// The same of camera-degrees: a number of problems with a degree, or the degree of one. Cells are
+/// - where there is nothing to say.
+struct DegreeClaim {
+    std::string claim{};
+    std::string claimed{};
+    std::string at_least{};   // certified
+    std::string exact{};      // certified: a lower and an upper bound meet
+    std::string by_theorem{}; // those of the exact ones whose upper bound is a theorem
+    std::string known{};      // certified exactly, or exact by evidence
+    std::string verdict{};
+    std::string witness{}; // a problem that is counted
+};
+
+/// The lines on counts, then those on the problems with complete visibility.
+std::vector<Claim> compare_counts(const Classification& classes, const Verdicts& verdicts);
+
+/// What is to be compared with the paper's degrees.
+struct KnownDegrees {
+    const Classification& classes;
+    const Verdicts& verdicts;
+    const DegreeTable& table;
+    std::size_t relative_poses; // of five points: an upper bound; 0 if there is none
+};
+
+/// The lines on single problems that are proved minimal, then, if all classes have verdicts, those
+/// on the numbers of terminal problems with a degree.
+std::vector<DegreeClaim> compare_degrees(const KnownDegrees& known);
+
+/// What is known of the degree of a class.
+DegreeBounds bounds_of(const KnownDegrees& known, std::size_t number);
+} // namespace checker::paper

@@ -1,0 +1,25 @@
+// A certificate file goes in as bytes, what it proves comes out: one type for each kind of file.
+#pragma once
+
+#include "checker/bounds/bounds_file.h"
+#include "checker/classification/classification_file.h"
+#include "checker/degrees/degree_file.h"
+#include "checker/digests/digest_list.h"
+#include "checker/verdict/problem_file.h"
+
+#include <variant>
+
+namespace checker {
+/// What a file proves. Malformed: it does not conform to FORMAT.md, and proves nothing.
+using FileContent =
+    std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile, DigestList>;
+
+struct ReplayedFile {
+    std::string name{}; // printable
+    std::string sha256{};
+    FileContent content{};
+};
+
+/// Replays the bytes of a file.
+ReplayedFile replay(const Classification& classes, std::string_view name, std::string_view bytes);
+} // namespace checker

@@ -1,0 +1,133 @@
+#include "checker/report/report.h"
+
+#include <iomanip>
+
+namespace checker {
+/// A string in JSON. All strings of a report are printable ASCII.
+static std::string json_string(std::string_view text) {
+    return say(std::quoted(text));
+}
+
+/// The items in brackets, a line each.
+static std::string array_of(const std::vector<std::string>& items) {
+    std::string text = "[";
+    for (std::size_t i = 0; i < items.size(); ++i)
+        text += (i == 0 ? "\n  " : ",\n  ") + items[i];
+    return text + "]";
+}
+
+/// A cell of a table: a number, null for `-`, or a string.
+static std::string cell(const std::string& text) {
+    if (text == "-") return "null";
+    const bool number = text.find_first_not_of("0123456789") == text.npos;
+    return number ? text : json_string(text);
+}
+
+static std::string_view truth(bool value) {
+    return value ? "true" : "false";
+}
+
+static std::string complaint(std::size_t line, const std::string& reason) {
+    return say("{\"line\": ", line, ", \"reason\": ", json_string(reason), "}");
+}
+
+/// What is wrong with a file: the violation of the grammar, the first refusals, the objections.
+static std::vector<std::string> complaints_of(const ReplayedFile& file,
+                                              const Comparison& comparison) {
+    std::vector<std::string> items;
+    if (const auto* malformed = std::get_if<Malformed>(&file.content))
+        items.push_back(complaint(malformed->complaint.line, malformed->complaint.reason));
+    for (const auto& [line, reason] : refusals_of(file).first)
+        items.push_back(complaint(line, reason));
+    for (const std::string& objection : comparison.objections)
+        items.push_back(complaint(0, objection));
+    return items;
+}
+
+/// The members that only this kind of file has.
+static std::string members(const Malformed&) {
+    return "";
+}
+
+static std::string members(const ClassificationFile& file) {
+    return say(", \"certified\": ", file.verdicts.size());
+}
+
+static std::string members(const ProblemFile& file) {
+    std::string verdict = file.verdict;
+    if (!verdict.empty() && file.of_class) verdict += say(", class ", file.of_class->number);
+    return say(", \"problem\": ", json_string(file.problem),
+               ", \"verdict\": ", json_string(verdict));
+}
+
+static std::string members(const DegreeFile& file) {
+    std::vector<std::string> items;
+    for (const auto& [number, solutions, complete] : file.bounds)
+        items.push_back(say("{\"class\": ", number, ", \"certified_at_least\": ", solutions,
+                            ", \"evidence_complete\": ", truth(complete), "}"));
+    return ", \"degrees\": " + array_of(items);
+}
+
+static std::string members(const BoundsFile& file) {
+    return say(", \"templates\": ", file.templates);
+}
+
+static std::string members(const DigestList& list) {
+    return say(", \"digests\": ", list.files.size());
+}
+
+static std::string item(const ReplayedFile& file, const Comparison& comparison) {
+    std::vector<std::string> not_given;
+    for (const std::string& name : comparison.not_given)
+        not_given.push_back(json_string(name));
+    const bool conforms = !std::holds_alternative<Malformed>(file.content);
+    const auto own = [](const auto& content) { return members(content); };
+    return say("{\"file\": ", json_string(file.name), ", \"kind\": ", json_string(kind_of(file)),
+               ", \"conforms\": ", truth(conforms), ", \"sha256\": ", json_string(file.sha256),
+               ", \"digest\": ", json_string(comparison.digest), std::visit(own, file.content),
+               ", \"refused\": ", refusals_of(file).count + comparison.objections.size(),
+               ", \"complaints\": ", array_of(complaints_of(file, comparison)),
+               ", \"not_verified\": ", array_of(not_given), "}");
+}
+
+static std::string item(const paper::Claim& c) {
+    return say("{\"claim\": ", json_string(c.claim), ", \"paper\": ", cell(c.claimed),
+               ", \"certified\": ", cell(c.certified), ", \"verdict\": ", json_string(c.verdict),
+               "}");
+}
+
+static std::string item(const paper::DegreeClaim& c) {
+    return say("{\"claim\": ", json_string(c.claim), ", \"claimed_exactly\": ", cell(c.claimed),
+               ", \"certified_at_least\": ", cell(c.at_least),
+               ", \"certified_exactly\": ", cell(c.exact), ", \"by_theorem\": ", cell(c.by_theorem),
+               ", \"known_exactly\": ", cell(c.known), ", \"verdict\": ", json_string(c.verdict),
+               "}");
+}
+
+static std::string item(const UpperBoundCount& count) {
+    return say("{\"at_most\": ", count.solutions, ", \"by_templates\": ", count.by_templates,
+               ", \"by_theorem\": ", count.by_theorem, "}");
+}
+
+static std::string item(const ExactDegree& exact) {
+    return say("[", exact.number, ", ", exact.degree, "]");
+}
+
+template <class Item> static std::string array_of(const std::vector<Item>& list) {
+    std::vector<std::string> items;
+    for (const Item& one : list)
+        items.push_back(item(one));
+    return array_of(items);
+}
+
+std::string json(const Report& report) {
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < report.files.size(); ++i)
+        files.push_back(item(report.files[i], report.comparisons[i]));
+    return say("{\"format\": 2, \"status\": ", report.status, ",\n\"files\": ", array_of(files),
+               ",\n\"claims\": ", array_of(report.claims),
+               ",\n\"terminal_problems\": ", array_of(report.upper_bounds),
+               ",\n\"degree_claims\": ", array_of(report.degrees),
+               ",\n\"certified_exactly\": ", array_of(report.exact), "}\n");
+}
+} // namespace checker
