@@ -1,6 +1,7 @@
 #include "checker/verdict/reduction.h"
 
 #include <optional>
+#include <utility>
 
 namespace checker {
 /// What a feature becomes; none if it goes.
@@ -126,7 +127,7 @@ static Feature lifted(Feature feature) {
 
 static bool is_large_star(const Feature& feature) {
     const auto full = std::count(feature.pin.begin(), feature.pin.end(), all_views);
-    return feature.pins > 7 && feature.point == all_views && full == feature.pins;
+    return feature.pins > 7 && feature.point == all_views && std::cmp_equal(full, feature.pins);
 }
 
 Lifted lift(const Features& list, unsigned views) {
