@@ -1,4 +1,4 @@
-// The system (7) of proofs/upper_bounds.md, section 11, modulo q = 2^61 - 1, for images whose
+// The system (8) of proofs/two_points.md, modulo q = 2^61 - 1, for images whose
 // coordinates at alpha_v, beta_v and n_v are arbitrary.
 #pragma once
 
@@ -90,17 +90,17 @@ private:
     Vector3 factor_{};               // p_v
 };
 
-/// The unknowns of (7): b_v, and sigma_v with sigma_1 = 0.
+/// The unknowns of (8): b_v, and sigma_v with sigma_1 = 0.
 struct Unknowns {
     Vector3 b{}, sigma{};
 };
 
-/// Two free lines and a third condition, for which (7) reads A_1 = A_2 = Q_2 = K = 0.
+/// Two free lines and a third condition, for which (8) reads A_1 = A_2 = Q_2 = K = 0.
 struct System {
     const Images& images;
     Condition first, second, third;
 
-    /// The four coefficients of w' at a plane in (7).
+    /// The four coefficients of w' at a plane in (8).
     std::array<Residue, 4> row(const ImageLine& l, const Unknowns& at) const {
         const auto& [a, a1, a2] = l.line; // a, a', a''
         const Residue b = at.b[l.view], sigma = at.sigma[l.view];
@@ -120,7 +120,7 @@ struct System {
         return cross(top, next);
     }
 
-    /// The left side of an equation of (7) for a free line: A for 2, Q for 3.
+    /// The left side of an equation of (8) for a free line: A for 2, Q for 3.
     Residue side(const Condition& planes, std::size_t equation, const Unknowns& at) const {
         const Vector3 w = factors(planes);
         Residue sum;

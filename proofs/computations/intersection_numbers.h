@@ -1,5 +1,5 @@
 // Intersection numbers on (P^1)^3 x B, B the plane blown up in its three coordinate points, for
-// Proposition U18 (a) of proofs/upper_bounds.md.
+// Proposition U18 (a) of proofs/two_points.md.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// What the proof of Theorem U17 needs computed (proofs/upper_bounds.md, section 11): the
-// intersection numbers of Proposition U18 (a), and for (b) one example modulo q = 2^61 - 1, in
-// which the system (7) has six simple zeros. From the folder that holds checker/ and proofs/:
+// What the proof of Theorem U17 needs computed (proofs/two_points.md): the intersection numbers of
+// Proposition U18 (a), and for (b) one example modulo q = 2^61 - 1, in which the system (8) has six
+// simple zeros. From the folder that holds checker/ and proofs/:
 //
 //   c++ -std=c++20 -O2 -I. proofs/computations/two_points.cpp -lflint -lgmp -o two_points
 //
@@ -11,6 +11,8 @@
 #include "proofs/computations/intersection_numbers.h"
 
 #include <flint/nmod_poly.h>
+#include <flint/nmod_poly_factor.h>
+#include <flint/ulong_extras.h>
 
 #include <array>
 #include <cstddef>
@@ -131,6 +133,7 @@ void state_examples(Facts& facts) {
     const Condition seen_by_one{x1, x2, images.free_line()[1], images.free_line()[2]};
     const Condition through{images.free_line()[0], images.through(1, y), images.through(2, z)};
     const std::string place = "Proposition U18 (b), ";
+    facts.state(place + "modulus", "2^61 - 1 is prime", n_is_prime(checker::modulus) != 0);
     const auto state = [&](const std::string& row, const Condition& second,
                            const Condition& third) {
         state_example(facts, place + row, examine({images, line, second, third}));
