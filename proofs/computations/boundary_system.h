@@ -2,7 +2,8 @@
 // coordinates at alpha_v, beta_v and n_v are arbitrary.
 #pragma once
 
-#include "checker/modular.h"
+#include "checker/algebra/modular.h"
+#include "checker/algebra/vector3.h"
 
 #include <array>
 #include <cstddef>
@@ -11,30 +12,16 @@
 #include <utility>
 #include <vector>
 
-// What this program needs of residues and vectors beyond checker/modular.h.
-namespace checker {
-inline Residue operator+(Residue a, Residue b) {
-    return Residue::of(Wide{a.value} + b.value);
-}
-inline Residue operator-(Residue a, Residue b) {
-    return a + -b;
-}
-} // namespace checker
-
 namespace proofs {
 
 using checker::Residue;
-using Vector3 = std::array<Residue, 3>;
+using Vector3 = checker::Vector3<Residue>;
 
 inline constexpr Residue zero{}, one{1};
 
-inline Vector3 cross(const Vector3& a, const Vector3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// s a + t b
 inline Vector3 combination(Residue s, const Vector3& a, Residue t, const Vector3& b) {
-    return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
+    return plus(times(s, a), times(t, b));
 }
 
 /// A line l in a view, by its products with alpha_v, beta_v and n_v.

@@ -6,7 +6,7 @@
 //
 // Each line of the output is a fact and its place in the proof; exit status 1 if one fails. A fact
 // marked as a control is no hypothesis: it shows that the computation would notice a bad example.
-#include "checker/modular.h"
+#include "checker/algebra/modular.h"
 #include "proofs/computations/boundary_system.h"
 #include "proofs/computations/intersection_numbers.h"
 
