@@ -2,118 +2,15 @@
 From Coq Require Import NArith.
 From mathcomp Require Import all_ssreflect.
 From mathcomp.zify Require Import zify.
-From PL1P Require Import Statement Walk Orbits.
+From PL1P Require Import Statement Walk Predicates Orbits.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
-
-(** ** The predicates as totals with fixed coefficients *)
-Definition tot (s c : seq nat) := total s (nth 0 c).
-Lemma totE s h : tot s (coefs h) = total s h.
-Proof.
-rewrite /tot /total; apply: (congr1 sumn); apply/eq_in_map => i; rewrite mem_iota => i27.
-by rewrite (nth_map 0) ?size_iota // nth_iota.
-Qed.
-Lemma tot_dotn s c : size s = 27 -> size c = 27 -> tot s c = dotn s c.
-Proof. by move=> ss sc; rewrite /tot totalE // /coefs -{2}(mkseq_nth 0 c) sc. Qed.
-
-Definition c_weight := Eval vm_compute in coefs weight.
-Definition c_shared := Eval vm_compute in
-  [seq coefs (fun i => sees_point (ft i) uv.1 && sees_point (ft i) uv.2 : nat) | uv <- [:: (V1, V2); (V1, V3); (V2, V3)]].
-Definition c_shown := Eval vm_compute in
-  [seq coefs (fun i => sees_point (ft i) v || (0 < size (sees_pins (ft i) v)) : nat) | v <- views].
-Definition c_of (c : feature -> bool) := coefs (fun i => c (ft i) : nat).
-Definition c_star := Eval vm_compute in c_of (fun f => 3 <= pins f).
-Definition c_seven := Eval vm_compute in c_of (fun f => pins f == 7).
-Definition c_six := Eval vm_compute in c_of (fun f => pins f == 6).
-Definition c_free := Eval vm_compute in c_of free.
-Definition c_more0 := Eval vm_compute in c_of (fun f => ~~ ((pins f == 0) || free f)).
-Definition c_more1 := Eval vm_compute in c_of (fun f => ~~ (pins f <= 1)).
-
-(** Any evaluation ev of totals gives the predicates; ev = tot is exact, ev = dotn is fast. *)
-Section Predicates.
-Variable ev : seq nat -> seq nat -> nat.
-Variable s : seq nat.
-Definition obstructed_by := 
-  if has (fun c => 5 < ev s c) c_shared then true
-  else if ev s c_star is 0 then false
-  else if 0 < ev s c_seven then true
-  else if (if 0 < ev s c_six then 0 < ev s c_free else false) then true
-  else has (fun c => ev s c == 1) c_shown.
-Definition pl0p_by := ev s c_more0 == 0.
-Definition one_pin_by := ev s c_more1 == 0.
-Definition five_by := has (fun c => ev s c == 5) c_shared.
-End Predicates.
-
-Lemma total_pos s (q : nat -> bool) : (0 < total s (fun i => q i)) = has (fun i => (0 < nth 0 s i) && q i) (iota 0 27).
-Proof.
-rewrite /total; elim: (iota 0 27) => //= i l IH; rewrite addn_gt0 IH muln_gt0; congr (_ && _ || _).
-by case: (q i).
-Qed.
-
-Lemma only_total c s : reflect (only c s) (total s (fun i => ~~ c (ft i)) == 0).
-Proof.
-rewrite -leqn0 leqNgt total_pos; apply: (iffP hasPn) => h i.
-  by move=> i27 pos; have := h i; rewrite mem_iota => /(_ i27); rewrite pos negbK.
-by rewrite mem_iota => i27; apply/negP => /andP[pos]; rewrite h.
-Qed.
-
-Lemma obstructedE s : obstructed s = obstructed_by tot s.
-Proof.
-have e1 : crowded s = has (fun c => 5 < tot s c) c_shared.
-  rewrite (_ : c_shared = [seq coefs (fun i => sees_point (ft i) uv.1 && sees_point (ft i) uv.2 : nat) | uv <- [:: (V1, V2); (V1, V3); (V2, V3)]]); last by vm_compute.
-  by rewrite has_map; apply: eq_has => uv /=; rewrite totE.
-have e2 : has (fun v => shown s v == 1) views = has (fun c => tot s c == 1) c_shown.
-  rewrite (_ : c_shown = [seq coefs (fun i => sees_point (ft i) v || (0 < size (sees_pins (ft i) v)) : nat) | v <- views]); last by vm_compute.
-  by rewrite has_map; apply: eq_has => v /=; rewrite totE.
-have e3 (c : feature -> bool) : tot s (c_of c) = total s (fun i => c (ft i)) by rewrite /c_of totE.
-rewrite /obstructed /obstructed_by -e1 -e2; case: (crowded s); first by [].
-rewrite orFb /sliding; set G := has _ views; move: G => G {e1 e2}.
-rewrite (_ : c_star = c_of (fun f => 3 <= pins f)); last by vm_compute.
-rewrite (_ : c_seven = c_of (fun f => pins f == 7)); last by vm_compute.
-rewrite (_ : c_six = c_of (fun f => pins f == 6)); last by vm_compute.
-rewrite (_ : c_free = c_of free); last by vm_compute.
-rewrite !e3; set F := 0 < total s (fun i => free (ft i)); move: F => F.
-rewrite !total_pos.
-set star := total s (fun i => 3 <= pins (ft i)).
-have st : (0 < star) = has (fun i => (0 < nth 0 s i) && (3 <= pins (ft i))) (iota 0 27) by rewrite /star total_pos.
-transitivity ((0 < star) && [|| has (fun i => (0 < nth 0 s i) && (pins (ft i) == 7)) (iota 0 27),
-   has (fun i => (0 < nth 0 s i) && (pins (ft i) == 6)) (iota 0 27) && F | G]); last first.
-  by case: star {st} => //= _; do 2?case: ifP => //=.
-rewrite st; apply/hasP/andP.
-  case=> i i27 /and3P[h1 h2 h3]; split; first by apply/hasP; exists i; rewrite ?h1.
-  case/or3P: h3 => [h|/andP[h ->]|->]; last by rewrite !orbT.
-    by apply/orP; left; apply/hasP; exists i; rewrite ?h1.
-  by apply/orP; right; apply/orP; left; rewrite andbT; apply/hasP; exists i; rewrite ?h1.
-case=> /hasP[i i27 /andP[h1 h2]] /or3P[/hasP[j j27 /andP[h3 h4]]|/andP[/hasP[j j27 /andP[h3 h4]] hF]|hG].
-- by exists j => //; rewrite h3 h4 (eqP h4).
-- by exists j => //; rewrite h3 h4 (eqP h4) hF orbT.
-- by exists i => //; rewrite h1 h2 hG !orbT.
-Qed.
-
-Lemma five_byE s : reflect [\/ shared s V1 V2 = 5, shared s V1 V3 = 5 | shared s V2 V3 = 5] (five_by tot s).
-Proof.
-rewrite /five_by (_ : c_shared = [seq coefs (fun i => sees_point (ft i) uv.1 && sees_point (ft i) uv.2 : nat) | uv <- [:: (V1, V2); (V1, V3); (V2, V3)]]); last by vm_compute.
-rewrite has_map /= !totE orbF; apply: (iffP or3P) => [[/eqP h|/eqP h|/eqP h]|[h|h|h]];
-  by [constructor 1 | constructor 2 | constructor 3 | constructor 1; apply/eqP | constructor 2; apply/eqP | constructor 3; apply/eqP].
-Qed.
-
-Lemma pl0p_byE s : reflect (only (fun f => (pins f == 0) || free f) s) (pl0p_by tot s).
-Proof.
-rewrite /pl0p_by (_ : c_more0 = c_of (fun f => ~~ ((pins f == 0) || free f))); last by vm_compute.
-by rewrite /c_of totE; exact: only_total.
-Qed.
-Lemma one_pin_byE s : reflect (only (fun f => pins f <= 1) s) (one_pin_by tot s).
-Proof.
-rewrite /one_pin_by (_ : c_more1 = c_of (fun f => ~~ (pins f <= 1))); last by vm_compute.
-by rewrite /c_of totE; exact: only_total.
-Qed.
 
 (** ** They are constant on classes *)
 Definition closed (cs : seq (seq nat)) := all (fun pi => perm_eq [seq act c pi | c <- cs] cs) perms.
 Lemma closed_shared : closed c_shared. Proof. by vm_compute. Qed.
 Lemma closed_shown : closed c_shown. Proof. by vm_compute. Qed.
-Definition singles := [:: c_weight; c_star; c_seven; c_six; c_free; c_more0; c_more1].
 Lemma closed_singles : all (fun c => all (fun pi => act c pi == c) perms) singles. Proof. by vm_compute. Qed.
 Definition mergeable c := [&& nth 0 c 12 == nth 0 c 13, nth 0 c 14 == nth 0 c 15 & nth 0 c 16 == nth 0 c 17].
 Lemma all_mergeable : all mergeable (c_shared ++ c_shown ++ singles). Proof. by vm_compute. Qed.
@@ -140,9 +37,6 @@ move=> pin; rewrite /portrait /obstructed_by /pl0p_by /one_pin_by /five_by.
 rewrite (has_act s (fun n => 5 < n) pin closed_shared) (has_act s (fun n => n == 5) pin closed_shared) (has_act s (fun n => n == 1) pin closed_shown).
 by do ![rewrite (tot_act_single s pin) //].
 Qed.
-Lemma in_cat3 (A : eqType) (x : A) (l m n : seq A) : [|| x \in l, x \in m | x \in n] -> x \in l ++ m ++ n.
-Proof. by rewrite !mem_cat. Qed.
-
 Lemma portrait_merge s : portrait (merge s) = portrait s.
 Proof.
 have e1 : has (fun c => 5 < tot (merge s) c) c_shared = has (fun c => 5 < tot s c) c_shared.
@@ -169,25 +63,98 @@ Fixpoint all_lazy (A : Type) (q : A -> bool) (l : seq A) := if l is a :: l' then
 Lemma all_lazyE A (q : A -> bool) l : all_lazy q l = all q l.
 Proof. by elim: l => //= a l ->. Qed.
 
-Definition label_top s := all_lazy (fun pi => lexge s (act s pi)) perms.
-Definition swap_top s := if nth 0 s 13 + nth 0 s 15 + nth 0 s 17 is 0 then all_lazy (fun pi => lexge s (merge (act s pi))) perms else false.
+(** [beats s pi] is [lexge s (act s pi)], but computes no more of [act s pi] than it compares, and does not compare
+    the first eight entries, which no relabeling moves. *)
+Fixpoint beats_from (s t pi : seq nat) : bool :=
+  match t, pi with
+  | x :: t', j :: pi' => let y := nth 0 s j in if y < x then true else if x < y then false else beats_from s t' pi'
+  | _, _ => true
+  end.
+Definition beats s pi := beats_from s (drop 8 s) (drop 8 pi).
+Lemma beatsE s pi : 8 <= size s -> take 8 pi = iota 0 8 -> beats s pi = lexge s (act s pi).
+Proof.
+have h t pi' : beats_from s t pi' = lexge t (act s pi') by elim: t pi' => [|x t IH] [|j pi'] //=; rewrite IH.
+rewrite /beats h => sz e; rewrite -{2}(cat_take_drop 8 pi) e; move: (drop 8 pi) => pi' {h}.
+rewrite /act map_cat; move: [seq _ | j <- pi'] => u.
+have -> : [seq nth 0 s j | j <- iota 0 8] = take 8 s by rewrite map_nth_iota0.
+rewrite -{2}(cat_take_drop 8 s); move: (take 8 s) (drop 8 s) => a b.
+by elim: a => //= x a ->; rewrite ltnn.
+Qed.
+
+(** The relabelings other than the identity; and how they act where 13, 15, 17 are empty, followed by [merge]. *)
+Definition others := Eval vm_compute in behead perms.
+Definition merged (pi : seq nat) :=
+  [seq if k \in [:: 12; 14; 16] then (nth 0 pi k)./2.*2 else if k \in [:: 13; 15; 17] then 13 else nth 0 pi k | k <- iota 0 27].
+Definition others_merged := Eval vm_compute in map merged others.
+Lemma perms_cons : perms = iota 0 27 :: others. Proof. by []. Qed.
+
+Definition no_mates s := nth 0 s 13 + nth 0 s 15 + nth 0 s 17 == 0.
+Lemma act_merged s pi : no_mates s -> pi \in others -> act s (merged pi) = merge (act s pi).
+Proof.
+rewrite /no_mates !addn_eq0 => /andP[/andP[/eqP z13 /eqP z15] /eqP z17].
+rewrite !inE => h; do 4?[case/orP: h => h]; move/eqP: h => ->; rewrite /act /merge /merged /=;
+  by rewrite ?z13 ?z15 ?z17 ?addn0 ?add0n.
+Qed.
+Lemma merge_fixed s : size s = 27 -> no_mates s -> merge s = s.
+Proof.
+move=> ss; rewrite /no_mates !addn_eq0 => /andP[/andP[/eqP z1 /eqP z2] /eqP z3].
+by rewrite -{2}(mkseq_nth 0 s) ss /merge z1 z2 z3 !addn0 /mkseq /= z1 z2 z3.
+Qed.
+
+Lemma others_keep pi : pi \in others -> take 8 pi = iota 0 8.
+Proof. by have /allP h : all (fun pi => take 8 pi == iota 0 8) others by []; move/h/eqP. Qed.
+Lemma merged_keep pi : pi \in others -> take 8 (merged pi) = iota 0 8.
+Proof. by have /allP h : all (fun pi => take 8 (merged pi) == iota 0 8) others by []; move/h/eqP. Qed.
+
+Definition label_top s := all_lazy (beats s) others.
+Definition swap_top s := if nth 0 s 13 + nth 0 s 15 + nth 0 s 17 is 0 then all_lazy (beats s) others_merged else false.
 
 Lemma label_topE s : size s = 27 -> label_top s = representative label_orbit s.
-Proof. by move=> ss; rewrite /representative label_orbit_self // /label_top all_lazyE /label_orbit all_map. Qed.
+Proof.
+move=> ss; rewrite /representative label_orbit_self // /label_top all_lazyE /label_orbit perms_cons.
+rewrite -[all (lexge s) _]/(lexge s (act s (iota 0 27)) && all (lexge s) (map (act s) others)) act_id // lexge_refl all_map.
+by apply: eq_in_all => pi /others_keep keep; rewrite beatsE ?ss.
+Qed.
 Lemma swap_topE s : size s = 27 -> swap_top s = representative merge_orbit s.
 Proof.
-move=> ss; rewrite /swap_top /representative all_lazyE /merge_orbit all_map.
-have -> : (s \in [seq merge (act s pi) | pi <- perms]) = (nth 0 s 13 + nth 0 s 15 + nth 0 s 17 == 0).
-  apply/mapP/eqP => [[pi _ ->] //|z].
-  have [z1 [z2 z3]] : nth 0 s 13 = 0 /\ nth 0 s 15 = 0 /\ nth 0 s 17 = 0 by lia.
-  exists (iota 0 27) => //; rewrite act_id // -{1}(mkseq_nth 0 s) ss /merge z1 z2 z3 !addn0.
-  by rewrite /mkseq /= z1 z2 z3.
-by case: (_ + _).
+move=> ss; have -> : swap_top s = no_mates s && all (beats s) others_merged.
+  by rewrite /swap_top /no_mates all_lazyE; case: (_ + _).
+rewrite /representative.
+have -> : (s \in merge_orbit s) = no_mates s.
+  apply/mapP/idP => [[pi _ ->] //|z].
+  by exists (iota 0 27); rewrite ?perms_cons ?mem_head // act_id // merge_fixed.
+case z : (no_mates s); last by [].
+rewrite 2!andTb /merge_orbit perms_cons.
+rewrite -[all (lexge s) _]/(lexge s (merge (act s (iota 0 27))) && all (lexge s) [seq merge (act s pi) | pi <- others]).
+rewrite act_id // merge_fixed // lexge_refl (_ : others_merged = map merged others) // !all_map.
+apply: eq_in_all => pi pin; have keep := merged_keep pin.
+by rewrite -[preim _ _ pi]/(beats s (merged pi)) beatsE ?act_merged ?ss.
+Qed.
+
+(** The largest of the swap&label class is the largest of its label class. *)
+Lemma lexge_pair x y u v : lexge u v -> lexge [:: x + y, 0 & u] [:: x, y & v].
+Proof. by case: y => [|y] h; rewrite !lexge_cons ?addn0 ?eqxx ?h ?orbT // -[X in X < _]addn0 ltn_add2l. Qed.
+Lemma lexge_merge t : size t = 27 -> lexge (merge t) t.
+Proof.
+move=> st; have [x ->] : exists x, t = mkseq x 27 by exists (nth 0 t); rewrite -st mkseq_nth.
+have keep p u v : lexge u v -> lexge (p ++ u) (p ++ v) by elim: p => //= y p IH /IH; rewrite ltnn.
+have h := lexge_pair _ _ (lexge_pair _ _ (lexge_pair _ _ (lexge_refl (map x (iota 18 9))))).
+exact: (keep (map x (iota 0 12)) _ _ (h (x 12) (x 13) (x 14) (x 15) (x 16) (x 17))).
+Qed.
+Lemma swap_label_top s : size s = 27 -> swap_top s -> label_top s.
+Proof.
+move=> ss; rewrite (swap_topE ss) (label_topE ss) => /andP[_ /allP h].
+apply/andP; split; first exact: label_orbit_self.
+apply/allP => _ /mapP[pi pin ->]; have st : size (act s pi) = 27 by rewrite size_map perm_size.
+apply: (@lexge_trans (merge (act s pi))); first by rewrite ss.
+- by rewrite st.
+- by apply: h; exact: (map_f (fun pi => merge (act s pi))).
+- exact: lexge_merge.
 Qed.
 
 Definition flags s : seq bool :=
-  let l := label_top s in let w := swap_top s in
-  if l || w then
+  let l := label_top s in let w := if l then swap_top s else false in
+  if l then
     let b := obstructed_by dotn s in let g := ~~ b in let f := five_by dotn s in
     [:: l; w; l && g; l && b; w && g; w && b; l && g && pl0p_by dotn s; w && g && one_pin_by dotn s; l && g && f; w && g && f]
   else nseq 10 false.

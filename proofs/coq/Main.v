@@ -2,7 +2,7 @@
 From Coq Require Import NArith ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
-From PL1P Require Import Statement Walk Orbits Census Regular Obstructed.
+From PL1P Require Import Statement Walk Predicates Orbits Census Regular Obstructed.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -14,35 +14,10 @@ case=> C [scene [sh ad rg]]; apply/negP => ob.
 exact: (obstructed_not_rigid sh ad bs ob rg).
 Qed.
 
-(** ** The fast predicates are the stated ones *)
-Section Fast.
+(** ** The flags of the census, by the stated predicates *)
+Section Flags.
 Variable s : signature.
 Hypothesis bs : balanced s.
-Lemma fast_tot c : c \in c_shared ++ c_shown ++ singles -> dotn s c = tot s c.
-Proof.
-move=> cin; rewrite tot_dotn //; first by case/andP: bs => /eqP.
-have h : all (fun c => size c == 27) (c_shared ++ c_shown ++ singles) by vm_compute.
-exact: (eqP (allP h c cin)).
-Qed.
-Let shared_in c (h : c \in c_shared) : dotn s c = tot s c.
-Proof. by apply: fast_tot; apply: in_cat3; apply/or3P; constructor 1; exact: h. Qed.
-Let shown_in c (h : c \in c_shown) : dotn s c = tot s c.
-Proof. by apply: fast_tot; apply: in_cat3; apply/or3P; constructor 2; exact: h. Qed.
-Let single_in c (h : c \in singles) : dotn s c = tot s c.
-Proof. by apply: fast_tot; apply: in_cat3; apply/or3P; constructor 3; exact: h. Qed.
-
-Lemma obstructed_fast : obstructed_by dotn s = obstructed s.
-Proof.
-rewrite obstructedE /obstructed_by.
-rewrite (eq_in_has (a2 := fun c => 5 < tot s c)); last by move=> c cin /=; rewrite shared_in.
-rewrite (eq_in_has (a1 := fun c => dotn s c == 1) (a2 := fun c => tot s c == 1)); last by move=> c cin /=; rewrite shown_in.
-by rewrite (@single_in c_star) // (@single_in c_seven) // (@single_in c_six) // (@single_in c_free).
-Qed.
-Lemma pl0p_fast : pl0p_by dotn s = pl0p_by tot s. Proof. by rewrite /pl0p_by single_in. Qed.
-Lemma one_pin_fast : one_pin_by dotn s = one_pin_by tot s. Proof. by rewrite /one_pin_by single_in. Qed.
-Lemma five_fast : five_by dotn s = five_by tot s.
-Proof. by rewrite /five_by; apply: eq_in_has => c cin /=; rewrite shared_in. Qed.
-
 Let o := obstructed s.
 Definition slow_flags : seq bool :=
   let l := representative label_orbit s in let w := representative merge_orbit s in
@@ -51,10 +26,13 @@ Definition slow_flags : seq bool :=
 Lemma flagsE : flags s = slow_flags.
 Proof.
 have ss : size s = 27 by case/andP: bs => /eqP.
-rewrite /flags /slow_flags label_topE // swap_topE // obstructed_fast pl0p_fast one_pin_fast five_fast -/o.
-by case: (representative label_orbit s); case: (representative merge_orbit s); rewrite //= ?andbA.
+have imp := swap_label_top ss; rewrite (label_topE ss) (swap_topE ss) in imp.
+rewrite /flags /slow_flags (label_topE ss) (swap_topE ss).
+rewrite (obstructed_fast bs) (pl0p_fast bs) (one_pin_fast bs) (five_fast bs) -/o.
+case: (representative label_orbit s) imp; case: (representative merge_orbit s) => imp; rewrite //= ?andbA //.
+by have := imp isT.
 Qed.
-End Fast.
+End Flags.
 
 Lemma size_flags s : size (flags s) = 10.
 Proof. by rewrite /flags; case: ifP. Qed.
@@ -153,12 +131,23 @@ have e := foldl_succ balanced_list N0; rewrite N.add_0_l in e.
 exact: (etrans (esym e) h).
 Qed.
 
+(** What has an orbit in common is equivalent. *)
+Lemma orbit_equivalence (E : signature -> signature -> Prop) (orbit : seq nat -> seq (seq nat)) :
+  (forall s t, balanced s -> balanced t -> E s t <-> orbit s =i orbit t) -> equivalence E.
+Proof.
+move=> e; split=> [s bs|s t bs bt /(e _ _ bs bt) h|s t u bs bt bu /(e _ _ bs bt) h1 /(e _ _ bt bu) h2].
+- exact/(e _ _ bs bs).
+- by apply/(e _ _ bt bs) => w; rewrite h.
+- by apply/(e _ _ bs bu) => w; rewrite h1.
+Qed.
+
 Theorem main_theorem : classification.
 Proof.
 have andA (A B D : Prop) : A /\ (B /\ D) <-> (A /\ B) /\ D by tauto.
 have true_iff s : balanced s /\ True <-> balanced s by tauto.
 have rT s : balanced s -> reflect True true by move=> _; constructor.
 split.
+- by split; [exact: (orbit_equivalence label_equiv_orbit) | exact: (orbit_equivalence swap_equivE)].
 - split.
   + exists balanced_list; split.
     * exact: balanced_count.

@@ -6,7 +6,7 @@
 From Coq Require Import ZArith Uint63 List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
-From PL1P Require Import Statement Walk Elimination Forms Pool.
+From PL1P Require Import Statement Walk Predicates Elimination Forms Pool.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -35,25 +35,25 @@ Proof. by vm_compute. Qed.
 
 (** ** The walk *)
 Definition step i k st := insert_all st (nth [::] (nth [::] table i) k).
-Definition leaf pre st (acc : bool) := if acc then if full st then true else obstructed (rev pre) else false.
+Definition leaf pre st (acc : bool) := if acc then if full st then true else obstructed_by dotn (rev pre) else false.
 
 Lemma regular_check : walk step leaf ws 0 11 (empty 11) [::] true = true.
 Proof. vm_cast_no_check (erefl true). Qed.
 
 Lemma leaf_all l acc : foldl (fun acc s => leaf (catrev s [::]) (run step 0 s (empty 11)) acc) acc l ->
-  forall s, s \in l -> full (run step 0 s (empty 11)) || obstructed s.
+  forall s, s \in l -> full (run step 0 s (empty 11)) || obstructed_by dotn s.
 Proof.
 have stays l' : foldl (fun acc s => leaf (catrev s [::]) (run step 0 s (empty 11)) acc) false l' = false by elim: l'.
 elim: l acc => // s l IH acc h t; rewrite inE => /orP[/eqP ->|]; last exact: (IH _ h).
 move: h; rewrite -[foldl _ _ (s :: l)]/(foldl _ (leaf _ _ acc) l); rewrite /leaf; case: acc => //; last by rewrite stays.
-case: (full _) => //=; case e: (obstructed _); last by rewrite stays.
+case: (full _) => //=; case e: (obstructed_by _ _); last by rewrite stays.
 by rewrite -[catrev s [::]]/(rev s) revK in e.
 Qed.
 
 Lemma regular_full s : balanced s -> ~~ obstructed s -> full (run step 0 s (empty 11)).
 Proof.
-rewrite -balanced_mem => sl ob.
+move=> bs ob; have sl : s \in balanced_list by rewrite balanced_mem.
 have := regular_check; rewrite walkE; last by vm_compute.
-by move=> /leaf_all -/(_ s sl); rewrite (negbTE ob) orbF.
+by move=> /leaf_all -/(_ s sl); rewrite (obstructed_fast bs) (negbTE ob) orbF.
 Qed.
 

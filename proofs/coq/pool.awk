@@ -17,6 +17,8 @@ BEGIN {
   print "Local Open Scope Z_scope."
   print "Local Notation Vec := (@Vec [idomainType of Z]).\nLocal Notation Quat := (@Quat [idomainType of Z])."
 }
+/ \\$/ { held = held substr($0, 1, length($0) - 1); next }   # goes on in the next line
+held != "" { $0 = held $0; held = "" }
 $1 == "pool" && $2 > 1 { exit }
 $1 == "camera" {
   q = "(Quat (" $4 ") (" $5 ") (" $6 ") (" $7 "))"
