@@ -193,7 +193,7 @@ Definition classification : Prop :=
           classes label_equiv balanced 143494 &
           classes swap_equiv balanced 76446],
       (* Minimal is what is not obstructed. What is obstructed is rigid at no admissible
-         configuration over any integral domain: at none with three distinct centres. *)
+         configuration over any integral domain; admissible includes distinct centres. *)
       (forall s, balanced s -> minimal s <-> ~~ obstructed s) /\
       (forall (R : idomainType) (C : view -> camera R) scene s,
          shape scene s -> balanced s -> obstructed s -> admissible C scene -> ~ rigid C scene),
