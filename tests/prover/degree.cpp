@@ -4,7 +4,7 @@
 #include "prover/degree/integer_images.h"
 #include "prover/degree/scene.h"
 #include "prover/degree/trace_test.h"
-#include "prover/degree/tracking/lanes.h"
+#include "prover/degree/tracking/multiple_doubles.h"
 #include "prover/problem/spec.h"
 
 #include <algorithm>
