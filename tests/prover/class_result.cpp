@@ -1,0 +1,139 @@
+// What a sweep keeps of a class, as a file: written as FORMAT.md has it, and read back.
+#include "prover/degree_sweep/class_result.h"
+#include "prover/degree_sweep/write.h"
+#include "tests/support/fake_sweep.h"
+#include "tests/support/program.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+using namespace plprove;
+
+TEST_CASE("a certificate is written as FORMAT.md has it") {
+    DegreeCertificate certificate;
+    certificate.number = 6722;
+    certificate.evidence = {6, -9};
+    const Feature bent = parse_feature("Pa/P/a");
+    certificate.images = {
+        {bent,
+         {ViewImage{std::array{1, 2, 3}, {{4, 5, 6}}}, ViewImage{std::array{-7, 8, 9}, {}},
+          ViewImage{std::nullopt, {{0, 1, -1}}}}},
+        {parse_feature("-/P/P"),
+         {ViewImage{}, ViewImage{std::array{1, 1, 1}, {}}, ViewImage{std::array{2, 2, 1}, {}}}}};
+    certificate.solutions = {{true, 10, {1, -2, 3}}, {false, 0, {0, 5}}};
+    CHECK(write_degree_file(std::span(&certificate, 1)) ==
+          "plcert 2 degrees\n"
+          "degree 6722 evidence complete edges 6 trace -9\n"
+          "image Pa/P/a view point 1 2 3 toward 4 5 6 view point -7 8 9 view line 0 1 -1\n"
+          "image -/P/P view point 1 1 1 view point 2 2 1\n"
+          "real 10 1 -2 3\n"
+          "pair 0 0 5\n");
+    certificate.evidence.reset();
+    CHECK(write_record(certificate).starts_with("degree 6722 evidence none\nimage "));
+    CHECK(write_degree_file({}) == "plcert 2 degrees\n");
+}
+
+TEST_CASE("what the sweep writes conforms to the grammar, line by line") {
+    const std::string integer = "(0|-?[1-9][0-9]*)";
+    const std::string triple = "( " + integer + "){3}";
+    const std::regex grammar("plcert 2 degrees|# run \\{.*\\}"
+                             "|degree " +
+                             integer + " evidence (none|complete edges " + integer +
+                             " trace -[1-9][0-9]?)"
+                             "|image [-Pa-z/]+( view( point" +
+                             triple + "( toward" + triple + ")*|( line" + triple +
+                             ")+))+|real [0-9]+( " + integer + "){11}|pair [0-9]+( " + integer +
+                             "){22}");
+    const DegreeOptions options{30, 3, true};
+    for (const std::size_t number : {2394U, 6722U, 100005U, 142849U}) {
+        if (!is_well(number)) continue;
+        const std::string text =
+            write(class_result(fake_engine::compute(number, options), options, 1.5));
+        CHECK(text.back() == '\n');
+        for (const std::string& line : lines_of(text)) {
+            CAPTURE(line);
+            CHECK(std::regex_match(line, grammar));
+            CHECK(line.size() <= 16384);
+        }
+    }
+}
+
+TEST_CASE("a result is read back as it was written") {
+    const TemporaryFolder folder;
+    const DegreeOptions options{20, 7, true};
+    for (const std::size_t number : some_classes()) {
+        if (fake_engine::throws(number)) continue;
+        const ClassResult result =
+            class_result(fake_engine::compute(number, options), options, 0.25);
+        write_file(folder / "file", write(result));
+        const auto head = read_class_result(folder / "file", false);
+        const auto whole = read_class_result(folder / "file", true);
+        REQUIRE(head);
+        REQUIRE(whole);
+        CHECK(head->record.empty());
+        CHECK(whole->record == result.record);
+        CHECK(write(*whole) == write(result));
+        CHECK(whole->complete() == result.complete());
+        CHECK(whole->certified == result.run.degree);
+    }
+}
+
+TEST_CASE("a damaged result is no result") {
+    const TemporaryFolder folder;
+    const std::size_t number =
+        class_with([](std::size_t n) { return is_well(n) && fake_engine::degree(n) > 5; });
+    const std::string text = write(class_result(fake_engine::compute(number, {}), {}, 1));
+    const auto reads = [&](const std::string& changed) {
+        write_file(folder / "file", changed);
+        return read_class_result(folder / "file", true).has_value();
+    };
+    CHECK(reads(text));
+    const std::string rest = text.substr(text.find('\n'));
+    CHECK(reads("plcert 1 degrees" + rest)); // of version 1.0
+    CHECK(!reads("plcert 3 degrees" + rest));
+    CHECK(!reads(""));
+    CHECK(!reads("plcert 2 degrees\n"));
+    CHECK(!reads(text.substr(0, text.find('{') + 20)));
+    const std::size_t record = text.find("\ndegree ");
+    for (const std::size_t size :
+         {text.size() - 1, text.rfind('\n', text.size() - 2) + 1, record + 1, record + 9})
+        CHECK(!reads(text.substr(0, size)));
+    CHECK(!reads(std::regex_replace(text, std::regex("\"number\":[0-9]+"), "\"number\":\"x\"")));
+    CHECK(!reads(std::regex_replace(text, std::regex("\"number\":[0-9]+"), "\"number\":1")));
+    CHECK(!reads(std::regex_replace(text, std::regex("\"tracks\":[0-9]+,"), "")));
+    CHECK(!read_class_result(folder / "nothing", true));
+    // One under another class's name, or another seed's.
+    const SweepFolder sweeps(folder.path(), 0);
+    std::filesystem::create_directories(sweeps.file_of(number).parent_path());
+    write_file(sweeps.file_of(number), text);
+    CHECK(sweeps.read(number, true));
+    write_file(sweeps.file_of(number),
+               std::regex_replace(text, std::regex("\"seed\":0"), "\"seed\":1"));
+    CHECK(!sweeps.read(number, true));
+    const std::vector<std::size_t> classes{number};
+    CHECK(left_to_do(sweeps, classes, {}) == 1);
+    run_sweep(sweeps, classes, {});
+    CHECK(sweeps.read(number, true));
+}
+
+TEST_CASE("a long list of notes is cut so that the line stays short") {
+    DegreeRun run;
+    run.number = 5;
+    run.notes.assign(1000, "a note with an umlaut, \xC3\xA4, and a \"quote\"");
+    const std::string line = run_line(class_result(run, {}, 0));
+    CHECK(line.size() <= 16000);
+    CHECK(line.size() > 15000);
+    CHECK(nlohmann::json::parse(line)["notes"].size() > 100);
+}
+
+TEST_CASE("a contradicted completeness is none") {
+    ClassResult result;
+    result.run.degree = 10;
+    result.run.evidence = {5, -9};
+    result.certified = 10;
+    CHECK(result.complete());
+    result.certified = 11;
+    CHECK(!result.complete());
+    CHECK(result.degree() == 11);
+}

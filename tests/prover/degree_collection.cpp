@@ -1,0 +1,179 @@
+// What is collected from a sweep: files of the project's own kinds, which call certified what
+// plcheck accepted and nothing else.
+#include "prover/catalogue/degrees.h"
+#include "prover/degree_sweep/collect.h"
+#include "prover/degree_sweep/write.h"
+#include "prover/system/sha256.h"
+#include "tests/support/fake_sweep.h"
+#include "tests/support/program.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+using namespace plprove;
+
+namespace {
+
+/// What plcheck would say of degrees.plc in the folder, if it accepted these classes, and found
+/// degrees exact: read back.
+Checked checked(const std::filesystem::path& folder, const std::vector<std::size_t>& accepted,
+                const std::vector<std::pair<std::size_t, int>>& exact = {}) {
+    nlohmann::json file = {{"file", "elsewhere/degrees.plc"},
+                           {"sha256", sha256(read_file(folder / "degrees.plc"))}};
+    for (const std::size_t number : accepted)
+        file["degrees"].push_back({{"class", number}, {"certified_at_least", 1}});
+    const std::filesystem::path path = folder / "report";
+    write_file(path, nlohmann::json(
+                         {{"files", nlohmann::json::array({file})}, {"certified_exactly", exact}})
+                         .dump());
+    return Checked(path, folder);
+}
+
+/// What a sweep over some classes left in a folder that vanishes with the object.
+struct FinishedSweep {
+    std::vector<std::size_t> classes = some_classes();
+    TemporaryFolder folder;
+    SweepFolder results{folder.path(), 0};
+
+    FinishedSweep() { run_sweep(results, classes, {40, 0, true}); }
+
+    std::vector<std::size_t> with_certificate() const {
+        std::vector<std::size_t> numbers;
+        for (const std::size_t number : classes)
+            if (!results.read(number, true)->record.empty()) numbers.push_back(number);
+        return numbers;
+    }
+    std::string certificates() const { return read_file(folder / "degrees.plc"); }
+    std::vector<DegreeRecord> degrees() const {
+        const std::string csv = read_file(folder / "degrees.csv");
+        const std::vector<std::string> lines = lines_of(csv);
+        return parse_degrees(std::vector<std::string_view>(lines.begin(), lines.end()));
+    }
+};
+
+bool has_record(const std::string& file, std::size_t number) {
+    return file.find("\ndegree " + std::to_string(number) + " ") != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("a collection calls nothing certified that plcheck has not seen") {
+    const FinishedSweep sweep;
+    const Collected collected = collect(sweep.results, {});
+    CHECK(collected.files == std::vector<std::string>{"degrees.plc"});
+    CHECK(collected.certificates == sweep.with_certificate().size());
+    CHECK(std::ranges::none_of(sweep.degrees(), [](const DegreeRecord& record) {
+        return record.status == DegreeStatus::certified;
+    }));
+}
+
+TEST_CASE("a collection that plcheck accepted is read as the project's own files are") {
+    const FinishedSweep sweep;
+    const Collected all = collect(sweep.results, {});
+    const std::string whole = sweep.certificates();
+    const Checked report = checked(sweep.folder.path(), sweep.with_certificate());
+    CHECK(collect(sweep.results, {0, {}, report}).certificates == all.certificates);
+    CHECK(sweep.certificates() == whole);
+    std::size_t certified = 0, previous = 0;
+    for (const DegreeRecord& record : sweep.degrees()) {
+        CHECK(record.number >= previous);
+        previous = record.number;
+        if (record.status == DegreeStatus::claimed) continue;
+        if (record.status == DegreeStatus::certified) {
+            ++certified;
+            CHECK(record.bound == DegreeBound::at_least);
+            CHECK(has_record(whole, record.number));
+        } else if (record.bound == DegreeBound::exact) {
+            CHECK(record.degree == fake_engine::degree(record.number));
+            CHECK(record.source == "5 edges; trace 1e-11");
+        }
+    }
+    CHECK(certified == all.certificates);
+}
+
+TEST_CASE("where plcheck finds lower and upper bound to meet, the degree is certified") {
+    const FinishedSweep sweep;
+    collect(sweep.results, {});
+    const std::vector<std::size_t> accepted = sweep.with_certificate();
+    const std::size_t met = accepted.front();
+    const int degree = fake_engine::degree(met);
+    collect(sweep.results, {0, {}, checked(sweep.folder.path(), accepted, {{met, degree}})});
+    std::size_t exact = 0;
+    for (const DegreeRecord& record : sweep.degrees()) {
+        if (record.status != DegreeStatus::certified || record.bound != DegreeBound::exact)
+            continue;
+        ++exact;
+        CHECK(record.number == met);
+        CHECK(record.degree == degree);
+    }
+    CHECK(exact == 1);
+}
+
+TEST_CASE("the parts of a collection have the same records in the same order, none too large") {
+    const FinishedSweep sweep;
+    collect(sweep.results, {});
+    const std::string whole = sweep.certificates();
+    const std::size_t size = 40'000;
+    const Collected parts = collect(sweep.results, {}, size);
+    CHECK(parts.files.size() > 3);
+    const std::string head = degree_file("");
+    std::string joined = head;
+    for (const std::string& file : parts.files) {
+        const std::string part = read_file(sweep.folder / file);
+        CHECK(part.size() <= size);
+        CHECK(part.starts_with(head));
+        joined += part.substr(head.size());
+    }
+    CHECK(joined == whole);
+}
+
+TEST_CASE("a collection has the certificates that were chosen, and replaces an earlier one") {
+    const FinishedSweep sweep;
+    const Collected all = collect(sweep.results, {}, 40'000);
+    CHECK(std::filesystem::exists(sweep.folder / "degrees-2.plc"));
+    const std::size_t large =
+        class_with([](std::size_t n) { return is_well(n) && fake_engine::degree(n) >= 40; });
+    const Collected chosen = collect(sweep.results, {20, {large}, {}});
+    CHECK(chosen.files.size() == 1);
+    CHECK(!std::filesystem::exists(sweep.folder / "degrees-2.plc"));
+    CHECK(chosen.certificates < all.certificates);
+    CHECK(chosen.classes == all.classes);
+    const std::string some = sweep.certificates();
+    for (const std::size_t number : sweep.classes) {
+        const auto result = sweep.results.read(number, true);
+        const bool small = result->complete() && result->degree() < 20;
+        const bool expected = !result->record.empty() && (small || number == large);
+        CHECK(has_record(some, number) == expected);
+    }
+}
+
+TEST_CASE("nothing is certified but the very certificates that plcheck accepted") {
+    const std::vector<std::size_t> classes = some_classes();
+    const TemporaryFolder folder;
+    const SweepFolder results(folder.path(), 0);
+    run_sweep(results, classes, {40, 0, true});
+    collect(results, {});
+    // One is refused, and one is replaced after the check.
+    std::vector<std::size_t> accepted;
+    std::ranges::copy_if(classes, std::back_inserter(accepted), is_well);
+    const std::size_t refused = accepted.back();
+    accepted.pop_back();
+    const Checked report = checked(folder.path(), accepted);
+    DegreeRun other = fake_engine::compute(accepted[0], {40, 1, true});
+    results.save(class_result(std::move(other), {40, 0, true}, 1));
+    CHECK(report.accepts(*results.read(accepted[1], true)));
+    CHECK(!report.accepts(*results.read(accepted[0], true)));
+    CHECK(!report.accepts(*results.read(refused, true)));
+    CHECK(collect(results, {0, {}, report}).certificates == accepted.size() - 1);
+    // The file is another one now, and the report stale.
+    CHECK_THROWS_WITH_AS(Checked(folder / "report", folder.path()),
+                         doctest::Contains("is not the file"), std::runtime_error);
+    for (const char* text : {"", "{", "{}", "{\"files\": 3}", "{\"files\": [{}]}"}) {
+        write_file(folder / "report", text);
+        CHECK_THROWS_WITH_AS(Checked(folder / "report", folder.path()),
+                             doctest::Contains("no report"), std::runtime_error);
+    }
+    CHECK_THROWS_WITH_AS(Checked(folder / "nothing", folder.path()),
+                         doctest::Contains("cannot read"), std::runtime_error);
+}
