@@ -3,81 +3,10 @@
 #pragma once
 
 #include "prover/degree/images.h"
-
-#include <functional>
-#include <map>
-#include <optional>
-#include <string>
+#include "prover/degree/path_follower.h"
+#include "prover/degree/solution_set.h"
 
 namespace plprove {
-
-/// Whether these are approximations of one solution, up to SolutionSet::same.
-bool approximates(const CameraPoint& point, const CameraPoint& other);
-
-/// Different solutions for the same images, which can be found again from a numerical
-/// approximation.
-class SolutionSet {
-public:
-    static constexpr double same = 1e-6; ///< relative distance of approximations of one solution
-
-    std::optional<int> find(const CameraPoint& point) const;
-    int add(const CameraPoint& point);
-    int size() const { return static_cast<int>(points_.size()); }
-    const CameraPoint& operator[](int index) const {
-        return points_[static_cast<std::size_t>(index)];
-    }
-    const std::vector<CameraPoint>& points() const { return points_; }
-
-private:
-    std::vector<CameraPoint> points_;
-    std::multimap<double, int> by_key_;
-};
-
-struct PathCounts {
-    std::uint64_t tracks = 0; ///< to an end, or lost for good
-    std::uint64_t retried = 0;
-    std::uint64_t failed = 0;
-    std::uint64_t steps = 0;
-};
-
-/// Follows paths. The ends that it returns are empty where a path was lost.
-class PathFollower {
-public:
-    using Ends = std::vector<std::optional<CameraPoint>>;
-
-    explicit PathFollower(const TrackedSystem& system) : system_(system) {}
-
-    /// A detour, in two legs, and what makes another one in case it loses a path, too.
-    struct Detours {
-        std::array<TrackedImages, 2> first;
-        std::function<std::array<TrackedImages, 2>()> another;
-    };
-
-    /// In doubles; then, with twice as many digits, those that are lost; then on detours those that
-    /// are lost again.
-    Ends follow(const TrackedImages& images, const Detours& detours,
-                const std::vector<CameraPoint>& starts);
-    /// Loses about one of a hundred, which is not counted.
-    Ends follow_quickly(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With tighter settings and twice as many digits; what is lost then counts as lost for good.
-    Ends follow_double_double(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With three times as many digits, what was lost with twice as many: what arrives was not lost
-    /// for good.
-    Ends follow_triple_double(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With twice as many digits, what was lost on the straight way: what arrives was not lost for
-    /// good.
-    Ends follow_detours(const Detours& detours, const std::vector<CameraPoint>& starts);
-    const PathCounts& counts() const { return counts_; }
-
-private:
-    Ends follow_legs(const std::array<TrackedImages, 2>& legs,
-                     const std::vector<CameraPoint>& starts);
-    Ends attempt(TrackFunction* track, const TrackedImages& images, const TrackSettings& settings,
-                 const std::vector<CameraPoint>& starts);
-    static std::uint64_t arrived(const Ends& ends);
-    TrackedSystem system_;
-    PathCounts counts_;
-};
 
 /// Two nodes with random images, and edges between them along which all solutions are followed.
 class Monodromy {

@@ -1,0 +1,119 @@
+#include "prover/degree/path_follower.h"
+
+#include <algorithm>
+
+namespace plprove {
+
+std::pair<std::vector<CameraPoint>, std::vector<std::size_t>>
+without_end(const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends) {
+    std::pair<std::vector<CameraPoint>, std::vector<std::size_t>> result;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        if (!ends[i]) {
+            result.first.push_back(starts[i]);
+            result.second.push_back(i);
+        }
+    return result;
+}
+
+PathFollower::Ends PathFollower::follow(const TrackedImages& images, const Detours& detours,
+                                        const std::vector<CameraPoint>& starts) {
+    Ends ends = follow_quickly(images, starts);
+    fill(ends, starts, [&](const auto& open) { return follow_double_double(images, open); });
+    fill(ends, starts, [&](const auto& open) { return follow_detours(detours, open); });
+    return ends;
+}
+
+PathFollower::Ends PathFollower::follow_quickly(const TrackedImages& images,
+                                                const std::vector<CameraPoint>& starts) {
+    Ends ends = attempt(fastest_tracker(), images, {}, starts);
+    counts_.tracks += arrived(ends);
+    return ends;
+}
+
+namespace {
+
+/// What doubles lose they nearly always lose to rounding, where both rotations are nearly
+/// isotropic.
+TrackSettings tight_settings() {
+    TrackSettings settings;
+    settings.prediction = 1e-4; // near clusters of degenerate solutions longer steps go astray
+    settings.contraction = 0.02;
+    settings.noise = 1e-16;
+    settings.smallest_step = 1e-13;
+    settings.largest_steps = 2000;
+    return settings;
+}
+
+} // namespace
+
+PathFollower::Ends PathFollower::follow_double_double(const TrackedImages& images,
+                                                      const std::vector<CameraPoint>& starts) {
+    Ends ends = attempt(fastest_double_double_tracker(), images, tight_settings(), starts);
+    counts_.tracks += starts.size();
+    counts_.retried += starts.size();
+    counts_.failed += starts.size() - arrived(ends);
+    return ends;
+}
+
+PathFollower::Ends PathFollower::follow_triple_double(const TrackedImages& images,
+                                                      const std::vector<CameraPoint>& starts) {
+    TrackSettings settings = tight_settings();
+    // Newton's method may converge only from 1e-18 or nearer here, and the largest rounding errors
+    // seen are 1e-26.
+    settings.noise = 1e-22;
+    settings.smallest_step = 1e-18;
+    settings.largest_steps = 6000;
+    const Ends ends = attempt(fastest_triple_double_tracker(), images, settings, starts);
+    counts_.failed -= arrived(ends);
+    return ends;
+}
+
+PathFollower::Ends PathFollower::follow_detours(const Detours& detours,
+                                                const std::vector<CameraPoint>& starts) {
+    constexpr int most = 3;
+    Ends ends(starts.size());
+    for (int i = 0; i < most && arrived(ends) < ends.size(); ++i) {
+        const auto legs = i == 0 ? detours.first : detours.another();
+        fill(ends, starts, [&](const auto& open) { return follow_legs(legs, open); });
+    }
+    counts_.failed -= arrived(ends);
+    return ends;
+}
+
+PathFollower::Ends PathFollower::follow_legs(const std::array<TrackedImages, 2>& legs,
+                                             const std::vector<CameraPoint>& starts) {
+    const Ends middle = attempt(fastest_double_double_tracker(), legs[0], tight_settings(), starts);
+    std::vector<std::size_t> indices;
+    std::vector<CameraPoint> from;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        if (middle[i]) {
+            indices.push_back(i);
+            from.push_back(*middle[i]);
+        }
+    const Ends last = attempt(fastest_double_double_tracker(), legs[1], tight_settings(), from);
+    Ends ends(starts.size());
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        ends[indices[k]] = last[k];
+    return ends;
+}
+
+PathFollower::Ends PathFollower::attempt(TrackFunction* track, const TrackedImages& images,
+                                         const TrackSettings& settings,
+                                         const std::vector<CameraPoint>& starts) {
+    std::vector<CameraPoint> to(starts.size());
+    std::vector<TrackOutcome> outcomes(starts.size());
+    counts_.steps +=
+        track(system_, images, settings, starts.size(), starts.data(), to.data(), outcomes.data())
+            .steps;
+    Ends ends(starts.size());
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        if (outcomes[i] == TrackOutcome::arrived) ends[i] = to[i];
+    return ends;
+}
+
+std::uint64_t PathFollower::arrived(const Ends& ends) {
+    return static_cast<std::uint64_t>(
+        std::ranges::count_if(ends, [](const auto& end) { return end.has_value(); }));
+}
+
+} // namespace plprove
