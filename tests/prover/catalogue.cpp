@@ -1,6 +1,8 @@
 // The catalogue as values: known counts, and laws of its entries.
 #include "prover/catalogue/catalogue.h"
+#include "checker/paper/numbers.h"
 #include "prover/catalogue/filter.h"
+#include "prover/catalogue/paper_counts.h"
 #include "prover/catalogue/spelling.h"
 #include "prover/problem/reduction.h"
 
@@ -82,6 +84,14 @@ TEST_CASE("the catalogue has the known counts") {
     }
     CHECK(swap_classes.size() == 76446);
     CHECK(constraint_classes.size() == 10693);
+}
+
+TEST_CASE("the paper's numbers in the catalogue are those that the checker compares with") {
+    for (const PaperCount& count : paper_counts) {
+        CAPTURE(count.quantity);
+        CHECK(std::ranges::count(checker::paper::claimed_counts, std::size_t(count.claimed),
+                                 &checker::paper::ClaimedCount::claimed) == 1);
+    }
 }
 
 TEST_CASE("too many shared points explain 2871 classes, stars alone the other seven") {
