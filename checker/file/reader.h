@@ -34,7 +34,7 @@ public:
     /// Takes the next word; empty if the line has none.
     std::string_view word() {
         const std::string_view next = cut(rest_);
-        if (rest_ == "\\") read_line(); // the line goes on
+        if (rest_ == "\\") read_line(true);
         return next;
     }
 
@@ -81,7 +81,7 @@ public:
         do {
             rest_ = {};
             if (bytes_.empty()) return;
-            read_line();
+            read_line(false);
         } while (line_ > 1 && rest_.starts_with('#'));
     }
 
@@ -91,8 +91,8 @@ public:
     }
 
 private:
-    /// Takes the next line of the file, without its line feed.
-    void read_line() {
+    /// Takes the next line of the file, without its line feed. The line before it may go on in it.
+    void read_line(bool goes_on) {
         ++line_;
         const std::string_view start = bytes_.substr(0, longest_line + 1);
         rest_ = start.substr(0, start.find('\n'));
@@ -100,11 +100,11 @@ private:
         bytes_.remove_prefix(rest_.size() + 1);
         for (const char& c : rest_)
             if (c < ' ' || c > '~') fail({&c, 1}, "printable ASCII, a line feed at the end");
-        if (line_ > 1 && rest_.starts_with('#')) return;
-        if (rest_.empty() || rest_[0] == ' ' || rest_.back() == ' ' ||
-            rest_.find("  ") < rest_.size())
-            fail(rest_, "words separated by one space");
+        if (!goes_on && line_ > 1 && rest_.starts_with('#')) return;
+        const bool spaced = (' ' + std::string(rest_) + ' ').find("  ") == std::string::npos;
+        if (!spaced) fail(rest_, "words separated by one space");
         if (rest_ == "\\") fail(rest_, "a word before the backslash");
+        if (goes_on && rest_[0] == '#') fail(rest_, "the rest of the line before, no comment");
     }
 
     static std::string_view cut(std::string_view& words) {
