@@ -15,19 +15,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of a folder, and of the folders in it, whose names end like this.
+/// The files of a folder, and of the folders in it, whose names end like this. A folder that is not
+/// required may be missing.
 struct Selection {
     const char* folder;
     std::vector<std::string> endings;
+    bool required = true;
 };
 
 const Selection selections[] = {
     {"certs", {".plc", ".md", ".csv", "SHA256SUMS"}},
     {"checker", {".cpp", ".h", "CMakeLists.txt"}},
-    {"proofs", {".md", ".v", ".awk", "Makefile"}},
+    {"docs", {".md", ".svg"}, false},
+    {"proofs", {".md", ".v", ".awk", "Makefile", ".cpp", ".h"}},
 };
 
-constexpr const char* single_files[] = {"CITATION.cff", "LICENSE", "tests/theorems/two_points.cpp"};
+constexpr const char* single_files[] = {"CITATION.cff", "LICENSE"};
 
 constexpr const char* landmarks[] = {"certs/FORMAT.md", "certs/SHA256SUMS", "checker/main.cpp"};
 
@@ -35,18 +38,18 @@ constexpr const char* readme = R"(Certificates for the classification of point-l
 
 certs/     the certificates; FORMAT.md specifies them, enough to write another checker
 checker/   the sources of plcheck, which believes nothing and replays every certificate
-proofs/    why a certificate that passes implies its claim
-tests/     an example that one of the proofs computes
+proofs/    why a certificate that passes implies its claim, and programs that a proof needs
 
 With a C++20 compiler and GMP (https://gmplib.org), in this folder:
 
-    c++ -std=c++20 -O2 -I. $(find checker -name '*.cpp') -lgmpxx -lgmp -o plcheck
+    c++ -std=c++20 -O2 -I. checker/*.cpp checker/*/*.cpp -lgmpxx -lgmp -o plcheck
     ./plcheck certs/*.plc
 
-The first line builds the checker, the second prints what the certificates prove and exits with 0
-if all of them hold. The degree files certs/degrees/*.plc need the library Arb, too: add -DPLC_ARB
-and, before -lgmpxx, -lflint-arb -lflint (with FLINT 3: -lflint) to the first line. SHA256SUMS has the SHA-256 digest of every other file here
-(sha256sum --check SHA256SUMS).
+The first line builds the checker. The second prints what the certificates prove, and exits with 0
+if all of them hold. The degree files certs/degrees/*.plc need the library Arb, too: add to the
+first line -DPLC_ARB and, before -lgmpxx, -lflint-arb -lflint (with FLINT 3: -lflint).
+
+SHA256SUMS has the SHA-256 digest of every other file here: sha256sum --check SHA256SUMS
 )";
 
 std::string read(const fs::path& path) {
@@ -65,6 +68,7 @@ void require_project(const fs::path& source) {
 }
 
 void add_selection(Files& files, const fs::path& source, const Selection& selection) {
+    if (!selection.required && !fs::exists(source / selection.folder)) return;
     for (const auto& entry : fs::recursive_directory_iterator(source / selection.folder)) {
         const std::string path = entry.path().lexically_relative(source).generic_string();
         const auto ends_path = [&](const std::string& ending) { return path.ends_with(ending); };

@@ -22,11 +22,11 @@ std::vector<std::string> commands_in(const std::string& readme) {
 
 /// A source folder that has what a bundle needs, and little else.
 void make_project(const TemporaryFolder& folder) {
-    std::filesystem::create_directories(folder / "tests/theorems");
-    for (const char* name :
-         {"certs", "checker", "proofs", "LICENSE", "CITATION.cff", "tests/theorems/two_points.cpp"})
+    for (const char* name : {"certs", "checker", "docs", "proofs", "LICENSE", "CITATION.cff"}) {
+        if (!std::filesystem::exists(std::filesystem::path(source) / name)) continue;
         std::filesystem::copy(std::filesystem::path(source) / name, folder / name,
                               std::filesystem::copy_options::recursive);
+    }
 }
 
 } // namespace
@@ -42,6 +42,12 @@ TEST_CASE("the bundle unpacks, builds and checks with what it brings along") {
     const std::string inside = in_folder + "/* && ";
     CHECK(run(inside + "sha256sum --check --strict --quiet SHA256SUMS").status == 0);
     CHECK(run(inside + "cd certs && sha256sum --check --strict --quiet SHA256SUMS").status == 0);
+
+    const std::string listed = run(inside + "sort -k2 SHA256SUMS").out;
+    for (const char* file :
+         {"checker/file/reader.h", "checker/report/text.cpp", "proofs/degrees.md"})
+        CHECK(listed.find(std::string("  ") + file + "\n") != std::string::npos);
+    CHECK(listed.find("  tests/") == std::string::npos);
 
     const std::vector<std::string> commands = commands_in(run(inside + "cat README").out);
     REQUIRE(commands.size() == 2);
@@ -72,6 +78,32 @@ TEST_CASE("the bundle depends on the files alone, not on their dates, rights or 
     CHECK(from_copy.status == 0);
     const bool same = from_copy.out == from_sources.out;
     CHECK(same);
+}
+
+TEST_CASE(
+    "the programs of proofs and the pages of docs come into the bundle, where there are any") {
+    const TemporaryFolder folder;
+    make_project(folder);
+    const std::string in_folder = "cd " + folder.path().string() + " && ";
+    REQUIRE(run(in_folder + "mkdir -p docs/pictures proofs/computations").status == 0);
+    write_file(folder / "docs/page.md", "A page.\n");
+    write_file(folder / "docs/pictures/one.svg", "<svg/>\n");
+    write_file(folder / "proofs/computations/extra.cpp", "int main() {}\n");
+    write_file(folder / "proofs/computations/extra.h", "// Extra.\n");
+    write_file(folder / "proofs/computations/extra", "a program\n");
+    const Outcome with = run(in_folder + plprove + " bundle -o - | zstd -q -d | tar -t");
+    REQUIRE(with.status == 0);
+    for (const char* file : {"docs/page.md", "docs/pictures/one.svg",
+                             "proofs/computations/extra.cpp", "proofs/computations/extra.h"}) {
+        CAPTURE(file);
+        CHECK(with.out.find(std::string("/") + file + "\n") != std::string::npos);
+    }
+    CHECK(with.out.find("/proofs/computations/extra\n") == std::string::npos);
+    REQUIRE(run(in_folder + "rm -r docs").status == 0);
+    const Outcome without = run(in_folder + plprove + " bundle -o - | zstd -q -d | tar -t");
+    CHECK(without.status == 0);
+    CHECK(without.out.find("/docs/") == std::string::npos);
+    CHECK(without.out.find("/checker/file/reader.h\n") != std::string::npos);
 }
 
 TEST_CASE("a bundle is refused where a certificate has not the digest on file") {
