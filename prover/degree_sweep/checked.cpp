@@ -43,7 +43,7 @@ Checked::Checked(const fs::path& report, const fs::path& folder) {
     try {
         const nlohmann::json json = nlohmann::json::parse(text);
         for (const auto& file : json.at("files")) {
-            if (file.at("degrees").empty()) continue;
+            if (file.at("kind") != "degrees" || file.at("degrees").empty()) continue;
             const fs::path path = folder / fs::path(file.at("file").get<std::string>()).filename();
             const std::string content = read(path);
             if (sha256(content) != file.at("sha256").get<std::string>())
