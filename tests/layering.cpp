@@ -1,9 +1,12 @@
-// Which sources may include which: prover and checker share nothing, and inside the prover a folder
-// includes only what lies below it.
+// Which sources may include which: prover and checker share nothing; inside the prover a folder
+// includes only what lies below it; inside the checker a claim needs only what README.md says. And
+// how long the sources are.
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -13,10 +16,20 @@ namespace fs = std::filesystem;
 
 const fs::path root = SOURCE_DIR;
 
+using Folders = std::vector<std::string>;
+
+/// The folders of the checker that the classification needs: each includes only those before it.
+const Folders classification_tier{"file", "algebra", "problem", "classification"};
+
+/// The folders of the checker for other claims, and what each needs beside that tier. Nothing of
+/// these includes what only presents: paper, report.
+const std::map<std::string, Folders> other_claims{
+    {"verdict", {}}, {"degrees", {}}, {"bounds", {"degrees"}}, {"counts", {}}, {"digests", {}}};
+
 /// The folders of prover/, from the bottom to the top.
-const std::vector<std::string> layers{
-    "system",    "format",       "problem", "geometry", "classification", "bounds", "degree",
-    "catalogue", "degree_sweep", "drawing", "scripts",  "bundle",         "cli"};
+const Folders layers{"system",  "format", "problem",   "geometry",     "classification",
+                     "bounds",  "degree", "catalogue", "degree_sweep", "drawing",
+                     "scripts", "bundle", "cli"};
 
 /// A line `#include "to"` in the file `from`; both are paths in the project.
 struct Arrow {
@@ -57,6 +70,65 @@ std::vector<Arrow> arrows_of(const char* folder) {
     return arrows;
 }
 
+bool contains(const Folders& folders, const std::string& folder) {
+    return std::ranges::find(folders, folder) != folders.end();
+}
+
+/// The folder inside the checker; empty for a file that is in none.
+std::string folder_of(const fs::path& path) {
+    return std::distance(path.begin(), path.end()) > 2 ? part(path, 1) : "";
+}
+
+bool is_source(const fs::path& path) {
+    return path.extension() == ".cpp" || path.extension() == ".h";
+}
+
+std::size_t lines_in(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    REQUIRE(stream);
+    return static_cast<std::size_t>(std::count(std::istreambuf_iterator<char>(stream), {}, '\n'));
+}
+
+/// The lines of all sources in a folder and the folders in it.
+std::size_t lines_under(const fs::path& folder) {
+    std::size_t lines = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file() && is_source(entry.path())) lines += lines_in(entry.path());
+    return lines;
+}
+
+/// A row of a table in README.md: folders of the checker that it links, and how many lines it says
+/// that these have.
+struct TrustRow {
+    std::string text;
+    Folders folders;
+    std::size_t lines = 0;
+};
+
+/// The rows that link folders of the checker and end in a cell with a number of lines.
+std::vector<TrustRow> trust_rows() {
+    const std::regex row_with_lines(R"(\|.*\|[^|]*?([0-9][0-9,]*) lines[^|]*\|\s*)");
+    const std::regex link(R"(\]\((checker[^)#]*)\))");
+    std::vector<TrustRow> rows;
+    std::ifstream readme(root / "README.md");
+    for (std::string line; std::getline(readme, line);) {
+        std::smatch match;
+        if (!std::regex_match(line, match, row_with_lines)) continue;
+        std::string digits = match[1];
+        std::erase(digits, ',');
+        TrustRow row{.text = line, .folders = {}, .lines = std::stoul(digits)};
+        for (std::sregex_iterator found(line.begin(), line.end(), link), end; found != end;
+             ++found) {
+            const std::string target = (*found)[1];
+            INFO(line);
+            REQUIRE(fs::exists(root / target));
+            if (fs::is_directory(root / target)) row.folders.push_back(target);
+        }
+        if (!row.folders.empty()) rows.push_back(row);
+    }
+    return rows;
+}
+
 } // namespace
 
 TEST_CASE("prover and checker share no source") {
@@ -71,5 +143,71 @@ TEST_CASE("no folder of the prover includes one above it") {
     for (const Arrow& arrow : arrows_of("prover")) {
         INFO(arrow.from.string() << " includes " << arrow.to.string());
         CHECK(layer_of(arrow.to) <= layer_of(arrow.from));
+    }
+}
+
+TEST_CASE("what the classification needs of the checker includes nothing else of it") {
+    for (const Arrow& arrow : arrows_of("checker")) {
+        INFO(arrow.from.string() << " includes " << arrow.to.string());
+        const auto from = std::ranges::find(classification_tier, folder_of(arrow.from));
+        if (from == classification_tier.end()) continue;
+        const auto to = std::ranges::find(classification_tier, folder_of(arrow.to));
+        CHECK(to <= from);
+    }
+}
+
+TEST_CASE("no claim of the checker needs another claim, or what only presents") {
+    for (const Arrow& arrow : arrows_of("checker")) {
+        INFO(arrow.from.string() << " includes " << arrow.to.string());
+        const std::string from = folder_of(arrow.from), to = folder_of(arrow.to);
+        const auto claim = other_claims.find(from);
+        if (claim == other_claims.end()) continue;
+        CHECK((to == from || contains(classification_tier, to) || contains(claim->second, to)));
+    }
+}
+
+TEST_CASE("each folder of the checker has its place in this test") {
+    for (const auto& entry : fs::directory_iterator(root / "checker")) {
+        if (!entry.is_directory()) continue;
+        const std::string folder = entry.path().filename().string();
+        CAPTURE(folder);
+        const bool presents = folder == "paper" || folder == "report";
+        CHECK((presents || contains(classification_tier, folder) || other_claims.contains(folder)));
+    }
+}
+
+TEST_CASE("only the report and the command include what only presents") {
+    for (const Arrow& arrow : arrows_of("checker")) {
+        INFO(arrow.from.string() << " includes " << arrow.to.string());
+        const std::string from = folder_of(arrow.from), to = folder_of(arrow.to);
+        if (to == "paper") CHECK((from == "paper" || from == "report"));
+        if (to == "report") CHECK((from == "report" || arrow.from.filename() == "main.cpp"));
+    }
+}
+
+TEST_CASE("no source of the checker has more than 350 lines") {
+    for (const auto& entry : fs::recursive_directory_iterator(root / "checker")) {
+        if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+        CAPTURE(entry.path().string());
+        CHECK(lines_in(entry.path()) <= 350);
+    }
+}
+
+TEST_CASE("who trusts only the classification reads at most 1,150 lines") {
+    std::size_t lines = 0;
+    for (const std::string& folder : classification_tier)
+        lines += lines_under(root / "checker" / folder);
+    CHECK(lines <= 1150);
+}
+
+TEST_CASE("the README says how many lines each part of the checker has") {
+    const std::vector<TrustRow> rows = trust_rows();
+    CHECK(rows.size() >= 5);
+    for (const TrustRow& row : rows) {
+        INFO(row.text);
+        std::size_t lines = 0;
+        for (const std::string& folder : row.folders)
+            lines += lines_under(root / folder);
+        CHECK(row.lines == lines);
     }
 }

@@ -1,8 +1,8 @@
 // Speed, each figure beside that of a peer in the same run: the minor of a class in the checker
 // against FLINT's determinant of the same matrix; certifying and checking classes against FLINT's
 // determinant of their whole Jacobians. See degrees.cpp for degrees.
-#include "checker/modular.h"
-#include "checker/report.h"
+#include "checker/classification/block.h"
+#include "checker/report/report.h"
 #include "prover/classification/classification_file.h"
 
 #include <benchmark/benchmark.h>
@@ -63,7 +63,7 @@ void count_items(benchmark::State& state, std::size_t items) {
 }
 
 void checker_minor(benchmark::State& state) {
-    using Matrix = std::array<checker::Row, camera_dimension>;
+    using Matrix = std::array<checker::ResidueRow, camera_dimension>;
     std::vector<Matrix> matrices;
     for (const ResidueMatrix& stack : sample().stacks) {
         Matrix& matrix = matrices.emplace_back();
@@ -111,8 +111,8 @@ void check_classification(benchmark::State& state) {
     const std::string bytes(std::istreambuf_iterator<char>(stream), {});
     for (auto _ : state) {
         const checker::Classification classes = checker::classify();
-        std::vector<checker::FileReport> reports{checker::replay(classes, "archive", bytes)};
-        benchmark::DoNotOptimize(checker::summarize(classes, std::move(reports)));
+        std::vector<checker::ReplayedFile> files{checker::replay(classes, "archive", bytes)};
+        benchmark::DoNotOptimize(checker::summarize(classes, std::move(files)));
     }
     count_items(state, label_classes().size());
 }

@@ -1,6 +1,6 @@
 // Digests: known vectors, and what a list of them says of files.
-#include "checker/report.h"
-#include "checker/sha256.h"
+#include "checker/digests/sha256.h"
+#include "checker/report/report.h"
 
 #include <doctest/doctest.h>
 
@@ -24,7 +24,7 @@ TEST_CASE("SHA-256 of known texts") {
 
 namespace {
 
-const std::string problem = "plcert 1 problem\nproblem 7*P/P/P\nverdict over-constrained 10\n";
+const std::string problem = "plcert 2 problem\nproblem 7*P/P/P\nverdict over-constrained 10\n";
 
 Report report_of(const std::string& list, const std::string& path) {
     const Classification none;
@@ -39,11 +39,11 @@ TEST_CASE("a file with the digest that is listed") {
         const Report report = report_of(digest + "  seven.plc\n", path);
         CHECK(report.status == 0);
         CHECK(text(report).find("digest as in SHA256SUMS") != std::string::npos);
-        CHECK(text(report).find("1 digests compared") != std::string::npos);
+        CHECK(text(report).find("SHA256SUMS: a list of 1 digests\n") != std::string::npos);
         CHECK(json(report).find("\"digest\": \"as in SHA256SUMS\"") != std::string::npos);
     }
-    CHECK(report_of(digest + "  folder/seven.plc\n", "a/folder/seven.plc").files[0].digest ==
-          "as in SHA256SUMS");
+    const Report deeper = report_of(digest + "  folder/seven.plc\n", "a/folder/seven.plc");
+    CHECK(deeper.comparisons[0].digest == "as in SHA256SUMS");
 }
 
 TEST_CASE("a file with another digest is refused") {
@@ -58,10 +58,11 @@ TEST_CASE("what is listed and not given is not verified") {
     for (const std::string name : {"other.plc", "more-seven.plc", "folder/seven.plc"}) {
         const Report report = report_of(sha256("") + "  " + name + "\n", "seven.plc");
         CHECK(report.status == 0);
-        CHECK(report.files[0].digest.empty());
+        CHECK(report.comparisons[0].digest.empty());
         CHECK(text(report).find("- not verified, as it was not given: " + name) !=
               std::string::npos);
-        CHECK(json(report).find("\"not_verified\": [\"" + name + "\"]") != std::string::npos);
+        CHECK(report.comparisons[1].not_given == std::vector{name});
+        CHECK(json(report).find("\"not_verified\": [\n  \"" + name + "\"]") != std::string::npos);
     }
 }
 
@@ -77,4 +78,22 @@ TEST_CASE("a list of digests is read to the letter") {
               "SHA256SUMS:2: does not conform to FORMAT.md: expected a SHA-256 digest, two spaces, "
               "a name\n");
     }
+}
+
+TEST_CASE("every list of digests is compared with every file, and one that differs is enough") {
+    const Classification none;
+    const std::string good = sha256(problem) + "  seven.plc\n";
+    const std::string bad = sha256("") + "  seven.plc\n";
+    for (const bool good_first : {false, true}) {
+        const Report report = summarize(none, {replay(none, "seven.plc", problem),
+                                               replay(none, "one", good_first ? good : bad),
+                                               replay(none, "two", good_first ? bad : good)});
+        CHECK(report.status == 1);
+        CHECK(report.comparisons[0].objections.size() == 1);
+    }
+    const Report both =
+        summarize(none, {replay(none, "a/seven.plc", problem), replay(none, "b/seven.plc", problem),
+                         replay(none, "sums", bad)});
+    CHECK(both.comparisons[0].objections.size() == 1);
+    CHECK(both.comparisons[1].objections.size() == 1);
 }

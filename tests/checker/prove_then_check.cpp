@@ -1,36 +1,31 @@
 // What the prover writes, the checker accepts, for random problems of every kind: two programs that
 // share no source agree on verdicts, numbers, ranks and minors.
-#include "checker/report.h"
+#include "checker/replay.h"
 #include "prover/classification/problem_certificate.h"
+#include "tests/support/all_classes.h"
 #include "tests/support/random_problems.h"
-
-#include <doctest/doctest.h>
-#include <map>
 
 using namespace plprove;
 
 namespace {
-
-const checker::Classification& classes() {
-    static const checker::Classification value = checker::classify();
-    return value;
-}
 
 /// Certifies and checks; returns the verdict's first word.
 std::string agree(const Problem& problem) {
     const ProblemCertificate certificate = certify_problem(problem);
     const std::string text = write(certificate);
     CAPTURE(text);
-    const checker::FileReport report = checker::replay(classes(), "test", text);
-    if (!report.complaints.empty()) CAPTURE(report.complaints.front().reason);
-    CHECK(report.conforms);
-    CHECK(report.refused == 0);
+    const checker::ReplayedFile replayed = checker::replay(all_classes(), "test", text);
+    const auto* file = std::get_if<checker::ProblemFile>(&replayed.content);
+    REQUIRE(file);
+    if (file->refusals.count > 0) CAPTURE(file->refusals.first.front().reason);
+    CHECK(file->refusals.count == 0);
+    CHECK(file->problem == notation(problem));
     std::string expected(name(certificate.decision.verdict));
     const int excess = certificate.decision.constraints - certificate.decision.camera_dimension;
     if (excess != 0) expected += " " + std::to_string(std::abs(excess));
-    if (certificate.decision.classes)
-        expected += ", class " + std::to_string(certificate.decision.classes->label);
-    CHECK(report.certified == expected);
+    CHECK(file->verdict == expected);
+    REQUIRE(file->of_class.has_value() == certificate.decision.classes.has_value());
+    if (file->of_class) CHECK(file->of_class->number == certificate.decision.classes->label);
     return std::string(name(certificate.decision.verdict));
 }
 
@@ -54,15 +49,15 @@ TEST_CASE("the checker accepts the certificates of random problems of every kind
 }
 
 TEST_CASE("both programs enumerate the same classes, swap classes and obstructions") {
-    REQUIRE(classes().representatives.size() == label_classes().size());
+    REQUIRE(all_classes().representatives.size() == label_classes().size());
     for (std::size_t number = 0; number < label_classes().size(); ++number) {
         const Signature& signature = label_classes()[number];
-        const checker::Signature& other = classes().representatives[number];
+        const checker::Signature& other = all_classes().representatives[number];
         const Obstruction ours = obstruction(problem_of(signature));
         const checker::Obstruction theirs = checker::obstruction(other);
         const bool same = std::ranges::equal(signature, other) &&
                           class_number(label_classes(), swap_representative(signature)) ==
-                              classes().swap_class[number] &&
+                              all_classes().swap_class[number] &&
                           static_cast<unsigned>(ours.deficiency()) == theirs.deficiency();
         if (!same) FAIL(number);
     }
@@ -71,5 +66,5 @@ TEST_CASE("both programs enumerate the same classes, swap classes and obstructio
 TEST_CASE("both programs write a problem in the same notation") {
     for (std::size_t number = 0; number < label_classes().size(); number += 997)
         CHECK(notation(problem_of(label_classes()[number])) ==
-              checker::notation(classes().representatives[number]));
+              checker::notation(all_classes().representatives[number]));
 }

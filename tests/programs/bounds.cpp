@@ -10,7 +10,9 @@
 namespace {
 const std::string plprove = PLPROVE;
 const std::string plcheck = PLCHECK;
-const std::string committed = std::string(SOURCE_DIR) + "/certs/bounds.plc";
+const std::string certs = std::string(SOURCE_DIR) + "/certs/";
+const std::string committed = certs + "bounds.plc";
+const std::string classification = certs + "classification.plc ";
 } // namespace
 
 TEST_CASE("plprove bounds writes the committed file, byte by byte") {
@@ -19,45 +21,90 @@ TEST_CASE("plprove bounds writes the committed file, byte by byte") {
     CHECK(outcome.out == read_file(committed));
 }
 
-TEST_CASE("plcheck tells how many problems are bounded") {
-    const Outcome text = run(plcheck + " " + committed);
+TEST_CASE("plcheck tells how many problems are bounded, where they are proved minimal") {
+    const Outcome text = run(plcheck + " " + classification + committed);
     CHECK(text.status == 0);
     CHECK(text.err.empty());
     CHECK(text.out.find("89 templates hold, 0 refused\n"
-                        "- certified: 13 terminal problems have at most 64 solutions\n"
-                        "- certified: 8 terminal problems have at most 80 solutions\n"
-                        "- certified: 548 terminal problems have at most 160 solutions\n") !=
+                        "certified: 13 terminal problems have at most 64 solutions, 13 of them by "
+                        "theorem\n"
+                        "certified: 8 terminal problems have at most 80 solutions\n"
+                        "certified: 548 terminal problems have at most 160 solutions\n") !=
           std::string::npos);
+    const auto json =
+        nlohmann::json::parse(run(plcheck + " --json " + classification + committed).out);
+    CHECK(json["files"][1]["templates"] == 89);
+    int by_templates = 0, by_theorem = 0, most = 0;
+    for (const auto& count : json["terminal_problems"]) {
+        by_templates += count["by_templates"].get<int>();
+        by_theorem += count["by_theorem"].get<int>();
+        CHECK(count["at_most"] > most); // in ascending order
+        most = count["at_most"].get<int>();
+    }
+    CHECK(by_templates == 3615); // extensions of the five-point problem
+    // Six or five lines through a point; three points; two, and a line.
+    CHECK(by_theorem == 28 + 18 + 5);
+}
+
+TEST_CASE("templates alone bound no problem, as none is proved minimal") {
+    const Outcome text = run(plcheck + " " + committed);
+    CHECK(text.status == 0);
+    CHECK(text.out == committed + ": 89 templates hold, 0 refused\n");
     const auto json = nlohmann::json::parse(run(plcheck + " --json " + committed).out);
     CHECK(json["files"][0]["templates"] == 89);
-    int problems = 0;
-    for (const auto& [solutions, count] : json["files"][0]["terminal_problems_at_most"].items())
-        problems += count.get<int>();
-    // Extensions; six or five lines through a point; three points; two, and a line.
-    CHECK(problems == 3615 + 28 + 18 + 5);
+    CHECK(json["terminal_problems"].empty());
 }
 
 TEST_CASE("the degrees of all extensions of the five-point problem are certified exact") {
-    const std::string certs = std::string(SOURCE_DIR) + "/certs/";
-    const Outcome outcome = run(plcheck + " --json " + certs + "classification.plc " + committed +
-                                " " + certs + "degrees/registrations.plc");
+    const Outcome outcome = run(plcheck + " --json " + classification + committed + " " + certs +
+                                "degrees/registrations.plc");
     CHECK(outcome.status == 0);
     std::size_t found = 0;
     const auto json = nlohmann::json::parse(outcome.out);
     for (const auto& claim : json["degree_claims"]) {
         const std::string name = claim["claim"];
-        if (name == "terminal, of any degree") CHECK(claim["certified_exactly"] == 3615);
+        if (name == "terminal, of any degree") {
+            CHECK(claim["certified_exactly"] == 3615);
+            CHECK(claim["by_theorem"] == 0);
+        }
         if (name == "terminal, degree 160") CHECK(claim["verdict"] == "differs, certified");
         found += name == "terminal, of any degree" || name == "terminal, degree 160";
     }
     CHECK(found == 2);
 }
 
+TEST_CASE("four PL0Ps register a camera: 8, 4, 8 and 8 solutions beside the 20 relative poses") {
+    const Outcome outcome = run(plcheck + " --json " + classification + committed + " " + certs +
+                                "degrees/registrations.plc");
+    const auto json = nlohmann::json::parse(outcome.out);
+    std::vector<int> registrations;
+    for (const auto& claim : json["degree_claims"]) {
+        const std::string name = claim["claim"];
+        if (!name.starts_with("- registration of its third camera")) continue;
+        registrations.push_back(claim["certified_exactly"].get<int>());
+        CHECK(claim["claimed_exactly"] == claim["certified_exactly"]);
+        CHECK(claim["verdict"] == "agrees, certified");
+    }
+    CHECK(registrations == std::vector{8, 4, 8, 8});
+}
+
+TEST_CASE("2*Pa/Pa/Pa + P/P/P has exactly 312 solutions, by its problem file and a degree file") {
+    const TemporaryFolder folder;
+    const std::string problem = (folder / "problem.plc").string();
+    REQUIRE(run(plprove + " certify '2*Pa/Pa/Pa + P/P/P' >" + problem).status == 0);
+    const std::string degrees = certs + "degrees/three-points.plc";
+    const Outcome outcome = run(plcheck + " --json " + problem + " " + degrees);
+    CHECK(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(json["certified_exactly"] == nlohmann::json::array({{2394, 312}}));
+    const Outcome alone = run(plcheck + " --json " + degrees);
+    CHECK(nlohmann::json::parse(alone.out)["certified_exactly"].empty());
+}
+
 TEST_CASE(
     "the Chicago problem has exactly 312 solutions, certified, like others with three points") {
-    const std::string certs = std::string(SOURCE_DIR) + "/certs/";
-    const Outcome outcome = run(plcheck + " --json " + certs + "classification.plc " + committed +
-                                " " + certs + "degrees/three-points.plc");
+    const Outcome outcome = run(plcheck + " --json " + classification + committed + " " + certs +
+                                "degrees/three-points.plc");
     CHECK(outcome.status == 0);
     const auto json = nlohmann::json::parse(outcome.out);
     const std::vector<std::pair<int, int>> exact = json["certified_exactly"];

@@ -60,10 +60,12 @@ TEST_CASE("a degree file is compared with the paper where the classification is 
         ++found;
         CHECK(claim["claimed_exactly"].is_null());
         CHECK(claim["certified_at_least"] == 1);
+        CHECK(claim["certified_exactly"].is_null());
+        CHECK(claim["by_theorem"].is_null());
         CHECK(claim["known_exactly"].is_null());
     }
     CHECK(found == 1);
-    CHECK(json["degree_claims"].size() == 51 + 12 + (11 + 3) + (29 + 3));
+    CHECK(json["degree_claims"].size() == 51 + 4 + 1 + 12 + (11 + 3) + (29 + 3));
 }
 
 TEST_CASE("an altered degree file is refused, and says why") {

@@ -1,7 +1,7 @@
 // Six and five lines through a point (proofs/upper_bounds.md, sections 8 and 9): the trilinear
 // forms of three rotations lie on a quartic hypersurface, over the integers; and what determines
 // the rotations of a form.
-#include "checker/degree_system.h"
+#include "checker/degrees/evaluation.h"
 #include "prover/degree/degree.h"
 #include "prover/geometry/camera.h"
 
@@ -102,22 +102,22 @@ TEST_CASE("six lines through a point: the 64 certified solutions have four forms
     const DegreeRun run = compute_degree(4, {}); // Pabcdef/Pabcdef/Pabcdef + a/P/Pa
     REQUIRE(run.certificate);
     REQUIRE(run.certificate->degree() == 64);
-    checker::System system; // two lines through the image of the point in each view
+    checker::CameraSystem system; // two lines through the image of the point in each view
     for (unsigned view = 0; view < 3; ++view) {
         const auto x = run.certificate->images[0].views[view].point.value();
         const checker::Image point{x[0], x[1], x[2]};
-        system.sights.push_back({view, checker::cross(point, {1, 0, 0})});
-        system.sights.push_back({view, checker::cross(point, {0, 1, 0})});
+        checker::add_vector(system, view, checker::cross(point, {1, 0, 0}));
+        checker::add_vector(system, view, checker::cross(point, {0, 1, 0}));
     }
     std::vector<std::pair<std::array<Complex, 8>, int>> forms; // how many solutions have each
-    const auto count = [&](const checker::Coordinates<Complex>& cameras) {
-        checker::Scene<Complex> scene;
-        checker::look(system, cameras, scene);
+    const auto count = [&](const checker::CameraCoordinates<Complex>& cameras) {
+        checker::BackProjections<Complex> space;
+        checker::back_project(system, cameras, space);
+        const auto normal = [&](std::size_t place) { return space.vectors[place].vector; };
         std::array<Complex, 8> form;
         for (std::size_t n = 0; n < 8; ++n)
-            form[n] =
-                checker::dot(scene.ray(n >> 2 & 1),
-                             checker::cross(scene.ray(2 + (n >> 1 & 1)), scene.ray(4 + (n & 1))));
+            form[n] = checker::dot(normal(n >> 2 & 1),
+                                   checker::cross(normal(2 + (n >> 1 & 1)), normal(4 + (n & 1))));
         for (std::size_t n = 8; n-- > 0;)
             form[n] /= form[0];
         const auto same = [&](const auto& known) {
@@ -134,7 +134,7 @@ TEST_CASE("six lines through a point: the 64 certified solutions have four forms
             ++known->second;
     };
     for (const ApproximateSolution& solution : run.certificate->solutions) {
-        checker::Coordinates<Complex> cameras, conjugate;
+        checker::CameraCoordinates<Complex> cameras, conjugate;
         for (std::size_t k = 0; k < cameras.size(); ++k) {
             const auto value = [&](std::size_t i) {
                 return std::ldexp(static_cast<double>(solution.values[i]), -solution.bits);

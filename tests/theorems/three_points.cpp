@@ -1,6 +1,6 @@
 // Three points that all views see (proofs/upper_bounds.md, section 10): the numbers of Theorem U15
 // from the special points of the surface, and what is said of the boundary, at random images.
-#include "checker/degree_system.h"
+#include "checker/algebra/vector3.h"
 #include "prover/degree/degree.h"
 #include "tests/support/class_with_bound.h"
 
@@ -209,7 +209,7 @@ TEST_CASE("three points: Chern classes of a line, and of a point with a pin") {
 
 TEST_CASE("three points: where H = 0, N is plus or minus i (t e + s e')") {
     using Complex = std::complex<double>;
-    using Vector = checker::Triple<Complex>;
+    using Vector = checker::Vector3<Complex>;
     using checker::cross, checker::dot;
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;

@@ -1,6 +1,7 @@
 // Two points that all views see, and a line (proofs/upper_bounds.md, section 11): the numbers of
 // Theorem U17, what its proof says of one example, and the degrees by monodromy.
-#include "checker/degree_system.h"
+#include "checker/algebra/modular.h"
+#include "checker/algebra/vector3.h"
 #include "prover/degree/degree.h"
 #include "tests/support/class_with_bound.h"
 
@@ -14,15 +15,6 @@
 #include <vector>
 
 using namespace plprove;
-
-namespace checker { // where the checker's functions of vectors look for them
-inline Residue operator+(Residue a, Residue b) {
-    return Residue::of(Wide{a.value} + b.value);
-}
-inline Residue operator-(Residue a, Residue b) {
-    return a + -b;
-}
-} // namespace checker
 
 namespace {
 
@@ -91,7 +83,7 @@ using checker::Residue;
 constexpr Residue zero{}, unit{1};
 
 /// A vector in the coordinates of alpha, beta and n; a line, by its products with these.
-using Triple = checker::Triple<Residue>;
+using Triple = checker::Vector3<Residue>;
 
 /// A line in a view.
 struct Seen {
@@ -308,7 +300,7 @@ TEST_CASE("two points: six simple zeros where two lines and another condition me
 
 TEST_CASE("two points: frames of the plane that their images span") {
     using Complex = std::complex<double>;
-    using Vector = checker::Triple<Complex>;
+    using Vector = checker::Vector3<Complex>;
     using checker::cross, checker::dot, checker::minus, checker::times;
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;

@@ -1,0 +1,185 @@
+// The report in JSON: it parses, and has the members that programs rely on, for each kind of file.
+#include "tests/support/results.h"
+
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+using namespace checker;
+using Json = nlohmann::json;
+
+namespace {
+
+using Names = std::set<std::string>;
+
+Json parsed(const Report& report) {
+    return Json::parse(checker::json(report));
+}
+
+Json report_on(const std::vector<ReplayedFile>& files) {
+    return parsed(summarize(all_classes(), files));
+}
+
+Names names_of(const Json& object) {
+    Names names;
+    for (const auto& [name, value] : object.items())
+        names.insert(name);
+    return names;
+}
+
+/// The members of every file, with those of its kind.
+Names members_of_file(Names own) {
+    own.insert(
+        {"file", "kind", "conforms", "sha256", "digest", "refused", "complaints", "not_verified"});
+    return own;
+}
+
+/// The only file of a report, after a check of the members that all files have.
+Json only_file(const Json& report, const std::string& kind, const Names& own, int status) {
+    CHECK(names_of(report) == Names{"format", "status", "files", "claims", "terminal_problems",
+                                    "degree_claims", "certified_exactly"});
+    CHECK(report["format"] == 2);
+    CHECK(report["status"] == status);
+    REQUIRE(report["files"].size() == 1);
+    const Json& file = report["files"][0];
+    CHECK(names_of(file) == members_of_file(own));
+    CHECK(file["kind"] == kind);
+    CHECK(file["conforms"] == !kind.empty());
+    CHECK(file["digest"] == "");
+    CHECK(file["not_verified"].empty());
+    return file;
+}
+
+const std::string problem = "plcert 2 problem\nproblem 3*P/P/P\nverdict under-constrained 2\n";
+
+ReplayedFile replayed(const std::string& name, const std::string& bytes) {
+    return replay(all_classes(), name, bytes);
+}
+
+} // namespace
+
+TEST_CASE("JSON of a classification file") {
+    const Json report = report_on({whole_classification()});
+    const Json file = only_file(report, "classification", {"certified"}, 0);
+    CHECK(file["certified"] == 143494);
+    CHECK(file["refused"] == 0);
+    CHECK(file["complaints"].empty());
+    CHECK(report["claims"].size() == 22 + 3 + 12);
+    for (const Json& claim : report["claims"]) {
+        CHECK(names_of(claim) == Names{"claim", "paper", "certified", "verdict"});
+        CHECK(claim["claim"].is_string());
+        CHECK(claim["verdict"].is_string());
+        CHECK_FALSE(claim["certified"].is_null());
+    }
+    CHECK(report["claims"][0]["paper"] == 845161);
+    CHECK(report["claims"][0]["certified"] == 845161);
+    CHECK(report["claims"].back()["certified"] == "minimal");
+    CHECK(report["terminal_problems"].empty());
+    CHECK(report["degree_claims"].empty());
+    CHECK(report["certified_exactly"].empty());
+}
+
+TEST_CASE("JSON of problem files, with a class and without") {
+    const Json with_class =
+        only_file(report_on({problem_of_class(2394)}), "problem", {"problem", "verdict"}, 0);
+    CHECK(with_class["problem"] == "2*Pa/Pa/Pa + P/P/P");
+    CHECK(with_class["verdict"] == "minimal, class 2394");
+    const Json report = report_on({replayed("three.plc", problem)});
+    const Json without_class = only_file(report, "problem", {"problem", "verdict"}, 0);
+    CHECK(without_class["verdict"] == "under-constrained 2");
+    CHECK(without_class["file"] == "three.plc");
+    CHECK(without_class["sha256"].get<std::string>().size() == 64);
+    for (const Json& claim : report["claims"])
+        CHECK(claim["certified"].is_null() == (claim["verdict"] == "not covered by these files"));
+}
+
+TEST_CASE("JSON of a refused problem file") {
+    const std::string wrong = "plcert 2 problem\nproblem 3*P/P/P\nverdict under-constrained 1\n";
+    const Json file =
+        only_file(report_on({replayed("wrong.plc", wrong)}), "problem", {"problem", "verdict"}, 1);
+    CHECK(file["verdict"] == "");
+    CHECK(file["refused"] == 1);
+    REQUIRE(file["complaints"].size() == 1);
+    CHECK(names_of(file["complaints"][0]) == Names{"line", "reason"});
+    CHECK(file["complaints"][0]["line"] == 3);
+    CHECK(file["complaints"][0]["reason"] == "the verdict is under-constrained 2");
+}
+
+TEST_CASE("JSON of a degree file") {
+    const Json report = report_on({degree_file({{2394, 100, false}, {6722, 216, true}})});
+    const Json file = only_file(report, "degrees", {"degrees"}, 0);
+    CHECK(
+        file["degrees"] ==
+        Json::array({{{"class", 2394}, {"certified_at_least", 100}, {"evidence_complete", false}},
+                     {{"class", 6722}, {"certified_at_least", 216}, {"evidence_complete", true}}}));
+    CHECK(report["degree_claims"].empty());
+}
+
+TEST_CASE("JSON of a file of upper bounds") {
+    const Json file =
+        only_file(report_on({bounds_file({{relative_pose, 20}})}), "bounds", {"templates"}, 0);
+    CHECK(file["templates"] == 1);
+}
+
+TEST_CASE("JSON of a list of digests, which names a file that was not given") {
+    const std::string list = std::string(64, '0') + "  other.plc\n";
+    const Json report = report_on({replayed("SHA256SUMS", list)});
+    const Json& file = report["files"][0];
+    CHECK(names_of(file) == members_of_file({"digests"}));
+    CHECK(file["kind"] == "digests");
+    CHECK(file["digests"] == 1);
+    CHECK(file["not_verified"] == Json::array({"other.plc"}));
+    CHECK(report["status"] == 0);
+}
+
+TEST_CASE("JSON of a file that differs from its digest") {
+    const std::string list = std::string(64, '0') + "  three.plc\n";
+    const Json report = report_on({replayed("three.plc", problem), replayed("SHA256SUMS", list)});
+    CHECK(report["status"] == 1);
+    CHECK(report["files"][0]["digest"] == "not as in SHA256SUMS");
+    CHECK(report["files"][0]["refused"] == 1);
+    REQUIRE(report["files"][0]["complaints"].size() == 1);
+    CHECK(report["files"][0]["complaints"][0]["line"] == 0);
+    CHECK(report["files"][0]["verdict"] == "under-constrained 2");
+}
+
+TEST_CASE("JSON of a file that does not conform") {
+    const Json report = report_on({replayed("old.plc", "plcert 1 problem\n")});
+    const Json file = only_file(report, "", {}, 2);
+    CHECK(file["refused"] == 0);
+    REQUIRE(file["complaints"].size() == 1);
+    CHECK(file["complaints"][0]["line"] == 1);
+}
+
+TEST_CASE("JSON of upper bounds and degrees together") {
+    const Json report = report_on({whole_classification(), bounds_file({{relative_pose, 20}}),
+                                   degree_file({{2394, 312, false}})});
+    CHECK(report["status"] == 0);
+    CHECK(report["certified_exactly"] == Json::array({{2394, 312}}));
+    std::size_t bounded = 0;
+    REQUIRE(!report["terminal_problems"].empty());
+    for (const Json& count : report["terminal_problems"]) {
+        CHECK(names_of(count) == Names{"at_most", "by_templates", "by_theorem"});
+        bounded += count["by_theorem"].get<std::size_t>();
+        CHECK(count["by_templates"] == 0); // one template gives no product
+    }
+    CHECK(bounded == 51); // of the 52 label classes of the table, one is not terminal
+    for (const Json& claim : report["degree_claims"])
+        CHECK(names_of(claim) == Names{"claim", "claimed_exactly", "certified_at_least",
+                                       "certified_exactly", "by_theorem", "known_exactly",
+                                       "verdict"});
+    const auto chicago = std::ranges::find_if(report["degree_claims"], [](const Json& claim) {
+        return claim["claim"] == "3002_1, class 2394: 2*Pa/Pa/Pa + P/P/P";
+    });
+    REQUIRE(chicago != report["degree_claims"].end());
+    CHECK((*chicago)["claimed_exactly"].is_null());
+    CHECK((*chicago)["certified_exactly"] == 312);
+    CHECK((*chicago)["by_theorem"] == 312);
+}
+
+TEST_CASE("what is quoted keeps JSON valid") {
+    const ReplayedFile file{.name = "a\"b\\c", .content = Malformed{{1, "found `\"\\`"}}};
+    const Json report = report_on({file});
+    CHECK(report["files"][0]["file"] == "a\"b\\c");
+    CHECK(report["files"][0]["complaints"][0]["reason"] == "found `\"\\`");
+}

@@ -1,0 +1,33 @@
+// Points of the joint camera map at which tests build Jacobians: cameras, and random features.
+#pragma once
+
+#include "checker/classification/pool.h"
+
+#include <random>
+
+/// Three cameras in general position.
+inline const checker::Cameras& three_cameras() {
+    static const checker::Cameras cameras = checker::cameras_of(
+        {checker::Numbers{1, 2, -1, 3, 5, -2, 4}, checker::Numbers{2, -3, 1, 1, -4, 7, 3}});
+    return cameras;
+}
+
+/// Reproducible integers from -bound to bound.
+class RandomIntegers {
+public:
+    int operator()(int bound) { return std::uniform_int_distribution(-bound, bound)(engine_); }
+
+private:
+    std::mt19937_64 engine_{20};
+};
+
+/// A random point of the domain. Third coordinates are not 0.
+inline checker::Placement random_placement(const checker::Feature& feature,
+                                           RandomIntegers& random) {
+    checker::Numbers numbers;
+    for (std::size_t i = 0; i < 3 * (feature.pins + 1); ++i)
+        numbers.push_back(random(9999));
+    for (std::size_t i = 2; i < numbers.size(); i += 3)
+        if (numbers[i] == 0) numbers[i] = 1;
+    return checker::placement_of(numbers);
+}

@@ -1,0 +1,40 @@
+// Files as the checker returns them, made by hand: what follows from results is tested without
+// their certificates.
+#pragma once
+
+#include "checker/report/report.h"
+#include "tests/support/all_classes.h"
+
+/// A classification file that proves these verdicts.
+inline checker::ReplayedFile classification_with(const checker::Verdicts& verdicts) {
+    checker::ClassificationFile file;
+    for (std::size_t n = 0; n < verdicts.size(); ++n)
+        if (verdicts[n]) file.verdicts.push_back({n, *verdicts[n]});
+    return {.name = "classification.plc", .content = file};
+}
+
+/// A classification file that proves all classes.
+inline checker::ReplayedFile whole_classification() {
+    return classification_with(all_verdicts());
+}
+
+/// A problem file that proves the verdict on this class.
+inline checker::ReplayedFile problem_of_class(std::size_t number) {
+    const checker::Signature& signature = all_classes().representatives[number];
+    checker::ProblemFile file;
+    file.problem = checker::notation(signature);
+    file.verdict = "minimal";
+    file.of_class = checker::Verdict{number, checker::obstruction(signature)};
+    return {.name = "problem.plc", .content = file};
+}
+
+/// A degree file that proves these bounds.
+inline checker::ReplayedFile degree_file(const std::vector<checker::LowerBound>& bounds) {
+    return {.name = "degrees.plc", .content = checker::DegreeFile{.bounds = bounds}};
+}
+
+/// A file of upper bounds that proves these.
+inline checker::ReplayedFile bounds_file(const checker::RegistrationBounds& bounds) {
+    return {.name = "bounds.plc",
+            .content = checker::BoundsFile{.templates = bounds.size(), .bounds = bounds}};
+}
