@@ -19,14 +19,16 @@ namespace {
 /// degrees exact: read back.
 Checked checked(const std::filesystem::path& folder, const std::vector<std::size_t>& accepted,
                 const std::vector<std::pair<std::size_t, int>>& exact = {}) {
+    const nlohmann::json other = {{"file", "classification.plc"}, {"kind", "classification"}};
     nlohmann::json file = {{"file", "elsewhere/degrees.plc"},
+                           {"kind", "degrees"},
                            {"sha256", sha256(read_file(folder / "degrees.plc"))}};
     for (const std::size_t number : accepted)
         file["degrees"].push_back({{"class", number}, {"certified_at_least", 1}});
     const std::filesystem::path path = folder / "report";
-    write_file(path, nlohmann::json(
-                         {{"files", nlohmann::json::array({file})}, {"certified_exactly", exact}})
-                         .dump());
+    const nlohmann::json report = {{"files", nlohmann::json::array({other, file})},
+                                   {"certified_exactly", exact}};
+    write_file(path, report.dump());
     return Checked(path, folder);
 }
 
