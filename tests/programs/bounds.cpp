@@ -46,6 +46,13 @@ TEST_CASE("plcheck tells how many problems are bounded, where they are proved mi
     CHECK(by_theorem == 28 + 18 + 5);
 }
 
+TEST_CASE("a file of bounds without a template says nothing of any problem") {
+    const TemporaryFolder folder;
+    write_file(folder / "empty.plc", "plcert 2 bounds\nmodulus 2305843009213693951\n");
+    const Outcome empty = run(plcheck + " " + (folder / "empty.plc").string());
+    CHECK(empty.out.find("certified") == std::string::npos);
+}
+
 TEST_CASE("templates alone bound no problem, as none is proved minimal") {
     const Outcome text = run(plcheck + " " + committed);
     CHECK(text.status == 0);
