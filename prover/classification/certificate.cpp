@@ -107,16 +107,15 @@ std::vector<int> counted_from_one(std::vector<int> indices) {
     return indices;
 }
 
-std::optional<Certificate> certify_deficient(const PosedProblem& posed,
-                                             const Obstruction& obstruction) {
+std::optional<Certificate> certify_deficient(const PosedProblem& posed) {
     const EchelonForm form = echelon_form(stack(posed.parts));
-    const auto deficiency = static_cast<std::size_t>(obstruction.deficiency());
+    const auto deficiency = static_cast<std::size_t>(posed.obstruction.deficiency());
     if (form.free_columns.size() < deficiency)
         throw std::logic_error("an obstructed problem has too large a rank");
     if (form.free_columns.size() > deficiency) return std::nullopt;
 
     DeficientCertificate certificate;
-    certificate.obstruction = obstruction;
+    certificate.obstruction = posed.obstruction;
     for (const int column : form.free_columns)
         certificate.kernel.push_back(kernel_vector(form, column));
     const ResidueMatrix remaining =
@@ -168,8 +167,7 @@ certify_dominant(std::span<const FeatureBlock* const> blocks) {
 }
 
 std::optional<Certificate> certify(const PosedProblem& posed) {
-    const Obstruction why = obstruction(posed.problem);
-    if (why.deficiency() > 0) return certify_deficient(posed, why);
+    if (posed.obstruction.deficiency() > 0) return certify_deficient(posed);
     const Residue minor = determinant(posed.parts);
     if (minor == 0) return std::nullopt;
     return MinimalCertificate{minor};

@@ -35,9 +35,10 @@ struct CameraMinimalCertificate {
     Residue minor = 0;                ///< of J without these, all rows, modulo q
 };
 
-/// A problem posed at a point: its features in order, with blocks and camera parts.
+/// A problem posed at a point: what obstructs it once it is reduced and lifted, and the blocks and
+/// camera parts of its features, in order.
 struct PosedProblem {
-    Problem problem;
+    Obstruction obstruction;
     std::vector<const FeatureBlock*> blocks;
     std::vector<const CameraPart*> parts;
 };

@@ -26,7 +26,7 @@ PreparedPool prepare(std::uint64_t seed) {
 }
 
 PosedProblem pose(const Signature& signature, const PreparedPool& pool) {
-    PosedProblem posed{problem_of(signature), {}, {}};
+    PosedProblem posed{obstruction(problem_of(signature)), {}, {}};
     for (std::size_t i = 0; i < feature_count; ++i)
         for (std::size_t copy = 0; copy < signature[i]; ++copy) {
             posed.blocks.push_back(&pool.blocks[i][copy]);

@@ -8,16 +8,16 @@ namespace plprove {
 
 namespace {
 
-/// The certificate of the balanced problem with these blocks, or nothing where they are in special
-/// position.
-Evidence certify_balanced(const Problem& problem, const std::vector<FeatureBlock>& blocks) {
+/// The certificate of the balanced problem with these blocks and this obstruction, or nothing where
+/// they are in special position.
+Evidence certify_balanced(const Obstruction& obstruction, const std::vector<FeatureBlock>& blocks) {
     std::vector<CameraPart> parts;
     for (const FeatureBlock& block : blocks) {
         auto part = eliminate(block);
         if (!part) return {};
         parts.push_back(std::move(*part));
     }
-    const auto certificate = certify({problem, pointers(blocks), pointers(parts)});
+    const auto certificate = certify({obstruction, pointers(blocks), pointers(parts)});
     if (!certificate) return {};
     return std::visit([](const auto& held) -> Evidence { return held; }, *certificate);
 }
@@ -33,7 +33,7 @@ ProblemCertificate attempt(const Decision& decision, SmallIntegers integers) {
         blocks.push_back(feature_block(result.features.back(), result.cameras));
     }
     if (decision.verdict != Verdict::camera_minimal)
-        result.evidence = certify_balanced(posed, blocks);
+        result.evidence = certify_balanced(decision.obstruction, blocks);
     else if (auto dominant = certify_dominant(pointers(blocks)))
         result.evidence = std::move(*dominant);
     return result;

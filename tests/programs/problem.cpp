@@ -70,7 +70,11 @@ TEST_CASE("the certificate of a verdict proves it to the checker") {
              {"Pabcdefgh/Pabcdefgh/Pabcdefgh", "certified obstructed"},
              {"P/b/a + 10*P/P/-", "certified obstructed, class 130461"},
              {"4*Pabc/Pab/P", "certified over-constrained 1"},
-             {"5*P/P + a/b", "certified camera-minimal"}}) {
+             {"5*P/P + a/b", "certified camera-minimal"},
+             // Pins that reduction removes make no obstruction.
+             {"4*P/P + Pabcdefg/Pabcdefg", "certified minimal"},
+             {"3*P/P/P + P/P/- + Pabcdefg/Pabcdefg/-", "certified minimal, class 6724"},
+             {"2*P/P/P + a/a/a + 2*P/P/- + Pabcdef/Pabcdef/-", "certified minimal, class 6779"}}) {
         CAPTURE(spec);
         CHECK(run(plprove + " problem '" + spec + "' --certificate " + file).status == 0);
         const Outcome checked = run(plcheck + " " + file);

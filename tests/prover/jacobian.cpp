@@ -60,7 +60,7 @@ TEST_CASE("another pool certifies the same classes") {
             CAPTURE(number);
             const auto blocks = blocks_of(classes[number], pool);
             const auto parts = eliminated(blocks);
-            const PosedProblem posed{problem_of(classes[number]), pointers(blocks),
+            const PosedProblem posed{obstruction(problem_of(classes[number])), pointers(blocks),
                                      pointers(parts)};
             CHECK(certify(posed).has_value());
         }
