@@ -169,7 +169,8 @@ std::string draw_svg(const Problem& problem) {
     std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                       "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"" +
                       attribute("width", width) + attribute("height", height) +
-                      attribute("viewBox", "0 0 " + number(width) + " " + number(height)) + ">\n";
+                      attribute("viewBox", "0 0 " + number(width) + " " + number(height)) +
+                      " style=\"background:#fff\">\n";
     svg += "<title>" + notation(problem) +
            "</title>\n<desc>A point-line problem: " + describe(problem) +
            ". Each panel is one view, with every feature at the same place. Points and lines that "
