@@ -64,7 +64,7 @@ void require_project(const fs::path& source) {
         if (!fs::is_regular_file(source / landmark))
             throw std::runtime_error(source.string() +
                                      " is not the project's source folder, it has no " + landmark +
-                                     "; --source names another folder");
+                                     ": name that folder with --source");
 }
 
 void add_selection(Files& files, const fs::path& source, const Selection& selection) {
@@ -85,10 +85,13 @@ void check_digests(const Files& files) {
         digests["certs/" + name] = digest;
     for (const auto& [path, digest] : digests)
         if (!files.contains(path))
-            throw std::runtime_error("certs/SHA256SUMS names " + path + ", which is not there");
+            throw std::runtime_error("certs/SHA256SUMS names " + path +
+                                     ", which is not there: restore it, or write SHA256SUMS again");
     for (const auto& [path, content] : files)
         if (path.ends_with(".plc") && digests[path] != sha256(content))
-            throw std::runtime_error(path + " is not the file whose digest is in certs/SHA256SUMS");
+            throw std::runtime_error(
+                path + " is not the file whose digest is in certs/SHA256SUMS: restore it, or "
+                       "write SHA256SUMS again");
 }
 
 std::string sums(const Files& files) {

@@ -111,7 +111,8 @@ std::optional<Certificate> certify_deficient(const PosedProblem& posed) {
     const EchelonForm form = echelon_form(stack(posed.parts));
     const auto deficiency = static_cast<std::size_t>(posed.obstruction.deficiency());
     if (form.free_columns.size() < deficiency)
-        throw std::logic_error("an obstructed problem has too large a rank");
+        throw std::logic_error(
+            "an obstructed problem has too large a rank: please report this problem");
     if (form.free_columns.size() > deficiency) return std::nullopt;
 
     DeficientCertificate certificate;

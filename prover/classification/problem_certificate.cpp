@@ -56,7 +56,7 @@ ProblemCertificate certify_problem(const Problem& problem) {
         }
     throw std::runtime_error(
         "the rank is too small at every point tried, although the problem is " +
-        std::string(name(decision.verdict)));
+        std::string(name(decision.verdict)) + ": please report this problem");
 }
 
 } // namespace plprove

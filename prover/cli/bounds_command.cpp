@@ -57,10 +57,16 @@ Command add_bounds_command(CLI::App& program, Deliver deliver) {
     };
     auto request = std::make_shared<Request>();
     CLI::App* app = program.add_subcommand(
-        "bounds", "Bound the camera-degrees of extensions of the five-point problem from above");
+        "bounds", "Write the file of upper bounds on how many solutions problems have");
     app->add_option("-o,--output", request->path, "the file to write, - for standard output")
         ->capture_default_str();
     app->add_flag("--table", request->table, "also list the types, on standard error");
+    app->footer(
+        "The bounds are of extensions of the five-point problem: a template for each type of\n"
+        "registration of the third camera.\n\n"
+        "Examples:\n"
+        "  plprove bounds -o bounds.plc\n"
+        "  plcheck certs/classification.plc bounds.plc");
     return {app, [request, deliver = std::move(deliver)] {
                 prove_bounds(request->path, request->table, deliver);
                 return 0;

@@ -20,7 +20,7 @@ struct ExportRequest {
 };
 
 constexpr const char* list_examples =
-    "A class is listed if all filters hold; N may also be a range, 2..5, 2.. or ..5.\n\n"
+    "plprove lists the classes that pass all filters. N may be a range: 2..5, 2.. or ..5.\n\n"
     "Examples:\n"
     "  plprove list --minimal | wc -l               how many classes are minimal\n"
     "  plprove list --terminal --one-pin --points ..4\n"
@@ -29,7 +29,7 @@ constexpr const char* list_examples =
     "                                               points and lines only, spelled out\n"
     "  plprove list --points-in-views 5,5,3         one view sees 3 points, the others 5\n"
     "  plprove list --obstruction epipolar --rank ..7\n"
-    "                                               not minimal, and by far\n"
+    "                                               far from minimal\n"
     "  plprove list --five-point --format csv       with all columns (certs/CATALOGUE.md)\n";
 
 constexpr const char* export_examples =
@@ -77,7 +77,7 @@ int quiet_on_closed_pipe(const std::function<void()>& action) {
 Command add_list_command(CLI::App& program, Deliver deliver) {
     const auto request = std::make_shared<ListRequest>();
     CLI::App* command =
-        program.add_subcommand("list", "List the label classes that satisfy some filters");
+        program.add_subcommand("list", "List the label classes that pass some filters");
     add_filters(*command, request->filter);
     command
         ->add_option("--format", request->format,

@@ -23,8 +23,9 @@ namespace {
 constexpr int largest_target = 1'000'000;
 
 constexpr const char* degree_examples =
-    "The certificate proves a lower bound; plcheck replays it. That the degree is no larger is "
-    "evidence here;\nof some problems plcheck certifies it, given a file of upper bounds, too.\n\n"
+    "plprove finds solutions until nothing speaks for more. That none is missing is evidence, no "
+    "proof.\nThe certificate proves that there are at least so many: plcheck replays it. With a "
+    "file of upper\nbounds, plcheck certifies the exact number of some problems.\n\n"
     "Examples:\n"
     "  plprove degree 2394                          the Chicago problem, until complete\n"
     "  plprove degree '3*P/P/P + P/P/a' --json      for machines\n"
@@ -32,12 +33,12 @@ constexpr const char* degree_examples =
     "  plprove degree 142849 --target 300           stop once 300 solutions are found\n";
 
 constexpr const char* degrees_examples =
-    "A sweep may be killed at any moment: the same command goes on where it was. FILTER is what "
-    "`plprove list`\ntakes, its dashes left out or not, and numbers of classes; several are a "
-    "union. "
-    "A constraint class is\nchosen if one of its minimal classes passes.\n\n"
+    "You may kill a sweep at any moment: the same command goes on where it was.\n\n"
+    "A FILTER has the options of `plprove list`, with or without dashes, and numbers of classes. "
+    "plprove computes\na system of equations (a constraint class) if one of its minimal classes "
+    "passes one of the filters.\n\n"
     "Examples:\n"
-    "  plprove degrees -o sweep                     all 10,073 classes, to 300 solutions\n"
+    "  plprove degrees -o sweep                     all 10,073 systems, to 300 solutions\n"
     "  plprove degrees --exact -o sweep             ... then to the end, the small ones first\n"
     "  plprove degrees --exact --classes pl0p -o pl0p\n"
     "                                               the problems with points and lines only\n"
@@ -46,21 +47,21 @@ constexpr const char* degrees_examples =
     "                                               write the files again, with fewer "
     "certificates\n"
     "  plcheck --json certs/classification.plc certs/bounds.plc sweep/degrees*.plc >report\n"
-    "                                               believe nothing, replay everything\n"
+    "                                               replay every certificate\n"
     "  plprove degrees --collect --checked report -o sweep\n"
-    "                                               and call certified what it accepted\n";
+    "                                               call certified what plcheck accepted\n";
 
 /// The problem's decision. Throws BadInput where it has no degree that can be computed.
 Decision decided(const std::string& spec) {
     Decision decision = decide(parse_spec(spec));
     if (decision.verdict == Verdict::minimal || decision.verdict == Verdict::camera_minimal) {
         if (decision.classes) return decision;
-        throw BadInput("degrees are computed of problems in three views: this one, " +
-                       notation(decision.problem) + ", has " +
-                       std::to_string(decision.problem.front().views()));
+        throw BadInput("degrees are computed for three views, and " + notation(decision.problem) +
+                       " has " + std::to_string(decision.problem.front().views()) +
+                       ": ask about a problem in three views");
     }
-    std::string message = "only minimal and camera-minimal problems have a degree; this one, " +
-                          notation(decision.problem) + ", is neither";
+    std::string message = "only minimal and camera-minimal problems have a degree, and " +
+                          notation(decision.problem) + " is neither";
     for (const std::string& reason : reasons(decision))
         message += ": " + reason;
     throw BadInput(message);
@@ -81,8 +82,10 @@ int find_degree(const DegreeRequest& request, const Deliver& deliver,
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (!request.path.empty() && !report.run.certificate)
-        throw std::runtime_error("the run found no certificate" +
-                                 (report.run.notes.empty() ? "" : ": " + report.run.notes.front()));
+        throw std::runtime_error(
+            "the run found no certificate" +
+            (report.run.notes.empty() ? "" : " (" + report.run.notes.front() + ")") +
+            ": try another --seed");
     if (!request.path.empty())
         deliver(request.path, write_degree_file(std::span(&*report.run.certificate, 1)));
     if (request.path != "-") deliver("-", request.json ? json_report(report) : text_report(report));
@@ -191,7 +194,9 @@ void write_collection(const SweepFolder& folder, const DegreesRequest& request) 
     if (collected.damaged > 0)
         std::cerr << "plprove: " << collected.damaged
                   << " files are damaged and were left out; a sweep computes them again\n";
-    if (!std::cout) throw std::runtime_error("cannot write to standard output");
+    if (!std::cout)
+        throw std::runtime_error(
+            "cannot write to standard output: is it closed, or the disk full?");
 }
 
 int find_degrees(const DegreesRequest& request, const ComputeDegree& compute) {
@@ -201,7 +206,8 @@ int find_degrees(const DegreesRequest& request, const ComputeDegree& compute) {
     const SweepFolder folder(request.folder, options.seed);
     if (request.collect_only) {
         if (folder.numbers().empty())
-            throw BadInput("there are no results in " + request.folder + " to collect");
+            throw BadInput("there are no results in " + request.folder +
+                           ": run a sweep there first, or name another folder or --seed");
         write_collection(folder, request);
         return 0;
     }
@@ -244,17 +250,16 @@ Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree com
     CLI::App* command = program.add_subcommand(
         "degree", "Compute how many solutions a minimal problem has, with a certificate");
     command
-        ->add_option("PROBLEM", request->spec,
-                     "as for `plprove problem`; reduced first if it can be")
+        ->add_option("PROBLEM", request->spec, "as for `plprove problem`; plprove reduces it first")
         ->required();
     command
         ->add_option("--target", request->options.target,
-                     "stop once so many solutions are found (default: go on until complete)")
+                     "stop at so many solutions (default: find all)")
         ->check(CLI::Range(1, largest_target));
-    command->add_option("--seed", request->options.seed, "another seed, other random images")
+    command->add_option("--seed", request->options.seed, "draw other random images")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    command->add_flag("--json", request->json, "for machines");
+    command->add_flag("--json", request->json, "print JSON");
     command->add_option("-o,--output", request->path,
                         "also write the certificate to this file (- for standard output, alone)");
     command->footer(degree_examples);
@@ -266,41 +271,43 @@ Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree com
 Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
     const auto request = std::make_shared<DegreesRequest>();
     CLI::App* command = program.add_subcommand(
-        "degrees", "Compute the degrees of many classes; may be killed, and goes on");
+        "degrees",
+        "Compute the degrees of many classes: a sweep, which you may kill and start again");
     command->add_option("-o,--output", request->folder, "the folder of the sweep")
         ->type_name("DIR")
         ->required();
-    command
-        ->add_option("--target", request->options.target,
-                     "stop a class once so many solutions are found")
+    command->add_option("--target", request->options.target, "stop at so many solutions of a class")
         ->check(CLI::Range(1, largest_target))
         ->capture_default_str();
-    command->add_flag("--exact", request->exact, "go on until complete")->excludes("--target");
-    add_class_filters(*command, "--classes", request->classes, "which classes (default: all)");
-    command->add_option("--threads", request->threads, "classes to compute at a time")
+    command->add_flag("--exact", request->exact, "find all solutions")->excludes("--target");
+    add_class_filters(*command, "--classes", request->classes,
+                      "compute only these classes (default: all)");
+    command->add_option("--threads", request->threads, "how many classes to compute at a time")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    command->add_option("--seed", request->options.seed, "another seed, other random images")
+    command->add_option("--seed", request->options.seed, "draw other random images")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command->add_flag("--no-certificates", request->no_certificates,
-                      "compute degrees only, which is quicker");
-    command->add_flag("--retry", request->retry, "also compute those that fell short before");
+                      "compute degrees only: quicker");
+    command->add_flag("--retry", request->retry, "compute those again that fell short before");
     CLI::Option* collect = command->add_flag("--collect", request->collect_only,
-                                             "compute nothing, write the files of what is there");
+                                             "compute nothing: write the files of what is there");
     for (const char* option :
          {"--target", "--exact", "--classes", "--threads", "--no-certificates", "--retry"})
         collect->excludes(option);
     command
         ->add_option("--below", request->selection.below,
-                     "write only certificates of classes that are complete, with fewer solutions "
-                     "than this (default: of all)")
+                     "write only certificates of complete classes with fewer solutions than this "
+                     "(default: of all)")
         ->check(CLI::Range(1, largest_target));
-    add_class_filters(*command, "--also", request->also, "... and of these")->needs("--below");
+    add_class_filters(*command, "--also", request->also, "... and those of these classes")
+        ->needs("--below");
     command
-        ->add_option("--checked", request->checked,
-                     "what plcheck --json printed of degrees.plc: keep what it accepted, and call "
-                     "that certified in degrees.csv")
+        ->add_option(
+            "--checked", request->checked,
+            "what `plcheck --json` printed of degrees.plc: keep what plcheck accepted, and "
+            "call that certified in degrees.csv")
         ->type_name("REPORT")
         ->needs(collect)
         ->excludes("--below")

@@ -119,8 +119,8 @@ void add_numbers(std::vector<Range>& numbers, const std::string& text) {
             parse_range(std::string_view(number).substr(number.starts_with('#') ? 1 : 0));
         if (!range)
             throw std::invalid_argument("'" + number +
-                                        "' is neither a filter of `plprove list` nor the number "
-                                        "of a class or a range of them");
+                                        "' is neither a filter nor a number or range of classes: "
+                                        "`plprove list --help` has the filters");
         numbers.push_back(*range);
     }
 }
@@ -151,7 +151,9 @@ ClassFilter parse_class_filter(const std::string& text) {
     std::vector<std::string> numbers;
     command.add_option("NUMBER", numbers);
     std::vector<std::string> words = with_dashes(text, command);
-    if (words.empty()) throw std::invalid_argument("expected filters or numbers, found nothing");
+    if (words.empty())
+        throw std::invalid_argument(
+            "found nothing: name filters of `plprove list`, or numbers of classes");
     std::ranges::reverse(words); // as CLI11 wants them
     try {
         command.parse(words);

@@ -58,9 +58,12 @@ void prove_classification(const std::string& path) {
 Command classification_command(CLI::App& program) {
     auto path = std::make_shared<std::string>("certs/classification.plc");
     CLI::App* app = program.add_subcommand(
-        "classification", "Certify every label class of balanced signatures in one file");
+        "classification", "Write certificates of all 143,494 label classes into one file");
     app->add_option("-o,--output", *path, "the file to write, - for standard output")
         ->capture_default_str();
+    app->footer("Examples:\n"
+                "  plprove classification -o all.plc    takes seconds\n"
+                "  plcheck all.plc                      replays every certificate");
     return {app, [path] {
                 prove_classification(*path);
                 return 0;
@@ -73,11 +76,14 @@ Command certify_command(CLI::App& program) {
         std::string path = "-";
     };
     auto request = std::make_shared<Request>();
-    CLI::App* app = program.add_subcommand(
-        "certify", "Certify the verdict on one problem, with coordinates of its own");
+    CLI::App* app =
+        program.add_subcommand("certify", "Write a certificate of the verdict on one problem");
     app->add_option("PROBLEM", request->spec, problem_help)->required();
     app->add_option("-o,--output", request->path, "the file to write, - for standard output")
         ->capture_default_str();
+    app->footer("Examples:\n"
+                "  plprove certify 2394 -o chicago.plc\n"
+                "  plprove certify '3*P/P/P + P/P/a' | plcheck /dev/stdin");
     return {app, [request] {
                 deliver(request->path, write(certify_problem(parse_spec(request->spec))));
                 return 0;
@@ -104,9 +110,9 @@ Command problem_command(CLI::App& program) {
     };
     auto request = std::make_shared<Request>();
     CLI::App* app = program.add_subcommand(
-        "problem", "Decide a problem: minimal, camera-minimal or neither, why, and what it is");
+        "problem", "Say whether a problem is minimal, why, and what is known of it");
     app->add_option("PROBLEM", request->spec, problem_help)->required();
-    app->add_flag("--json", request->json, "for machines");
+    app->add_flag("--json", request->json, "print JSON");
     app->add_option("--certificate", request->certificate,
                     "also write a certificate of the verdict to this file");
     app->footer("Examples:\n"
@@ -127,11 +133,14 @@ Command show_command(CLI::App& program) {
     };
     auto request = std::make_shared<Request>();
     CLI::App* app =
-        program.add_subcommand("show", "Draw a problem: what each view sees of it, side by side");
+        program.add_subcommand("show", "Draw a problem: what each view sees, side by side");
     app->add_option("PROBLEM", request->spec, problem_help)->required();
     app->add_option("--svg", request->svg,
-                    "write a picture for a paper to this file (- for standard output) instead of "
-                    "drawing in the terminal");
+                    "write the picture to this file (- for standard output), instead of drawing "
+                    "in the terminal");
+    app->footer("Examples:\n"
+                "  plprove show '2*Pa/Pa/Pa + P/P/P'\n"
+                "  plprove show 2394 --svg chicago.svg  for a paper");
     return {app, [request] {
                 const Problem problem = parse_spec(request->spec);
                 if (request->svg.empty())
@@ -181,6 +190,10 @@ Command bundle_command(CLI::App& program) {
         ->capture_default_str();
     app->add_option("--source", request->source, "the project's source folder")
         ->capture_default_str();
+    app->footer("Examples:\n"
+                "  plprove bundle                       in the project's source folder\n"
+                "  tar -xf point-line-certificates.tar.zst\n"
+                "                                       its README says how to check everything");
     return {app, [request] {
                 deliver(request->path, tar_zst(bundle(request->source), bundle_folder));
                 return 0;
@@ -216,16 +229,19 @@ int run(int argc, char** argv, const ComputeDegree& compute) {
         std::cerr << "plprove: " << *advice << '\n';
         return exit_usage;
     }
-    CLI::App program("Finds certificates for point-line minimal problems; plcheck checks them.",
+    CLI::App program("Which points and lines in two or three photos fix the cameras? plprove "
+                     "decides, and writes "
+                     "certificates.\nplcheck replays them and believes nothing.",
                      "plprove");
     program.footer("Examples:\n"
-                   "  plprove problem 'P/P/P + 4*a/a/a'   decide a problem, explain, find it\n"
-                   "  plprove certify 2394 -o chicago.plc certify one problem, self-contained\n"
-                   "  plprove degree 2394                 how many solutions a problem has\n"
-                   "  plprove list --minimal --pl0p       numbers of the classes of a family\n"
-                   "  plprove classification -o all.plc   certify all 143,494 label classes\n"
-                   "  plcheck all.plc                     believe nothing, replay everything\n\n"
-                   "Exit status: 0 done, 1 failure, 2 bad input, 3 usage.");
+                   "  plprove problem 'P/P/P + 4*a/a/a'    is it minimal, and why?\n"
+                   "  plprove show 'P/P/P + 4*a/a/a'       what does each view see?\n"
+                   "  plprove degree 2394                  how many solutions has it?\n"
+                   "  plprove list --minimal --pl0p        which problems are of this family?\n"
+                   "  plprove certify 2394 -o chicago.plc  write a certificate ...\n"
+                   "  plcheck chicago.plc                  ... and replay it\n\n"
+                   "`plprove COMMAND --help` explains a command.\n"
+                   "Exit status: 0 done, 1 failed, 2 bad input, 3 wrong use.");
     program.set_version_flag("--version", version_text());
     program.require_subcommand(1);
     const Command commands[] = {problem_command(program),
@@ -242,7 +258,9 @@ int run(int argc, char** argv, const ComputeDegree& compute) {
         program.parse(words_of(argc, argv));
     } catch (const CLI::ParseError& error) {
         if (program.exit(error) != 0) return exit_usage;
-        if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+        if (!std::cout.flush())
+            throw std::runtime_error(
+                "cannot write to standard output: is it closed, or the disk full?");
         return 0;
     }
     for (const Command& command : commands)

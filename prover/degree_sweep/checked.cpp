@@ -48,7 +48,7 @@ Checked::Checked(const fs::path& report, const fs::path& folder) {
             const std::string content = read(path);
             if (sha256(content) != file.at("sha256").get<std::string>())
                 throw std::runtime_error(path.string() + " is not the file that " +
-                                         report.string() + " is about");
+                                         report.string() + " is about: run plcheck --json again");
             const std::map<std::size_t, std::string> records = records_of(content);
             for (const auto& degree : file.at("degrees")) {
                 const auto number = degree.at("class").get<std::size_t>();
@@ -60,9 +60,13 @@ Checked::Checked(const fs::path& report, const fs::path& folder) {
              json.value("certified_exactly", none).get<std::vector<std::pair<std::size_t, int>>>())
             exact_[number] = degree;
     } catch (const nlohmann::json::exception&) {
-        throw std::runtime_error(report.string() + " is no report of plcheck --json on degrees");
+        throw std::runtime_error(report.string() +
+                                 " is no report of plcheck --json on degrees: write one with "
+                                 "plcheck --json");
     } catch (const std::out_of_range&) {
-        throw std::runtime_error(report.string() + " speaks of classes that its file has not");
+        throw std::runtime_error(report.string() +
+                                 " speaks of classes that its file lacks: run plcheck --json "
+                                 "again");
     }
 }
 

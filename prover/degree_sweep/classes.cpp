@@ -52,7 +52,9 @@ std::vector<std::size_t> constraint_classes_of(std::span<const ClassFilter> filt
                 matches(filter.filter, entry))
                 chosen.insert(entry.constraint_class);
     }
-    if (chosen.empty()) throw std::invalid_argument("no minimal class passes the filter");
+    if (chosen.empty())
+        throw std::invalid_argument(
+            "no minimal class passes the filter: see what `plprove list` prints for it");
     return {chosen.begin(), chosen.end()};
 }
 

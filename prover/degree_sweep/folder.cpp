@@ -42,7 +42,8 @@ FolderLock::FolderLock(const fs::path& folder) {
     const int error = errno;
     ::close(descriptor_);
     if (error == EWOULDBLOCK)
-        throw std::runtime_error("another sweep is at work in " + folder.string());
+        throw std::runtime_error("another sweep is at work in " + folder.string() +
+                                 ": wait for it, or name another folder");
     throw std::system_error(error, std::generic_category(), "cannot lock " + path.string());
 }
 

@@ -156,7 +156,8 @@ TEST_CASE("a second sweep in the same folder is refused until the first one ends
     const Outcome second = run(shell(sweep_of(sweep)));
     CHECK(second.status == 1);
     CHECK(second.out.empty());
-    CHECK(second.err == "plprove: another sweep is at work in " + sweep.string() + "\n");
+    CHECK(second.err == "plprove: another sweep is at work in " + sweep.string() +
+                            ": wait for it, or name another folder\n");
     // Another folder is free, and the results so far can be looked at.
     CHECK(run(shell(sweep_of(folder / "other"))).err.find("another sweep") == std::string::npos);
     CHECK(run(shell({"degrees", "--collect", "-o", sweep.string()})).status == 0);
