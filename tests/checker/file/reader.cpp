@@ -109,7 +109,8 @@ TEST_CASE("an integer has one spelling, and a range") {
         CHECK(integer(good) == "");
     const std::int64_t least = std::numeric_limits<std::int64_t>::min();
     const std::int64_t most = std::numeric_limits<std::int64_t>::max();
-    Reader reader(say(least, ' ', most, "\n"));
+    const std::string bytes = say(least, ' ', most, '\n');
+    Reader reader(bytes);
     CHECK(reader.integer(least, most) == least);
     CHECK(reader.integer(least, most) == most);
 }

@@ -1,9 +1,7 @@
 // Upper bounds by theorem: they need no file, they are applied to classes proved minimal in the
 // same run only, and they are called what they are.
 #include "checker/bounds/theorems.h"
-#include "checker/counts/families.h"
 #include "checker/degrees/constraint_class.h"
-#include "checker/verdict/notation.h"
 #include "prover/classification/problem_certificate.h"
 #include "prover/problem/notation.h"
 #include "tests/support/results.h"
@@ -39,47 +37,7 @@ const paper::DegreeClaim& line_on_class(const Report& report, std::size_t number
     return report.degrees.front();
 }
 
-Signature signature_in_notation(std::string_view problem) {
-    Reader reader(say(problem, '\n'));
-    Signature signature{};
-    for (const Feature& feature : read_problem(reader).features)
-        ++signature[index_of(feature.point, feature.pin)];
-    return signature;
-}
-
 } // namespace
-
-TEST_CASE("each theorem is about a constraint class of its own, and minimal problems") {
-    std::set<Signature> seen;
-    for (const TheoremBound& row : theorem_bounds) {
-        CAPTURE(row.problem);
-        const Signature signature = signature_in_notation(row.problem);
-        CHECK(notation(signature) == row.problem);
-        CHECK(seen.insert(constraint_class(signature)).second);
-        CHECK(obstruction(signature).minimal());
-        CHECK_FALSE(extends_five_points(signature));
-        CHECK(row.bound % 8 == 0);
-    }
-}
-
-TEST_CASE("a theorem bounds all minimal classes of its constraint class, and no others") {
-    std::vector<bool> minimal;
-    for (const auto& verdict : all_verdicts())
-        minimal.push_back(verdict->minimal());
-    const DegreeTable table = combine(all_classes(), minimal, {}, {});
-    CHECK(table.size() == theorem_bounds.size());
-    for (const TheoremBound& row : theorem_bounds) {
-        CAPTURE(row.problem);
-        const auto place = table.find(constraint_class(signature_in_notation(row.problem)));
-        REQUIRE(place != table.end());
-        REQUIRE(place->second.at_most);
-        CHECK(place->second.at_most->solutions == row.bound);
-        REQUIRE(place->second.at_most->by_theorem());
-        const auto by = std::get<TheoremRow>(place->second.at_most->by);
-        CHECK(theorem_bounds[by.row].problem == row.problem);
-        CHECK(place->second.at_least == 0);
-    }
-}
 
 TEST_CASE("a file without templates certifies no bound") {
     const ReplayedFile empty = replay(all_classes(), "bounds.plc", empty_bounds);
