@@ -1,8 +1,10 @@
 #include "tests/mutation/degree_trial.h"
 
-#include "checker/report.h"
+#include "checker/bounds/degree_bounds.h"
+#include "checker/degrees/constraint_class.h"
 #include "tests/mutation/degree_referee.h"
 #include "tests/mutation/mutants.h"
+#include "tests/mutation/replayed.h"
 #include "tests/mutation/short_archive.h"
 #include "tests/mutation/table.h"
 
@@ -53,7 +55,7 @@ std::size_t shown(const File& record) {
 class Trial {
 public:
     /// Why something that is claimed in the text is not so.
-    using Objection = std::function<std::optional<std::string>(const checker::FileReport& report,
+    using Objection = std::function<std::optional<std::string>(const checker::ReplayedFile& file,
                                                                const std::string& text)>;
 
     Trial(const checker::Classification& classes, Objection objection)
@@ -92,8 +94,9 @@ private:
             });
             words.erase(std::unique(first, words.end()), words.end());
         }
-        for (const auto& [line, reason] :
-             checker::replay(classes_, "mutant", mutation::join(file)).complaints) {
+        const checker::ReplayedFile replayed =
+            checker::replay(classes_, "mutant", mutation::join(file));
+        for (const auto& [line, reason] : checker::refusals_of(replayed).first) {
             const std::string before = "the minor is ";
             if (!reason.starts_with(before)) continue;
             const std::string minor =
@@ -107,15 +110,16 @@ private:
     }
 
     void try_one(const std::string& text, const std::string& mutator, Table& table) const {
-        const checker::FileReport report = checker::replay(classes_, "mutant", text);
+        const checker::ReplayedFile file = checker::replay(classes_, "mutant", text);
+        const auto refusal = refusal_of(file);
         Tally& tally = table.by_mutator[mutator];
-        const bool accepted = report.conforms && report.refused == 0;
         ++tally.mutants;
-        ++(accepted ? tally.accepted : tally.refused);
-        table.verdicts += report.degrees.size() + report.templates;
-        if (!accepted) ++table.by_reason[kind_of(report.complaints[0].reason, report.conforms)];
-        if (!report.conforms) return; // then it claims nothing
-        if (const auto objection = objection_(report, text))
+        ++(refusal ? tally.refused : tally.accepted);
+        table.verdicts += proved_by<checker::DegreeFile>(file).bounds.size() +
+                          proved_by<checker::BoundsFile>(file).templates;
+        if (refusal) ++table.by_reason[kind_of(refusal->reason, refusal->conforms)];
+        if (refusal && !refusal->conforms) return; // then it claims nothing
+        if (const auto objection = objection_(file, text))
             table.unsound.push_back(*objection + "\n" + text);
     }
 
@@ -140,7 +144,7 @@ File cut(const File& record, std::size_t most) {
 
 std::string degree_file(std::vector<File> chosen) {
     std::ranges::sort(chosen, {}, number_of);
-    std::string text = "plcert 1 degrees\n";
+    std::string text = "plcert 2 degrees\n";
     for (const File& record : chosen)
         text += mutation::join(record);
     return text;
@@ -178,12 +182,13 @@ std::map<std::size_t, std::vector<File>> committed_degrees() {
     return by_class;
 }
 
-/// The certificate of a class and what is claimed, word by word, to remember what was found of it.
-std::string key_of(const referee::Text& text, const checker::Degree& degree) {
-    std::string key = std::to_string(degree.solutions) + "\n";
+/// The certificate of a class, whose record begins on a line, and what is claimed, word by word, to
+/// remember what was found of it.
+std::string key_of(const referee::Text& text, std::size_t line, const checker::LowerBound& bound) {
+    std::string key = std::to_string(bound.solutions) + "\n";
     bool wanted = false;
     for (std::size_t i = 0; i < text.lines.size(); ++i) {
-        if (text.lines[i][0] == "degree") wanted = text.numbers[i] == degree.line;
+        if (text.lines[i][0] == "degree") wanted = text.numbers[i] == line;
         for (std::size_t k = 0; wanted && k < text.lines[i].size(); ++k)
             key += text.lines[i][k] + (k + 1 < text.lines[i].size() ? " " : "\n");
     }
@@ -224,16 +229,17 @@ int try_degree_files(const checker::Classification& all, std::size_t mutants, st
         for (const File& record : found)
             known[number] = std::max(known[number], shown(record));
     std::unordered_map<std::string, std::optional<std::string>> found;
-    const auto objection = [&](const checker::FileReport& report,
+    const auto objection = [&](const checker::ReplayedFile& file,
                                const std::string& text) -> std::optional<std::string> {
         const referee::Text lines = referee::split(text);
-        for (const checker::Degree& degree : report.degrees) {
-            if (known.contains(degree.number) && degree.solutions > known[degree.number])
+        for (const checker::LowerBound& bound : proved_by<checker::DegreeFile>(file).bounds) {
+            const auto& [number, solutions, complete] = bound;
+            if (known.contains(number) && solutions > known[number])
                 return "more solutions than there are";
-            const auto [place, is_new] = found.try_emplace(key_of(lines, degree));
+            const std::size_t line = referee::line_of_record(lines, number);
+            const auto [place, is_new] = found.try_emplace(key_of(lines, line, bound));
             if (is_new)
-                place->second = referee::objection_to_degree(lines, degree.line, degree.number,
-                                                             degree.solutions);
+                place->second = referee::objection_to_degree(lines, line, number, solutions);
             if (place->second) return place->second;
         }
         return {};
@@ -250,12 +256,19 @@ int try_bounds(const checker::Classification& all, std::size_t mutants, std::uin
         degrees.push_back(shown(record));
     }
     const checker::Classification few = classification_of(all, numbers);
-    const auto objection = [&](const checker::FileReport& report,
+    const std::vector<bool> minimal(numbers.size(), true);
+    const auto objection = [&](const checker::ReplayedFile& file,
                                const std::string&) -> std::optional<std::string> {
-        for (std::size_t n = 0; n < degrees.size(); ++n)
-            if (report.upper[n] > 0 && report.upper[n] < degrees[n])
+        const checker::DegreeTable table =
+            checker::combine(few, minimal, {}, proved_by<checker::BoundsFile>(file).bounds);
+        for (std::size_t n = 0; n < degrees.size(); ++n) {
+            const auto known = table.find(checker::constraint_class(few.representatives[n]));
+            if (known == table.end() || !known->second.at_most) continue;
+            const std::size_t bound = known->second.at_most->solutions;
+            if (bound < degrees[n])
                 return "class " + std::to_string(numbers[n]) + " has more solutions than " +
-                       std::to_string(report.upper[n]);
+                       std::to_string(bound);
+        }
         return {};
     };
     return Trial(few, objection)

@@ -3,7 +3,7 @@
 // less than the number of solutions that degree files show.
 #pragma once
 
-#include "checker/problem.h"
+#include "checker/problem/classes.h"
 
 /// 0 if every file is accepted and no mutant that is accepted claims what is not so.
 int try_degree_files(const checker::Classification& all, std::size_t mutants, std::uint64_t seed);

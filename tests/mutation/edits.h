@@ -60,4 +60,26 @@ inline void multiply(std::string& word, long factor) {
     word = mpz_class(value_of(word) * factor).get_str();
 }
 
+inline bool is_feature(std::string_view word) {
+    return word.find('/') != word.npos;
+}
+
+using Wanted = std::function<bool(const Words&, std::size_t)>; // of a line, a word in it
+
+/// Where a wanted word stands.
+inline std::vector<std::string*> find(File& file, const Wanted& wanted) {
+    std::vector<std::string*> found;
+    for (Words& words : file)
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (wanted(words, i)) found.push_back(&words[i]);
+    return found;
+}
+
+/// Changes some wanted word.
+template <class Change>
+void change(File& file, Random& random, const Wanted& wanted, Change change) {
+    const auto found = find(file, wanted);
+    if (!found.empty()) change(*any_of(found, random));
+}
+
 } // namespace mutation

@@ -3,11 +3,11 @@
 //   mutation_tests [MUTANTS [SEED]]
 // So many mutants of classification and problem files, and a tenth as many each of degree files and
 // of files of upper bounds.
-#include "checker/report.h"
 #include "prover/classification/problem_certificate.h"
 #include "tests/mutation/degree_trial.h"
 #include "tests/mutation/mutants.h"
 #include "tests/mutation/referee.h"
+#include "tests/mutation/replayed.h"
 #include "tests/mutation/short_archive.h"
 #include "tests/mutation/table.h"
 #include "tests/support/random_problems.h"
@@ -120,63 +120,68 @@ public:
     }
 
     void try_one(const Base& base, const std::string& mutator, const std::string& text) {
+        const bool problem = base.signatures.empty();
+        const checker::ReplayedFile file =
+            checker::replay(problem ? all_ : base.classes, "mutant", text);
+        const auto refusal = refusal_of(file);
         Tally& tally = table_.by_mutator[mutator];
         ++tally.mutants;
-        const bool problem = base.signatures.empty();
-        const checker::FileReport report =
-            checker::replay(problem ? all_ : base.classes, "mutant", text);
-        const referee::Text lines = referee::split(text);
-        for (const checker::Verdict& verdict : report.verdicts)
-            if (!problem) believe(lines, verdict, base, text);
-        const bool accepted = report.conforms && report.refused == 0;
-        ++(accepted ? tally.accepted : tally.refused);
-        if (accepted && !problem && report.verdicts.size() != base.signatures.size())
-            table_.unsound.push_back("a class without a certificate\n" + text);
-        if (!accepted) ++table_.by_reason[kind_of(report.complaints[0].reason, report.conforms)];
-        if (!problem) return;
-        const auto objection = referee::objection_to_problem(lines);
-        if (accepted && objection) table_.unsound.push_back(*objection + "\n" + text);
-        if (accepted != !report.certified.empty())
-            table_.unsound.push_back("accepted, but nothing certified, or the reverse\n" + text);
-        if (!accepted && !objection) {
-            const std::string kind = kind_of(report.complaints[0].reason, report.conforms);
-            if (++table_.strict[kind] == 1 && report.conforms)
-                std::cout << "refused although proved: " << report.complaints[0].reason << '\n'
-                          << text;
-        }
+        ++(refusal ? tally.refused : tally.accepted);
+        if (refusal) ++table_.by_reason[kind_of(refusal->reason, refusal->conforms)];
+        if (problem)
+            judge_problem(file, refusal, text);
+        else
+            judge_classes(file, refusal, base, text);
     }
 
 private:
+    void judge_problem(const checker::ReplayedFile& file, const std::optional<Refusal>& refusal,
+                       const std::string& text) {
+        const auto objection = referee::objection_to_problem(referee::split(text));
+        if (!refusal && objection) table_.unsound.push_back(*objection + "\n" + text);
+        const bool certified = !proved_by<checker::ProblemFile>(file).verdict.empty();
+        if (certified == refusal.has_value())
+            table_.unsound.push_back("accepted, but nothing certified, or the reverse\n" + text);
+        if (!refusal || objection) return;
+        if (++table_.strict[kind_of(refusal->reason, refusal->conforms)] == 1 && refusal->conforms)
+            std::cout << "refused although proved: " << refusal->reason << '\n' << text;
+    }
+
+    void judge_classes(const checker::ReplayedFile& file, const std::optional<Refusal>& refusal,
+                       const Base& base, const std::string& text) {
+        const auto verdicts = proved_by<checker::ClassificationFile>(file).verdicts;
+        const referee::Text lines = referee::split(text);
+        for (const checker::Verdict& verdict : verdicts)
+            believe(lines, verdict.number, base, text);
+        if (!refusal && verdicts.size() != base.signatures.size())
+            table_.unsound.push_back("a class without a certificate\n" + text);
+    }
+
     /// Examines the certificate of a class that the checker has believed. Most are unchanged: what
     /// the referee has found before is remembered.
-    void believe(const referee::Text& lines, const checker::Verdict& verdict, const Base& base,
+    void believe(const referee::Text& lines, std::size_t number, const Base& base,
                  const std::string& text) {
         ++table_.verdicts;
-        std::string key = std::to_string(verdict.number) + "\n";
+        const std::size_t record = referee::line_of_record(lines, number);
+        std::string key = std::to_string(number) + "\n";
         bool wanted = true;
         for (std::size_t i = 0; i < lines.lines.size(); ++i) {
             const std::string& first = lines.lines[i][0];
-            if (first == "minimal" || first == "deficient")
-                wanted = lines.numbers[i] == verdict.line;
+            if (first == "minimal" || first == "deficient") wanted = lines.numbers[i] == record;
             if (!wanted) continue;
             for (const std::string& word : lines.lines[i])
                 key += word + " ";
             key += "\n";
         }
-        const auto [place, is_new] = found_.try_emplace(key, true);
+        const auto [place, is_new] = found_.try_emplace(key);
         if (is_new)
-            place->second =
-                !referee::objection_to_record(lines, verdict.line, base.signatures[verdict.number]);
-        if (place->second) return;
-        table_.unsound.push_back(
-            referee::objection_to_record(lines, verdict.line, base.signatures[verdict.number])
-                .value_or("") +
-            "\n" + text);
+            place->second = referee::objection_to_record(lines, record, base.signatures[number]);
+        if (place->second) table_.unsound.push_back(*place->second + "\n" + text);
     }
 
     const checker::Classification& all_;
     Table& table_;
-    std::unordered_map<std::string, bool> found_;
+    std::unordered_map<std::string, std::optional<std::string>> found_;
 };
 
 /// 0 if every base is accepted and no mutant that is accepted proves something false.
@@ -186,7 +191,7 @@ int run(const std::string& title, const checker::Classification& all,
     Trial first(all, untouched);
     for (const Base& base : bases)
         first.try_one(base, "none",
-                      "plcert 1 " +
+                      "plcert 2 " +
                           std::string(base.signatures.empty() ? "problem\n# the same\n"
                                                               : "classification\n# the same\n") +
                           base.text.substr(base.text.find('\n') + 1));
@@ -233,8 +238,9 @@ int run_archive(const checker::Classification& all, std::size_t times, std::uint
             ++spoilt_records;
         }
         std::vector<bool> certified(expected.size(), false);
-        for (const checker::Verdict& verdict : checker::replay(all, "spoilt", text).verdicts)
-            certified[verdict.number] = true;
+        const checker::ReplayedFile file = checker::replay(all, "spoilt", text);
+        for (const auto& [number, why] : proved_by<checker::ClassificationFile>(file).verdicts)
+            certified[number] = true;
         for (std::size_t n = 0; n < expected.size(); ++n)
             wrong += expected[n] != certified[n];
     }

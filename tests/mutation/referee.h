@@ -13,7 +13,8 @@
 
 namespace referee {
 
-/// A file as lines of words. Comments are gone; `numbers` are those of the lines in the file.
+/// A file as lines of words. Comments are gone, and lines that go on in others are one; `numbers`
+/// are those of the lines in the file, of the first where one goes on.
 struct Text {
     std::vector<std::vector<std::string>> lines;
     std::vector<std::size_t> numbers;
@@ -27,6 +28,10 @@ std::optional<std::string> objection_to_problem(const Text& file);
 /// this signature; nothing where it does.
 std::optional<std::string> objection_to_record(const Text& file, std::size_t line,
                                                const plprove::Signature& signature);
+
+/// The line in the file where the record of the class with this number begins, the first one; 0 if
+/// there is none. Of a classification or a degree file.
+std::size_t line_of_record(const Text& file, std::size_t class_number);
 
 /// The determinant modulo q that the record on this line (an index of `lines`) should state, with
 /// the features of its pool that it uses; nothing where that makes no sense.

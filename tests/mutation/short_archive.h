@@ -2,7 +2,7 @@
 // all, renumbered. The checker takes the classes as a parameter, so that its code is the same.
 #pragma once
 
-#include "checker/problem.h"
+#include "checker/problem/classes.h"
 
 #include <array>
 #include <span>
@@ -23,8 +23,8 @@ inline checker::Classification classification_of(const checker::Classification& 
         few.representatives.push_back(all.representatives[number]);
     for (const auto& signature : few.representatives) {
         std::size_t first = 0; // the first class of the same swap&label class
-        while (checker::largest(few.representatives[first], true) !=
-               checker::largest(signature, true))
+        while (checker::largest_swapped(few.representatives[first]) !=
+               checker::largest_swapped(signature))
             ++first;
         few.swap_class.push_back(first);
     }
