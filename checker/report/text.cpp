@@ -3,13 +3,23 @@
 #include <iomanip>
 
 namespace checker {
+/// A number of things, one or more: `1 record`, `2 records`.
+static std::string counted(std::size_t number, std::string_view thing) {
+    return say(number, ' ', thing, number == 1 ? "" : "s");
+}
+
+/// So many of these hold, so many are refused.
+static std::string held(std::size_t number, std::string_view thing, std::size_t refused) {
+    return say(counted(number, thing), number == 1 ? " holds, " : " hold, ", refused, " refused");
+}
+
 /// What was found of a file, by its kind: the rest of its line, and lines that begin with "- ".
 static std::string finding(const Malformed&) {
     return "not a certificate file";
 }
 
 static std::string finding(const ClassificationFile& file) {
-    return say(file.verdicts.size(), " certificates hold, ", file.refusals.count, " refused");
+    return held(file.verdicts.size(), "certificate", file.refusals.count);
 }
 
 static std::string finding(const ProblemFile& file) {
@@ -19,8 +29,7 @@ static std::string finding(const ProblemFile& file) {
 }
 
 static std::string finding(const DegreeFile& file) {
-    std::string text =
-        say(file.bounds.size(), " degree records hold, ", file.refusals.count, " refused");
+    std::string text = held(file.bounds.size(), "degree record", file.refusals.count);
     constexpr std::size_t most_lines = 20;
     if (file.bounds.size() > most_lines) return text;
     for (const auto& [number, solutions, complete] : file.bounds)
@@ -30,11 +39,11 @@ static std::string finding(const DegreeFile& file) {
 }
 
 static std::string finding(const BoundsFile& file) {
-    return say(file.templates, " templates hold, ", file.refusals.count, " refused");
+    return held(file.templates, "template", file.refusals.count);
 }
 
 static std::string finding(const DigestList& list) {
-    return say("a list of ", list.files.size(), " digests");
+    return "a list of " + counted(list.files.size(), "digest");
 }
 
 static std::string text(const ReplayedFile& file, const Comparison& comparison) {

@@ -9,7 +9,7 @@ struct Derived {
     Obstruction obstruction{};
     std::optional<std::size_t> number{}; // of the label class
     std::string verdict{};
-    std::string evidence{}; // the word that begins its record; empty if none is due
+    std::string proof{}; // the word that begins its record; empty if none is due
 };
 
 static int camera_columns(unsigned views) {
@@ -37,11 +37,11 @@ static Derived derive(const Problem& given, const Lifted& lifted, const Classifi
     }
     if (!derived.obstruction.minimal()) {
         derived.verdict = "obstructed";
-        derived.evidence = "deficient";
+        derived.proof = "deficient";
         return derived;
     }
     derived.verdict = excess_columns(given) == 0 ? "minimal" : "camera-minimal";
-    derived.evidence = derived.verdict;
+    derived.proof = derived.verdict;
     return derived;
 }
 
@@ -94,23 +94,23 @@ static std::vector<Block> blocks_without(const Numbers& deleted, const Problem& 
     return blocks;
 }
 
-/// Takes the rest of the file and replays it: the evidence on this problem, which is the lifted one
+/// Takes the rest of the file and replays it: the proof about this problem, which is the lifted one
 /// if it is obstructed, and the given one otherwise.
-static void check_evidence(Reader& reader, const Derived& derived, const Problem& problem) {
+static void check_proof(Reader& reader, const Derived& derived, const Problem& problem) {
     reader.take(say("modulus ", modulus, " $"));
     const std::vector<IntegerRows> rows = read_rows(reader, problem);
-    if (!reader.comes(derived.evidence)) throw Refused("the evidence must be ", derived.evidence);
-    reader.take(derived.evidence);
+    if (!reader.comes(derived.proof)) throw Refused("the proof must be ", derived.proof);
+    reader.take(derived.proof);
     const std::string number = derived.number ? say(*derived.number) : "-";
     if (reader.word() != number) throw Refused("the number of the class is ", number);
     reader.take("1");
     Numbers deleted; // own columns
-    if (derived.evidence == "camera-minimal") {
+    if (derived.proof == "camera-minimal") {
         reader.take("$ delete columns");
         deleted = read_ascending(reader, 999'999);
         reader.take("$ minor");
     }
-    const Record record = read_record(reader, derived.evidence != "deficient");
+    const Record record = read_record(reader, derived.proof != "deficient");
     if (!reader.at_end()) reader.fail(reader.word(), "the end of the file");
     const int excess = excess_columns(problem);
     if (std::ssize(deleted) != excess) throw Refused("there must be ", excess, " deleted columns");
@@ -143,12 +143,12 @@ ProblemFile replay_problem(Reader& reader, const Classification& classes) {
         if (rest_of_line(reader) != derived.verdict)
             throw Refused("the verdict is ", derived.verdict);
         reader.end_line();
-        if (derived.evidence == "deficient")
-            check_evidence(reader, derived, {.views = given.views, .features = lifted.features});
-        else if (!derived.evidence.empty())
-            check_evidence(reader, derived, given);
+        if (derived.proof == "deficient")
+            check_proof(reader, derived, {.views = given.views, .features = lifted.features});
+        else if (!derived.proof.empty())
+            check_proof(reader, derived, given);
         else if (!reader.at_end())
-            reader.fail(reader.word(), "the end of the file: a dimension count needs no evidence");
+            reader.fail(reader.word(), "the end of the file: a dimension count needs no proof");
         if (derived.number) file.of_class = Verdict{*derived.number, derived.obstruction};
         file.verdict = derived.verdict;
     } catch (const Refused& refused) {

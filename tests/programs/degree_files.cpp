@@ -28,7 +28,7 @@ TEST_CASE("the degree file in FORMAT.md holds") {
     const Outcome outcome = run("cd " + folder.path().string() + " && " + plcheck + " one.plc");
     CHECK(outcome.status == 0);
     CHECK(outcome.out ==
-          "one.plc: 1 degree records hold, 0 refused\n"
+          "one.plc: 1 degree record holds, 0 refused\n"
           "- class 2394: certified to have at least 1 solutions; evidence that there are no more: "
           "none\n"
           "The degrees are not compared with the paper: no class of theirs is certified to be "
