@@ -123,10 +123,10 @@ static void check_proof(Reader& reader, const Derived& derived, const Problem& p
     check_record(record, derived.obstruction, pointers, absent);
 }
 
-/// Takes the words to come, joined by spaces.
+/// Takes the words to come, joined by spaces; of more than a verdict can be, only the first.
 static std::string rest_of_line(Reader& reader) {
     std::string words(reader.word());
-    while (!reader.at_end())
+    while (!reader.at_end() && words.size() < 100)
         words += say(' ', reader.word());
     return words;
 }
