@@ -275,6 +275,21 @@ TEST_CASE("hostile problem files are refused on their line") {
     refused_bytes(start + "P/-/-\n" + steps + "verdict under-constrained 11\n", 1, "");
 }
 
+TEST_CASE("lines that go on without end are refused soon") {
+    const auto endless = [](const std::string& start, const std::string& line) {
+        return "printf '" + start + " \\\\\\n'; yes '" + line + " \\' | head -c 67000000";
+    };
+    const std::string problem = "plcert 2 problem\\nproblem P/P";
+    const std::string pool = "plcert 2 classification\\nmodulus 2305843009213693951\\npool 1\\n";
+    refused_pipe(endless("plcert 2 classification", "x"), 2, "/dev/stdin:2: ");
+    refused_pipe(endless("plcert 2 classification\\nmodulus", "#"), 2, "/dev/stdin:3: ");
+    refused_pipe(endless(problem, "+ P/P"), 2, "/dev/stdin:4: ");
+    refused_pipe(endless(problem + "\\nverdict minimal", "x"), 1, "the verdict is");
+    refused_pipe(endless(pool + "camera 2 quaternion 1", "0"), 2, "/dev/stdin:8: ");
+    refused_pipe("printf 'plcert 2 problem\\nproblem P/P'; yes ' \\' | head -c 67000000", 2,
+                 "/dev/stdin:3: ");
+}
+
 TEST_CASE("what is quoted from hostile files and names keeps JSON valid") {
     const TemporaryFolder folder;
     const std::string name = (folder / "a\"b\\c\n\x1b\xff").string();
