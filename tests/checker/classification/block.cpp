@@ -114,10 +114,13 @@ TEST_CASE("elimination leaves as many conditions as a feature weighs, modulo q t
         REQUIRE(block.residues.size() == feature.weight());
         const CameraMotion& exact = block.conditions[0];
         const ResidueRow& scaled = block.residues[0];
-        REQUIRE(scaled[10] != Residue{});
+        std::size_t column = 0; // in which the first condition has an entry
+        while (column < camera_unknowns - 1 && scaled[column] == Residue{})
+            ++column;
+        REQUIRE(!(scaled[column] == Residue{}));
         for (std::size_t i = 0; i < block.conditions.size(); ++i)
             for (std::size_t c = 0; c < camera_unknowns; ++c)
-                CHECK(block.residues[i][c] * residue(exact[10]) ==
-                      residue(block.conditions[i][c]) * scaled[10]);
+                CHECK(block.residues[i][c] * residue(exact[column]) ==
+                      residue(block.conditions[i][c]) * scaled[column]);
     }
 }
