@@ -27,7 +27,7 @@ const Selection selections[] = {
     {"certs", {".plc", ".md", ".csv", "SHA256SUMS"}},
     {"checker", {".cpp", ".h", "CMakeLists.txt"}},
     {"docs", {".md", ".svg"}, false},
-    {"proofs", {".md", ".v", ".awk", "Makefile", ".cpp", ".h"}},
+    {"proofs", {".md", ".v", ".awk", ".expected", "Makefile", ".cpp", ".h"}},
 };
 
 constexpr const char* single_files[] = {"CITATION.cff", "LICENSE"};
