@@ -110,20 +110,30 @@ TEST_CASE("the kinds of constraints come in order, and there are at most six lin
     const std::string line = "line point 1 2 3 direction 4 5 6 image 7 8 9\n";
     CHECK(outcome(with(on_the_axis, star, line + star)) ==
           "syntax: found `star`, expected `basis`");
-    std::string many;
-    for (int i = 0; i < 7; ++i)
-        many += "incidence point 1 2 3 line 4 5 6\n";
-    CHECK(outcome(with(on_the_axis, star, many)) ==
-          "syntax: found `incidence`, expected at most 6 lines of constraints");
-    std::string pins, rays;
-    for (int i = 0; i < 7; ++i) {
-        pins += " pin 1 2 3 toward 4 5 6";
-        rays += " direction 1 2 3 image 4 5 6";
-    }
-    CHECK(outcome(with(on_the_axis, " pin 78", pins + " pin 78")) ==
-          "syntax: found `pin`, expected at most 6 pins");
-    CHECK(outcome(with(on_the_axis, " direction -36", rays + " direction -36")) ==
-          "syntax: found `direction`, expected at most 6 rays");
+    const auto times = [](int count, const std::string& part) {
+        std::string parts;
+        while (count-- > 0)
+            parts += part;
+        return parts;
+    };
+    const auto with_incidences = [&](int count) {
+        return outcome(with(on_the_axis, star, times(count, "incidence point 1 2 3 line 4 5 6\n")));
+    };
+    CHECK(with_incidences(4) == "the constraints have weight 7, not 6"); // six lines
+    CHECK(with_incidences(5) ==
+          "syntax: found `transversals`, expected at most 6 lines of constraints");
+    const auto with_pins = [&](int count) {
+        return outcome(
+            with(on_the_axis, " pin 78", times(count - 1, " pin 1 2 3 toward 4 5 6") + " pin 78"));
+    };
+    CHECK(with_pins(6) == "the constraints have weight 11, not 6");
+    CHECK(with_pins(7) == "syntax: found `pin`, expected at most 6 pins");
+    const auto with_rays = [&](int count) {
+        return outcome(with(on_the_axis, " direction -36",
+                            times(count - 1, " direction 1 2 3 image 4 5 6") + " direction -36"));
+    };
+    CHECK(with_rays(6) == "the constraints have weight 11, not 6");
+    CHECK(with_rays(7) == "syntax: found `direction`, expected at most 6 rays");
 }
 
 TEST_CASE("a frame without its line or its stars is refused, not read beyond its end") {
