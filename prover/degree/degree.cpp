@@ -59,6 +59,18 @@ std::optional<CompletenessEvidence> complete(const CameraSystem& system, Monodro
     return std::nullopt;
 }
 
+/// The same evidence, or nothing and a note if some of the solutions are spurious zeros.
+std::optional<CompletenessEvidence> without_spurious(std::optional<CompletenessEvidence> evidence,
+                                                     const Monodromy& monodromy,
+                                                     std::vector<std::string>& notes) {
+    if (!evidence) return evidence;
+    const int spurious = monodromy.spurious_solutions();
+    if (spurious == 0) return evidence;
+    notes.push_back(std::to_string(spurious) +
+                    " solutions depend on the auxiliary lines and points: they are none");
+    return std::nullopt;
+}
+
 /// Tries other integer images until all solutions arrive there, or `wanted` do.
 DegreeCertificate certify(const CameraSystem& system, Monodromy& monodromy, int wanted,
                           Random& random) {
@@ -76,7 +88,9 @@ DegreeCertificate certify(const CameraSystem& system, Monodromy& monodromy, int 
 void find_all(const CameraSystem& system, Monodromy& monodromy, const DegreeOptions& options,
               Random& random, DegreeRun& run) {
     for (int edges = first_edges; edges <= most_edges; edges = monodromy.edges() + 1) {
-        run.evidence = complete(system, monodromy, edges, options.target, random, run.notes);
+        run.evidence =
+            without_spurious(complete(system, monodromy, edges, options.target, random, run.notes),
+                             monodromy, run.notes);
         if (!options.certificate) return;
         const int found = monodromy.solutions().size();
         const bool all = run.evidence || options.target == 0;

@@ -21,10 +21,14 @@ Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64
     for (Complex& x : start)
         x = random_.complex();
     nodes_[0].images = images_of_scene(system, chart_.cameras(start), random_);
-    nodes_[0].solutions.add(start);
+    add(start);
     nodes_[1].images = random_neighbour(nodes_[0].images, random_);
-    for (Node& node : nodes_)
+    // A stream of its own: this test has no part in the choice of paths.
+    Random others(seed, stream ^ (std::uint64_t{1} << 63U));
+    for (Node& node : nodes_) {
         node.vectors = image_vectors(system, constants_, node.images);
+        spurious_.emplace_back(system, chart_, constants_, node.images, others);
+    }
 }
 
 void Monodromy::add_edge() {
@@ -72,6 +76,35 @@ std::vector<int> Monodromy::match(Edge& edge, int from, int start,
     return {};
 }
 
+std::vector<std::size_t> Monodromy::find_spurious(std::size_t node,
+                                                  const std::vector<CameraPoint>& zeros) const {
+    std::vector<std::size_t> indices;
+    std::vector<CameraPoint> suspects;
+    for (std::size_t i = 0; i < zeros.size(); ++i)
+        if (nondegeneracy(system_, nodes_[node].vectors, chart_.cameras(zeros[i])) < doubtful) {
+            indices.push_back(i);
+            suspects.push_back(zeros[i]);
+        }
+    const std::vector<bool> found = spurious_[node].among(suspects);
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        if (found[i]) result.push_back(indices[i]);
+    return result;
+}
+
+PathFollower::Ends Monodromy::without_spurious(std::size_t node, PathFollower::Ends ends) const {
+    std::vector<std::size_t> indices;
+    std::vector<CameraPoint> zeros;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        if (ends[i] && !nodes_[node].solutions.find(*ends[i])) {
+            indices.push_back(i);
+            zeros.push_back(*ends[i]);
+        }
+    for (const std::size_t i : find_spurious(node, zeros))
+        ends[indices[i]].reset();
+    return ends;
+}
+
 bool Monodromy::follow_edge(Edge& edge, int from, int most) {
     const auto source = static_cast<std::size_t>(from);
     auto& partner = edge.partner[source];
@@ -84,7 +117,8 @@ bool Monodromy::follow_edge(Edge& edge, int from, int most) {
             starts.push_back(nodes_[source].solutions[i]);
         }
     if (starting.empty()) return false;
-    const auto ends = follower_.follow_quickly(edge.images[source], starts);
+    const auto ends =
+        without_spurious(1 - source, follower_.follow_quickly(edge.images[source], starts));
     for (std::size_t k = 0; k < starting.size(); ++k)
         std::ranges::copy(match(edge, from, starting[k], ends[k], least_),
                           std::back_inserter(edge.postponed[source]));
@@ -96,8 +130,9 @@ void Monodromy::follow_detours(Edge& edge, int from, const std::vector<int>& sta
                                const PathFollower::Ends& ends) {
     const auto source = static_cast<std::size_t>(from), target = 1 - source;
     const auto [again, indices] = without_end(starts, ends);
-    const auto detoured = follower_.follow_detours(
-        {edge.detour[source], [&] { return random_detour(edge.to)[source]; }}, again);
+    const auto detoured = without_spurious(
+        target, follower_.follow_detours(
+                    {edge.detour[source], [&] { return random_detour(edge.to)[source]; }}, again));
     for (std::size_t k = 0; k < indices.size(); ++k) {
         if (!detoured[k]) continue;
         // Past a branch point a detour leads elsewhere: to where the straight way leads another
@@ -129,6 +164,7 @@ bool Monodromy::follow_postponed() {
             fill(ends, starts, [&](const auto& left) {
                 return follower_.follow_triple_double(edge.images[source], left);
             });
+            ends = without_spurious(1 - source, std::move(ends));
             for (std::size_t k = 0; k < starting.size(); ++k)
                 match(edge, from, starting[k], ends[k], 0);
             follow_detours(edge, from, starting, starts, ends);
@@ -177,6 +213,10 @@ int Monodromy::unmatched() const {
 int Monodromy::bijective_edges() const {
     return static_cast<int>(
         std::ranges::count_if(edges_, [&](const Edge& edge) { return unmatched(edge) == 0; }));
+}
+
+int Monodromy::spurious_solutions() const {
+    return static_cast<int>(find_spurious(0, nodes_[0].solutions.points()).size());
 }
 
 } // namespace plprove

@@ -5,6 +5,7 @@
 #include "prover/degree/images.h"
 #include "prover/degree/path_follower.h"
 #include "prover/degree/solution_set.h"
+#include "prover/degree/spurious_zeros.h"
 
 namespace plprove {
 
@@ -13,10 +14,17 @@ class Monodromy {
 public:
     /// What is less nondegenerate than this is likely to be no solution, but a degenerate one.
     static constexpr double suspicious = 1e-8;
+    /// What is less nondegenerate than this may be a spurious zero: these are degenerate, and 1e-8
+    /// is the largest value that rounding has been seen to give them.
+    static constexpr double doubtful = 1e-4;
 
     /// What is less nondegenerate than `least` when it is found is followed again with more digits.
     Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
               double least = suspicious);
+
+    /// Adds a zero of the camera equations for images(), wherever it comes from, that is not among
+    /// solutions().
+    void add(const CameraPoint& zero) { nodes_[0].solutions.add(zero); }
 
     /// Follows solutions along all edges until each edge has matched all solutions of both nodes,
     /// or `target` solutions (0: any number) are known at the first node.
@@ -32,6 +40,8 @@ public:
     int unmatched() const;
     /// How many edges match all solutions of both nodes.
     int bijective_edges() const;
+    /// How many of solutions() are spurious zeros (spurious_zeros.h).
+    int spurious_solutions() const;
 
 private:
     struct Node {
@@ -65,6 +75,11 @@ private:
                         const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends);
     /// Follows the postponed paths with more digits. Whether that found solutions.
     bool follow_postponed();
+    /// Of zeros for the images of a node, the indices of the spurious ones.
+    std::vector<std::size_t> find_spurious(std::size_t node,
+                                           const std::vector<CameraPoint>& zeros) const;
+    /// The ends at a node without those that are new and spurious zeros: these paths jumped.
+    PathFollower::Ends without_spurious(std::size_t node, PathFollower::Ends ends) const;
 
     const CameraSystem& system_;
     double least_;
@@ -74,6 +89,7 @@ private:
     std::array<Node, 2> nodes_;
     std::vector<Edge> edges_;
     PathFollower follower_;
+    std::vector<SpuriousZeros> spurious_; ///< for the images of either node
 };
 
 } // namespace plprove
