@@ -33,8 +33,9 @@ static std::string finding(const DegreeFile& file) {
     constexpr std::size_t most_lines = 20;
     if (file.bounds.size() > most_lines) return text;
     for (const auto& [number, solutions, complete] : file.bounds)
-        text += say("\n- class ", number, ": certified to have at least ", solutions,
-                    " solutions; evidence that there are no more: ", complete ? "yes" : "none");
+        text += say("\n- class ", number, ": certified to have at least ",
+                    counted(solutions, "solution"),
+                    "; evidence that there are no more: ", complete ? "yes" : "none");
     return text;
 }
 

@@ -46,7 +46,7 @@ TEST_CASE("the degree file in FORMAT.md holds") {
     CHECK(outcome.status == 0);
     CHECK(outcome.out ==
           "one.plc: 1 degree record holds, 0 refused\n"
-          "- class 2394: certified to have at least 1 solutions; evidence that there are no more: "
+          "- class 2394: certified to have at least 1 solution; evidence that there are no more: "
           "none\n"
           "The degrees are not compared with the paper: no class of theirs is certified to be "
           "minimal in this run.\n");
