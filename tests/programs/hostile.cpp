@@ -283,9 +283,9 @@ TEST_CASE("lines that go on without end are refused soon") {
     const std::string pool = "plcert 2 classification\\nmodulus 2305843009213693951\\npool 1\\n";
     refused_pipe(endless("plcert 2 classification", "x"), 2, "/dev/stdin:2: ");
     refused_pipe(endless("plcert 2 classification\\nmodulus", "#"), 2, "/dev/stdin:3: ");
-    refused_pipe(endless(problem, "+ P/P"), 2, "/dev/stdin:4: ");
+    refused_pipe(endless(problem, "+ P/P"), 2, "expected equal neighbours");
     refused_pipe(endless(problem + "\\nverdict minimal", "x"), 1, "the verdict is");
-    refused_pipe(endless(pool + "camera 2 quaternion 1", "0"), 2, "/dev/stdin:8: ");
+    refused_pipe(endless(pool + "camera 2 quaternion 1", "0"), 2, "expected `translation`");
     refused_pipe("printf 'plcert 2 problem\\nproblem P/P'; yes ' \\' | head -c 67000000", 2,
                  "/dev/stdin:3: ");
 }
