@@ -39,7 +39,7 @@ TEST_CASE("a file with the digest that is listed") {
         const Report report = report_of(digest + "  seven.plc\n", path);
         CHECK(report.status == 0);
         CHECK(text(report).find("digest as in SHA256SUMS") != std::string::npos);
-        CHECK(text(report).find("SHA256SUMS: a list of 1 digests\n") != std::string::npos);
+        CHECK(text(report).find("SHA256SUMS: a list of 1 digest\n") != std::string::npos);
         CHECK(json(report).find("\"digest\": \"as in SHA256SUMS\"") != std::string::npos);
     }
     const Report deeper = report_of(digest + "  folder/seven.plc\n", "a/folder/seven.plc");
