@@ -30,6 +30,17 @@ TEST_CASE("a file without templates bounds nothing") {
     CHECK(file.bounds.empty());
 }
 
+TEST_CASE("the modulus is q") {
+    const auto conforms = [](const std::string& modulus) {
+        const FileContent content =
+            replay(Classification{}, "file", "plcert 2 bounds\nmodulus " + modulus + "\n").content;
+        return std::holds_alternative<BoundsFile>(content);
+    };
+    CHECK(conforms("2305843009213693951"));
+    CHECK_FALSE(conforms("2305843009213693950"));
+    CHECK_FALSE(conforms("2305843009213693951 1"));
+}
+
 TEST_CASE("of two templates of a type the one with the smaller basis counts") {
     std::string larger = two_points_and_a_line;
     larger = with(larger, "basis 1 2 5 6", "basis 1 2 3 5 6");
