@@ -67,6 +67,38 @@ TEST_CASE("without the relative pose, or without the type that is left, nothing 
     CHECK_FALSE(bound_by_registration(signature, bounds).has_value());
 }
 
+TEST_CASE("views that share four points are no pair, whatever is bounded") {
+    const Signature& s = all_classes().representatives[class_of("P/P/P + 4*a/a/a")];
+    Signature four{};
+    four[index_of("P/P/P")] = 4;
+    for (const Signature& signature : {s, four}) {
+        const RegistrationBounds bounds{{relative_pose, 20}, {registration(signature, 0b110), 7}};
+        CHECK_FALSE(bound_by_registration(signature, bounds).has_value());
+    }
+}
+
+TEST_CASE("of two pairs of views that share five points the smaller bound counts") {
+    std::size_t tried = 0;
+    for (std::size_t n = 0; n < all_classes().representatives.size(); n += 5) {
+        const Signature& s = all_classes().representatives[n];
+        std::set<Registration> types;
+        for (const Views pair : view_pairs)
+            if (shared_points(s, pair) == 5) types.insert(registration(s, pair));
+        if (types.size() < 2) continue;
+        for (const Registration& best : types) {
+            RegistrationBounds bounds{{relative_pose, 20}};
+            for (const Registration& type : types)
+                bounds[type] = type == best ? 7 : 10;
+            const auto found = bound_by_registration(s, bounds);
+            REQUIRE(found.has_value());
+            CHECK(found->bound == 140);
+            CHECK(found->type == best);
+            ++tried;
+        }
+    }
+    CHECK(tried > 0);
+}
+
 TEST_CASE("what a feature contributes to a registration is as in the table of section 10") {
     // View 1 is registered with the views 2 and 3.
     const auto left = [](std::initializer_list<std::string_view> names) {

@@ -105,6 +105,21 @@ rows 1 1 2 4 6 10 12 16 23 25 29
     CHECK(outcome(text + "minor 1\n") == "equation 10 times monomial 1 is of too large a degree");
 }
 
+TEST_CASE("only the first line of the frame `line` has a free term of a smaller degree") {
+    // The determinant of a star, at the origin, and two lines: its free terms are those of lines.
+    const std::string text = R"(template line degree 1 2
+star point 0 0 0 image 66 4 -66
+line point 78 -86 -9 direction 1 0 0 image 0 0 1
+line point 1 2 3 direction 4 5 7 image 8 2 5
+basis 1
+rows 2 2
+minor 1
+)";
+    CHECK(contains(outcome(text), "there are 1 rows for "));
+    CHECK(outcome(with(text, "rows 2 2", "rows 2 6")) ==
+          "equation 2 times monomial 6 is of too large a degree");
+}
+
 TEST_CASE("the kinds of constraints come in order, and there are at most six lines of them") {
     const std::string star = "star point 33 0 0 image -88 -4 0 pin 78 -86 -9 toward 15 16 -47\n";
     const std::string line = "line point 1 2 3 direction 4 5 6 image 7 8 9\n";
