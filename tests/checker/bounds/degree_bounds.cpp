@@ -97,6 +97,24 @@ TEST_CASE("theorems apply to classes that are proved minimal, and to no others")
     CHECK(combine(all_classes(), minimal, lower, {}).at(key).exact());
 }
 
+TEST_CASE("a theorem applies to whichever class of its constraint class is proved minimal") {
+    std::size_t others = 0;
+    std::vector<bool> minimal(all_classes().representatives.size());
+    const DegreeTable all = table_of({});
+    for (std::size_t n = 0; n < minimal.size(); ++n) {
+        const Signature& signature = all_classes().representatives[n];
+        const Signature key = constraint_class(signature);
+        if (key == signature || !is_minimal_class(n) || !all.contains(key)) continue;
+        if (++others > 3) break;
+        minimal[n] = true;
+        const DegreeTable one = combine(all_classes(), minimal, {}, {});
+        minimal[n] = false;
+        REQUIRE(one.size() == 1);
+        CHECK(one.at(key).at_most->solutions == all.at(key).at_most->solutions);
+    }
+    CHECK(others > 0);
+}
+
 TEST_CASE("of several files the largest lower and the smallest upper bounds count") {
     const std::size_t number = class_of(point_and_line);
     const Signature key = constraint_class(all_classes().representatives[number]);
