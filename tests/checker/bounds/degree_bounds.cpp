@@ -97,6 +97,22 @@ TEST_CASE("theorems apply to classes that are proved minimal, and to no others")
     CHECK(combine(all_classes(), minimal, lower, {}).at(key).exact());
 }
 
+TEST_CASE("a lower bound speaks for the constraint class, whichever class of it has the record") {
+    const Signature& signature = all_classes().representatives[class_of("3*P/P/P + a/P/Pa")];
+    const Signature key = constraint_class(signature);
+    std::size_t others = 0;
+    for (std::size_t n = 0; n < all_classes().representatives.size() && others < 20; ++n) {
+        const Signature& other = all_classes().representatives[n];
+        if (constraint_class(other) == other) continue;
+        const DegreeTable table = combine(all_classes(), {}, {{n, 8, false}}, {});
+        REQUIRE(table.size() == 1);
+        CHECK(table.contains(constraint_class(other)));
+        ++others;
+    }
+    CHECK(others == 20);
+    CHECK(combine(all_classes(), {}, {{class_of("3*P/P/P + a/P/Pa"), 8, false}}, {}).contains(key));
+}
+
 TEST_CASE("a theorem applies to whichever class of its constraint class is proved minimal") {
     std::size_t others = 0;
     std::vector<bool> minimal(all_classes().representatives.size());
