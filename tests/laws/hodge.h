@@ -1,0 +1,26 @@
+// The Hodge index of the degrees. Features of weight 9 leave a surface of cameras. On it each
+// further feature of weight 1, and each further pin of one of its points that all views see, is a
+// nef divisor; the degree of a product of two is their intersection number. So the matrix of these
+// numbers has exactly one positive eigenvalue, if it is not 0 (Hodge index theorem).
+#pragma once
+
+#include "tests/laws/degree_form.h"
+
+namespace laws {
+
+/// The intersection numbers of the divisors on one surface; symmetric.
+struct IntersectionMatrix {
+    Product surface{};                  ///< features of weight 9
+    std::size_t divisors = 0;           ///< how many
+    std::vector<std::int64_t> entries;  ///< row by row
+    std::vector<std::size_t> classes{}; ///< those whose degrees occur, ascending
+};
+
+/// The matrices that are not 0, one of each set that relabeling the views permutes.
+std::vector<IntersectionMatrix> intersection_matrices(const DegreeForm& form);
+
+/// How many eigenvalues are positive, exactly: how often the coefficients of the characteristic
+/// polynomial change their sign, by Descartes, as all eigenvalues of a symmetric matrix are real.
+std::size_t positive_eigenvalues(const IntersectionMatrix& matrix);
+
+} // namespace laws

@@ -1,0 +1,133 @@
+// Wrong degrees, planted in the committed table, and found by the laws.
+#include "tests/laws/hodge.h"
+#include "tests/laws/ranks.h"
+#include "tests/laws/verdict.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <fstream>
+#include <sstream>
+
+using namespace laws;
+
+namespace {
+
+const std::string committed = CERTS_DIR "/degrees.csv";
+
+const DegreeForm& committed_form() {
+    static const DegreeForm form(read_exact_degrees(committed));
+    return form;
+}
+
+/// The committed table with another degree for a class.
+DegreeForm with_degree(std::size_t number, std::int64_t degree) {
+    DegreeForm form = committed_form();
+    form.set_degree(*form.class_with(number), degree);
+    return form;
+}
+
+} // namespace
+
+TEST_CASE("there are as many products of each weight as multisets of the 21 letters") {
+    const std::array<std::size_t, 6> expected{1, 6, 25, 84, 245, 643};
+    for (unsigned k = 0; k < expected.size(); ++k)
+        CHECK(products(k).size() == expected[k]);
+    CHECK(committed_form().classes().size() == 10073);
+}
+
+TEST_CASE("one wrong degree is named, with the right one") {
+    // 8480 stood in the file once: it counted 3,016 spurious zeros.
+    const DegreeForm form = with_degree(52234, 8480);
+    const Verdict verdict = check(form);
+    CHECK_FALSE(verdict.hold);
+    CHECK(verdict.suspects == std::vector<std::size_t>{52234});
+    CHECK(std::ranges::any_of(verdict.report, [](const std::string& line) {
+        return line.starts_with("suspect: class 52234, ") &&
+               line.ends_with("all relations hold with 5464 instead");
+    }));
+}
+
+TEST_CASE("any wrong degree of a class that a relation contains is named") {
+    const std::vector<Equation> all = equations(all_relations(), committed_form());
+    CHECK(failures(all, committed_form()).empty());
+    const std::vector<ClassDegree>& classes = committed_form().classes();
+    const std::vector<bool> guarded = guarded_by_equations(all, classes.size());
+    constexpr std::size_t step = 997;
+    for (std::size_t index = 500; index < classes.size(); index += step) {
+        CAPTURE(classes[index].number);
+        REQUIRE(guarded[index]);
+        const DegreeForm form = with_degree(classes[index].number, classes[index].degree + 8);
+        const std::vector<Suspect> suspects = single_mistakes(all, failures(all, form), form);
+        CHECK(std::ranges::any_of(suspects, [&](const Suspect& one) {
+            return one.constraint_class == index && one.should_be == classes[index].degree;
+        }));
+        // Where several are named, no relation contains one of them without the others.
+        CHECK(suspects.size() <= 6);
+    }
+}
+
+TEST_CASE("two wrong degrees are no single mistake, and in most of the relations that fail") {
+    const std::vector<Equation> all = equations(all_relations(), committed_form());
+    DegreeForm form = with_degree(52234, 8480);
+    const std::size_t first = *form.class_with(52234), second = *form.class_with(142849);
+    form.set_degree(second, 8);
+    const std::vector<std::size_t> failed = failures(all, form);
+    CHECK(single_mistakes(all, failed, form).empty());
+    const std::vector<std::size_t> named = classes_in_most(all, failed, 10);
+    CHECK(std::ranges::count(named, first) + std::ranges::count(named, second) >= 1);
+}
+
+TEST_CASE("a wrong degree that no relation contains raises a rank") {
+    constexpr std::size_t number = 811; // Pab/Pab/Pab + 2*P/P/P
+    const DegreeForm form = with_degree(number, 232);
+    const std::vector<Equation> all = equations(all_relations(), form);
+    CHECK(failures(all, form).empty());
+    const DegreeMatrix matrix(5, form);
+    const std::size_t index = *form.class_with(number);
+    CHECK(matrix.rank(form, primes[0]) > expected_ranks[5]);
+    CHECK(matrix.rank_without(index, form) == expected_ranks[5]);
+    CHECK(matrix.guards(index, expected_ranks[5], committed_form()));
+}
+
+TEST_CASE("a degree that is much too large contradicts the Hodge index") {
+    const auto failing_matrices = [](const DegreeForm& form) {
+        return std::ranges::count_if(
+            intersection_matrices(form),
+            [](const IntersectionMatrix& matrix) { return positive_eigenvalues(matrix) != 1; });
+    };
+    CHECK(failing_matrices(committed_form()) == 0);
+    CHECK(failing_matrices(with_degree(52234, 8480)) > 0);
+}
+
+TEST_CASE("positive eigenvalues are counted exactly") {
+    const auto positive = [](std::size_t size, std::vector<std::int64_t> entries) {
+        return positive_eigenvalues({.divisors = size, .entries = std::move(entries)});
+    };
+    CHECK(positive(2, {1, 2, 2, 1}) == 1);
+    CHECK(positive(2, {2, 1, 1, 2}) == 2);
+    CHECK(positive(3, {0, 1, 0, 1, 0, 0, 0, 0, 0}) == 1);
+    CHECK(positive(2, {-1, 0, 0, 0}) == 0);
+    CHECK(positive(2, {1000000001, 1000000000, 1000000000, 1000000000}) == 2);
+}
+
+TEST_CASE("the file says `guarded` of just those degrees that a law guards") {
+    std::ifstream file(committed);
+    std::ostringstream marked, text;
+    mark_guarded(file, marked, committed_form(), guarded_classes(committed_form()));
+    text << std::ifstream(committed).rdbuf();
+    INFO("write the file anew: laws --mark certs/degrees.csv >degrees.csv");
+    CHECK((marked.str() == text.str()));
+}
+
+TEST_CASE("a table that lacks a class, or contradicts itself, is refused") {
+    std::vector<DegreeLine> lines = read_exact_degrees(committed);
+    lines.push_back({lines.front().number, lines.front().degree + 8});
+    CHECK_THROWS_WITH_AS(DegreeForm{lines},
+                         doctest::Contains("has two degrees: mend its lines in degrees.csv"),
+                         std::runtime_error);
+    const std::size_t last = lines[lines.size() - 2].number;
+    std::erase_if(lines, [&](const DegreeLine& line) { return line.number == last; });
+    lines.pop_back();
+    CHECK_THROWS_WITH_AS(DegreeForm{lines}, doctest::Contains("has no exact degree"),
+                         std::runtime_error);
+}
