@@ -1,4 +1,5 @@
 // Wrong degrees, planted in the committed table, and found by the laws.
+#include "checker/problem/obstruction.h"
 #include "tests/laws/hodge.h"
 #include "tests/laws/ranks.h"
 #include "tests/laws/verdict.h"
@@ -6,6 +7,8 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 
 using namespace laws;
@@ -97,6 +100,35 @@ TEST_CASE("a degree that is much too large contradicts the Hodge index") {
     };
     CHECK(failing_matrices(committed_form()) == 0);
     CHECK(failing_matrices(with_degree(52234, 8480)) > 0);
+}
+
+TEST_CASE("degrees are multiples of 8, 40, 80 or 400, depending on the points that views share") {
+    const DegreeForm& form = committed_form();
+    const std::array<std::size_t, 3> pairs{checker::index_of("-/P/P"), checker::index_of("P/-/P"),
+                                           checker::index_of("P/P/-")};
+    std::map<std::int64_t, std::set<std::size_t>> classes;
+    for (const Product& product : products(checker::camera_unknowns)) {
+        const auto index = form.class_of(product);
+        if (!index) continue;
+        const std::int64_t degree = form.classes()[*index].degree;
+        const auto fours = std::ranges::count_if(
+            pairs, [&](std::size_t feature) { return product[feature] >= 4; });
+        const bool five = std::ranges::any_of(checker::view_pairs, [&](checker::Views pair) {
+            return checker::shared_points(product, pair) == 5;
+        });
+        const auto require_multiple = [&](std::int64_t factor) {
+            classes[factor].insert(*index);
+            REQUIRE(degree % factor == 0);
+        };
+        require_multiple(8);
+        if (fours >= 1) require_multiple(40);
+        if (five) require_multiple(80);
+        if (fours >= 2) require_multiple(400);
+    }
+    CHECK(classes[8].size() == 10073);
+    CHECK(classes[40].size() == 1252);
+    CHECK(classes[80].size() == 938);
+    CHECK(classes[400].size() == 42);
 }
 
 TEST_CASE("positive eigenvalues are counted exactly") {
