@@ -226,6 +226,15 @@ TEST_CASE("kernel vectors") {
           "class 4: there must be 6 deleted rows, deleted columns and kernel vectors");
     CHECK(refusal(with(first + first)) ==
           "class 4: there must be 6 deleted rows, deleted columns and kernel vectors");
+    const auto repeated = [&](int times) {
+        std::string lines;
+        for (int i = 0; i < times; ++i)
+            lines += first;
+        return lines;
+    };
+    CHECK(refusal(with(repeated(6))) == // eleven together
+          "class 4: there must be 6 deleted rows, deleted columns and kernel vectors");
+    CHECK(malformed(with(repeated(7))) == "found `kernel`, expected at most 11 kernel vectors");
     CHECK(malformed(with("kernel -1 -12 12 0 0 17 0 0 0 0\n")) ==
           "found nothing, expected an integer of at most 1000 digits");
     CHECK(malformed(with("kernel " + std::string(1001, '7') + " -12 12 0 0 17 0 0 0 0 0\n"))

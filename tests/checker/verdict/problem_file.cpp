@@ -56,6 +56,8 @@ TEST_CASE("the evidence of a problem in two views is refused if anything in it i
           "holds");
     CHECK(outcome_of_problem(five_points + "minimal - 1 48372612341760\n")
               .starts_with("syntax, 13: "));
+    CHECK(outcome_of_problem(with(five_points, "minimal -", "camera-minimal -")) ==
+          "12: the proof must be minimal");
     CHECK(outcome_of_problem(five_points + "# a comment\n") == "holds");
 }
 
