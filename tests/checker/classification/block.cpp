@@ -102,6 +102,19 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a minor is 0 where the blocks leave more conditions than there are camera columns") {
+    RandomIntegers random;
+    Signature signature{};
+    signature[index_of("P/P/P")] = 4; // which weigh 12
+    const std::vector<Block> blocks = random_blocks(signature, random);
+    std::vector<const Block*> pointers;
+    for (const Block& block : blocks)
+        pointers.push_back(&block);
+    CHECK(minor_of(pointers, {}, {}) == Residue{});
+    pointers.pop_back();
+    CHECK(minor_of(pointers, {}, {10, 11}) != Residue{});
+}
+
 TEST_CASE("elimination leaves as many conditions as a feature weighs, modulo q the same, scaled") {
     RandomIntegers random;
     for (const Feature& feature : features) {
