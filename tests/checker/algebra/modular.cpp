@@ -1,5 +1,6 @@
 // Arithmetic modulo q and determinants, against GMP, exact integers and FLINT.
 #include "checker/algebra/modular.h"
+#include "tests/support/exact_determinant.h"
 
 #include <doctest/doctest.h>
 #include <flint/nmod_mat.h>
@@ -46,24 +47,6 @@ std::vector<std::uint64_t> many_residues() {
     for (int i = 0; i < 1000; ++i)
         values.push_back(random() % modulus);
     return values;
-}
-
-/// The determinant over the integers, by Bareiss's method.
-mpz_class exact_determinant(Entries m) {
-    mpz_class sign = 1, previous = 1;
-    for (std::size_t c = 0; c < m.size(); ++c) {
-        std::size_t pivot = c;
-        while (pivot < m.size() && m[pivot][c] == 0)
-            ++pivot;
-        if (pivot == m.size()) return 0;
-        if (pivot != c) sign = -sign;
-        std::swap(m[c], m[pivot]);
-        for (std::size_t r = c + 1; r < m.size(); ++r)
-            for (std::size_t k = m.size(); k-- > c;)
-                m[r][k] = (m[c][c] * m[r][k] - m[r][c] * m[c][k]) / previous;
-        previous = m[c][c];
-    }
-    return sign * previous;
 }
 
 std::uint64_t flint_determinant(const Residues& m) {

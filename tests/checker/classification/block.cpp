@@ -1,6 +1,7 @@
 // Minors of problems from the blocks of their features, against exact determinants of all of J.
 #include "checker/classification/block.h"
 #include "tests/support/all_classes.h"
+#include "tests/support/exact_determinant.h"
 #include "tests/support/jacobian_points.h"
 
 using namespace checker;
@@ -9,24 +10,6 @@ namespace {
 
 std::uint64_t modulo(const mpz_class& x) {
     return mpz_fdiv_ui(x.get_mpz_t(), modulus);
-}
-
-/// The determinant over the integers, by Bareiss's method.
-mpz_class exact_determinant(IntegerRows m) {
-    mpz_class sign = 1, previous = 1;
-    for (std::size_t c = 0; c < m.size(); ++c) {
-        std::size_t pivot = c;
-        while (pivot < m.size() && m[pivot][c] == 0)
-            ++pivot;
-        if (pivot == m.size()) return 0;
-        if (pivot != c) sign = -sign;
-        std::swap(m[c], m[pivot]);
-        for (std::size_t r = c + 1; r < m.size(); ++r)
-            for (std::size_t k = m.size(); k-- > c;)
-                m[r][k] = (m[c][c] * m[r][k] - m[r][c] * m[c][k]) / previous;
-        previous = m[c][c];
-    }
-    return sign * previous;
 }
 
 /// The blocks of a class at a random point.

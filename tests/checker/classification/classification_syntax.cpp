@@ -2,24 +2,13 @@
 // out of place, and how many there may be.
 #include "checker/replay.h"
 #include "tests/support/all_classes.h"
+#include "tests/support/malformed_files.h"
 
 using namespace checker;
 
 namespace {
 
 const std::string head = "plcert 2 classification\nmodulus 2305843009213693951\n";
-const std::string pool =
-    "pool 1\ncamera 2 quaternion 1 0 0 1 translation 1 2 3\n"
-    "camera 3 quaternion 1 1 0 1 translation 3 2 1\nfeature P/P/P point 1 2 3\n";
-
-/// What is wrong with a file that does not conform, as `line: reason`.
-std::string complaint(const std::string& bytes) {
-    const ReplayedFile file = replay(all_classes(), "file", bytes);
-    const auto* malformed = std::get_if<Malformed>(&file.content);
-    CAPTURE(bytes.substr(0, 500));
-    REQUIRE(malformed);
-    return say(malformed->complaint.line, ": ", malformed->complaint.reason);
-}
 
 } // namespace
 
