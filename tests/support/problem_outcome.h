@@ -3,6 +3,7 @@
 
 #include "checker/replay.h"
 #include "tests/support/all_classes.h"
+#include "tests/support/text.h"
 
 /// What the checker makes of a problem file without its first line: `holds`, or the complaint as
 /// `line: reason`, after `syntax` if the file does not conform.
@@ -20,14 +21,4 @@ inline std::string outcome_of_problem(const std::string& rest) {
     REQUIRE(content->refusals.first.size() == 1);
     const auto& [line, reason] = content->refusals.first[0];
     return checker::say(line, ": ", reason);
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != text.npos;
-}
-
-/// The text, in which `old` is replaced.
-inline std::string with(std::string text, const std::string& old, const std::string& replacement) {
-    REQUIRE(contains(text, old));
-    return text.replace(text.find(old), old.size(), replacement);
 }
