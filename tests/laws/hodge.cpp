@@ -1,6 +1,7 @@
 #include "tests/laws/hodge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <flint/fmpz_mat.h>
 #include <flint/fmpz_poly.h>
 #include <set>
@@ -57,7 +58,7 @@ std::optional<Divisor> again(const Divisor& divisor) {
 
 IntersectionMatrix matrix_on(const Product& surface, const DegreeForm& form) {
     const std::vector<Divisor> divisors = divisors_on(surface);
-    IntersectionMatrix matrix{surface, divisors.size(), {}};
+    IntersectionMatrix matrix{surface, divisors.size(), {}, {}};
     std::set<std::size_t> classes;
     for (std::size_t i = 0; i < divisors.size(); ++i)
         for (std::size_t j = 0; j < divisors.size(); ++j) {
@@ -65,6 +66,7 @@ IntersectionMatrix matrix_on(const Product& surface, const DegreeForm& form) {
             const Product curve = cut(surface, divisors[i]);
             const auto index = second ? form.class_of(cut(curve, *second)) : std::nullopt;
             matrix.entries.push_back(index ? form.classes()[*index].degree : 0);
+            matrix.members.push_back(index);
             if (index) classes.insert(*index);
         }
     matrix.classes.assign(classes.begin(), classes.end());
@@ -109,6 +111,70 @@ std::size_t positive_eigenvalues(const IntersectionMatrix& matrix) {
     fmpz_poly_clear(polynomial);
     fmpz_mat_clear(numbers);
     return changes;
+}
+
+namespace {
+
+/// (AA), (AB) and (BB) of two divisors: the places of these entries in a matrix.
+struct Inequality {
+    std::size_t left = 0, middle = 0, right = 0;
+};
+
+std::vector<Inequality> inequalities(std::size_t divisors) {
+    std::vector<Inequality> result;
+    for (std::size_t a = 0; a < divisors; ++a)
+        for (std::size_t b = 0; b < divisors; ++b)
+            if (a != b) result.push_back({a * divisors + a, a * divisors + b, b * divisors + b});
+    return result;
+}
+
+/// The least integer whose square is at least x.
+std::int64_t root_above(std::int64_t x) {
+    auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(x)));
+    while (root * root < x)
+        ++root;
+    while (root > 0 && (root - 1) * (root - 1) >= x)
+        --root;
+    return root;
+}
+
+} // namespace
+
+std::vector<HodgeBounds> bounds_by_others(const std::vector<IntersectionMatrix>& matrices,
+                                          const DegreeForm& form) {
+    std::vector<HodgeBounds> bounds(form.classes().size());
+    for (const IntersectionMatrix& matrix : matrices)
+        for (const auto& [left, middle, right] : inequalities(matrix.divisors)) {
+            const auto &aa = matrix.members[left], &ab = matrix.members[middle],
+                       &bb = matrix.members[right];
+            const std::int64_t product = matrix.entries[left] * matrix.entries[right];
+            const std::int64_t square = matrix.entries[middle] * matrix.entries[middle];
+            if (aa && bb && aa != ab && aa != bb) {
+                std::optional<std::int64_t>& most = bounds[*aa].most;
+                const std::int64_t bound = square / matrix.entries[right];
+                most = std::min(most.value_or(bound), bound);
+            }
+            if (ab && ab != aa && ab != bb)
+                bounds[*ab].least = std::max(bounds[*ab].least, root_above(product));
+        }
+    return bounds;
+}
+
+std::size_t bounded_by_exact(const std::vector<IntersectionMatrix>& matrices,
+                             const std::vector<bool>& exact) {
+    std::vector<bool> bounded = exact;
+    const auto known = static_cast<std::size_t>(std::ranges::count(exact, true));
+    for (std::size_t before = 0, now = known; before < now;) {
+        before = now;
+        for (const IntersectionMatrix& matrix : matrices)
+            for (const auto& [left, middle, right] : inequalities(matrix.divisors)) {
+                const auto &aa = matrix.members[left], &ab = matrix.members[middle];
+                const bool bounds = matrix.members[right] && (!ab || bounded[*ab]);
+                if (aa && bounds) bounded[*aa] = true;
+            }
+        now = static_cast<std::size_t>(std::ranges::count(bounded, true));
+    }
+    return static_cast<std::size_t>(std::ranges::count(bounded, true)) - known;
 }
 
 } // namespace laws

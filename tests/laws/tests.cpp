@@ -163,3 +163,43 @@ TEST_CASE("a table that lacks a class, or contradicts itself, is refused") {
     CHECK_THROWS_WITH_AS(DegreeForm{lines}, doctest::Contains("has no exact degree"),
                          std::runtime_error);
 }
+
+namespace {
+
+/// Which classes have a certified exact degree in the committed table.
+std::vector<bool> certified_exactly() {
+    std::vector<bool> exact(committed_form().classes().size(), false);
+    std::ifstream file(committed);
+    for (std::string line; std::getline(file, line);)
+        if (!line.starts_with('#') && line.find(",exact,certified,") != std::string::npos)
+            exact[*committed_form().class_with(std::stoul(line))] = true;
+    return exact;
+}
+
+} // namespace
+
+TEST_CASE("the Hodge index inequality holds between neighbours, and confines a wrong degree") {
+    const auto matrices = intersection_matrices(committed_form());
+    const std::vector<HodgeBounds> bounds = bounds_by_others(matrices, committed_form());
+    for (std::size_t index = 0; index < bounds.size(); ++index) {
+        const std::int64_t degree = committed_form().classes()[index].degree;
+        CAPTURE(committed_form().classes()[index].number);
+        CHECK(bounds[index].least <= degree);
+        if (bounds[index].most) CHECK(*bounds[index].most >= degree);
+    }
+    // What stood in the file once is beyond what the neighbours allow.
+    const HodgeBounds& mistaken = bounds[*committed_form().class_with(52234)];
+    REQUIRE(mistaken.most);
+    CHECK(*mistaken.most < 8480);
+}
+
+TEST_CASE("the Hodge index spreads upper bounds from exact degrees, to a few classes today") {
+    const auto matrices = intersection_matrices(committed_form());
+    const std::vector<bool> exact = certified_exactly();
+    CHECK(std::ranges::count(exact, true) == 971);
+    CHECK(bounded_by_exact(matrices, exact) == 12);
+    // From all degrees but one it spreads to that one.
+    std::vector<bool> others(exact.size(), true);
+    others[*committed_form().class_with(52234)] = false;
+    CHECK(bounded_by_exact(matrices, others) == 1);
+}

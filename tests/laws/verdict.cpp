@@ -105,6 +105,22 @@ void check_hodge(const DegreeForm& form, Verdict& verdict) {
                              " matrices with the degrees of " +
                              std::to_string(std::ranges::count(touched, true)) + " classes, " +
                              std::to_string(failed) + " fail");
+    const std::vector<HodgeBounds> bounds = bounds_by_others(matrices, form);
+    std::size_t above = 0, within_tenth = 0, exactly = 0, below = 0;
+    for (std::size_t index = 0; index < bounds.size(); ++index) {
+        const std::int64_t degree = form.classes()[index].degree;
+        const auto& [least, most] = bounds[index];
+        if (least > 0) ++below;
+        if (!most) continue;
+        ++above;
+        if (10 * *most <= 11 * degree) ++within_tenth;
+        if (*most == degree) ++exactly;
+    }
+    verdict.report.push_back("Hodge index: the other degrees bound that of " +
+                             std::to_string(above) + " classes from above, of " +
+                             std::to_string(within_tenth) + " by 1.1 times its value, of " +
+                             std::to_string(exactly) + " by its value; of " +
+                             std::to_string(below) + " classes from below");
 }
 
 } // namespace
