@@ -30,7 +30,9 @@ constexpr const char* degree_examples =
     "  plprove degree 2394                          the Chicago problem, until complete\n"
     "  plprove degree '3*P/P/P + P/P/a' --json      for machines\n"
     "  plprove degree 2394 -o chicago.plc           with a certificate\n"
-    "  plprove degree 142849 --target 300           stop once 300 solutions are found\n";
+    "  plprove degree 142849 --target 300           stop once 300 solutions are found\n"
+    "  plprove degree 2394 --at-least 312 -o chicago.plc\n"
+    "                                               a certificate of 312 solutions, no more\n";
 
 constexpr const char* degrees_examples =
     "You may kill a sweep at any moment: the same command goes on where it was.\n\n"
@@ -81,6 +83,9 @@ int find_degree(const DegreeRequest& request, const Deliver& deliver,
     report.run = compute(report.decision.classes->constraint, request.options);
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (report.run.degree < request.options.at_least)
+        throw std::runtime_error("the run found only " + std::to_string(report.run.degree) +
+                                 " solutions: try another --seed");
     if (!request.path.empty() && !report.run.certificate)
         throw std::runtime_error(
             "the run found no certificate" +
@@ -256,6 +261,11 @@ Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree com
         ->add_option("--target", request->options.target,
                      "stop at so many solutions (default: find all)")
         ->check(CLI::Range(1, largest_target));
+    command
+        ->add_option("--at-least", request->options.at_least,
+                     "only write a certificate of so many solutions: the quickest way")
+        ->check(CLI::Range(1, largest_target))
+        ->excludes("--target");
     command->add_option("--seed", request->options.seed, "draw other random images")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();

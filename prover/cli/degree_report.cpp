@@ -42,6 +42,8 @@ void write_degree(std::ostream& out, const DegreeReport& report) {
             << '\n';
     else if (report.options.target > 0 && run.degree >= report.options.target)
         out << "not known: the run stopped at its target, " << report.options.target << '\n';
+    else if (report.options.at_least > 0)
+        out << "not known: the run was to find " << report.options.at_least << '\n';
     else
         out << "not known\n";
 }
@@ -83,6 +85,7 @@ std::string json_report(const DegreeReport& report) {
         {"seconds", report.seconds},
         {"notes", run.notes},
         {"target", report.options.target},
+        {"at_least", report.options.at_least},
         {"seed", report.options.seed}};
     if (run.evidence) {
         json["edges"] = run.evidence->edges;

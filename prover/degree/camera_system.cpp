@@ -6,6 +6,17 @@
 
 namespace plprove {
 
+QuaternionCameras conjugate(const QuaternionCameras& cameras) {
+    QuaternionCameras result = cameras;
+    for (auto& quaternion : result.quaternion)
+        for (Complex& x : quaternion)
+            x = std::conj(x);
+    for (Complex3& centre : result.centre)
+        for (Complex& x : centre)
+            x = std::conj(x);
+    return result;
+}
+
 QuaternionCameras CameraChart::cameras(const CameraPoint& point) const {
     QuaternionCameras result;
     for (std::size_t v = 0; v < 2; ++v) {

@@ -22,6 +22,9 @@ struct QuaternionCameras {
     std::array<Complex3, 2> centre;
 };
 
+/// The complex conjugates: cameras of the conjugate images.
+QuaternionCameras conjugate(const QuaternionCameras& cameras);
+
 /// Affine charts of P^3 x P^3 x P^5, each given by a linear form: quaternion v (a, b, c, d) has
 /// a + rotation[v]·(b, c, d) = 1, the six coordinates of the centres have first + centre·rest = 1.
 /// The unknowns are what the forms leave: b, c, d of camera 2, of camera 3, and the other five.

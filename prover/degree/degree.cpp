@@ -166,7 +166,34 @@ std::pair<bool, int> merit(const DegreeRun& run) {
 
 } // namespace
 
+namespace {
+
+/// Finds a certificate of options.at_least solutions: with other random images again, as some have
+/// a solution that is too ill-conditioned.
+DegreeRun find_lower_bound(std::size_t number, const DegreeOptions& options) {
+    constexpr std::size_t most_images = 12;
+    const CameraSystem system = camera_system(label_classes()[number]);
+    DegreeRun run;
+    run.number = number;
+    for (std::size_t attempt = 0; attempt < most_images && run.degree < options.at_least;
+         ++attempt) {
+        auto [certificate, counts] = find_for_integer_images(
+            system, options.seed, number + (attempt << 32U), options.at_least);
+        run.tracks += counts.tracks;
+        run.retried += counts.retried;
+        run.failed += counts.failed;
+        if (certificate.degree() <= run.degree) continue;
+        run.degree = certificate.degree();
+        run.certificate = std::move(certificate);
+        run.certificate->number = number;
+    }
+    return run;
+}
+
+} // namespace
+
 DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
+    if (options.at_least > 0) return find_lower_bound(number, options);
     DegreeRun run = attempt_degree(number, options, 0);
     // Rarely a degenerate end of a path is taken for a solution; then no edge is a bijection any
     // more. With other random numbers this is unlikely to happen again.

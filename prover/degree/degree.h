@@ -15,6 +15,8 @@ struct DegreeOptions {
     int target = 0;          ///< stop once so many solutions are found; 0: go on until complete
     std::uint64_t seed = 0;  ///< another seed, another sequence of random images and charts
     bool certificate = true; ///< also track the solutions to integer images
+    /// Not 0: find a certificate of so many solutions, the quickest way, and nothing else.
+    int at_least = 0;
 };
 
 /// What one view sees of a feature: integer vectors as in FORMAT.md, section 9.

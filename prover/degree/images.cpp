@@ -51,15 +51,15 @@ Complex3 rotate_back(const std::array<Complex, 4>& quaternion, const Complex3& x
     return result;
 }
 
-Images images_of_scene(const CameraSystem& system, const QuaternionCameras& cameras,
-                       Random& random) {
+Images images_of_scene(const CameraSystem& system, const QuaternionCameras& cameras, Random& random,
+                       Field field) {
     std::vector<Complex3> points;
     std::vector<std::vector<Complex3>> directions;
     for (const Feature& feature : system.features) {
-        points.push_back(random.complex3());
+        points.push_back(random.vector(field));
         directions.emplace_back();
         for (int line = 0; line < feature.lines; ++line)
-            directions.back().push_back(random.complex3());
+            directions.back().push_back(random.vector(field));
     }
     Images images;
     for (const FreeVector& free : system.free) {
@@ -74,31 +74,31 @@ Images images_of_scene(const CameraSystem& system, const QuaternionCameras& came
         if (free.line < 0)
             images.push_back(unit(x));
         else
-            images.push_back(unit(free.toward ? combine(d, x, random.complex()) : cross(x, d)));
+            images.push_back(unit(free.toward ? combine(d, x, random.number(field)) : cross(x, d)));
     }
     return images;
 }
 
 namespace {
 
-Images displaced(const Images& images, double radius, Random& random) {
+Images displaced(const Images& images, double radius, Random& random, Field field) {
     Images result;
     for (const Complex3& x : images)
-        result.push_back(combine(x, unit(random.complex3()), radius));
+        result.push_back(combine(x, unit(random.vector(field)), radius));
     return result;
 }
 
 } // namespace
 
-Images random_neighbour(const Images& images, Random& random) {
-    return displaced(images, 0.8, random);
+Images random_neighbour(const Images& images, Random& random, Field field) {
+    return displaced(images, 0.8, random, field);
 }
 
 Images detour_midpoint(const Images& from, const Images& to, Random& random) {
     Images middle;
     for (std::size_t i = 0; i < from.size(); ++i)
         middle.push_back(combine(from[i], difference(to[i], from[i]), 0.5));
-    return displaced(middle, 0.1, random);
+    return displaced(middle, 0.1, random, Field::complex);
 }
 
 Images rephased(Images images, Phases phases, Random& random) {

@@ -15,13 +15,13 @@ Complex3 cross(const Complex3& a, const Complex3& b);
 Complex3 rotate_back(const std::array<Complex, 4>& quaternion, const Complex3& x);
 Complex3 rotate(const std::array<Complex, 4>& quaternion, const Complex3& x);
 
-/// Images of a random scene in these cameras.
-Images images_of_scene(const CameraSystem& system, const QuaternionCameras& cameras,
-                       Random& random);
+/// Images of a random scene in these cameras. Of a real scene in real cameras they are real.
+Images images_of_scene(const CameraSystem& system, const QuaternionCameras& cameras, Random& random,
+                       Field field = Field::complex);
 
 /// Random images in the neighbourhood: far enough for loops to mix the solutions, near enough for
 /// the paths to be short.
-Images random_neighbour(const Images& images, Random& random);
+Images random_neighbour(const Images& images, Random& random, Field field = Field::complex);
 
 /// Images near the middle of the straight way: a detour leads over them.
 Images detour_midpoint(const Images& from, const Images& to, Random& random);

@@ -1,5 +1,6 @@
 #include "prover/degree/integer_images.h"
 
+#include "prover/degree/integer_vectors.h"
 #include "prover/degree/scene.h"
 
 #include <algorithm>
@@ -10,52 +11,16 @@ namespace plprove {
 namespace {
 
 constexpr double small_imaginary_part = 1e-8; ///< of a real solution, relative; tried, not believed
-/// Larger than for complex images: nothing that the checker would refuse is to be written.
-constexpr double least_nondegeneracy = 1e-9;
 
-using IntegerVector = std::array<int, 3>;
-
-bool are_parallel(const IntegerVector& a, const IntegerVector& b) {
-    return a[0] * b[1] == a[1] * b[0] && a[0] * b[2] == a[2] * b[0] && a[1] * b[2] == a[2] * b[1];
-}
-
-bool are_dependent(const IntegerVector& a, const IntegerVector& b, const IntegerVector& c) {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-               a[2] * (b[0] * c[1] - b[1] * c[0]) ==
-           0;
-}
-
-/// Random vectors of small integers that are not zero. Images are hardly generic where two or three
-/// points or lines of a view are dependent, or a point is on a line: paths would end at degenerate
-/// solutions.
-std::vector<IntegerVector> integer_vectors(const CameraSystem& system, Random& random) {
-    constexpr std::uint64_t largest = 19;
-    const auto digit = [&] {
-        return static_cast<int>(random.bits() % (2 * largest + 1)) - static_cast<int>(largest);
-    };
-    std::vector<IntegerVector> result;
-    std::array<std::vector<IntegerVector>, 3> views;
-    const auto is_generic = [](const IntegerVector& x, const std::vector<IntegerVector>& others) {
-        if (x[0] == 0 || x[1] == 0 || x[2] == 0) return false;
-        for (std::size_t i = 0; i < others.size(); ++i) {
-            const IntegerVector& y = others[i];
-            if (are_parallel(x, y) || x[0] * y[0] + x[1] * y[1] + x[2] * y[2] == 0) return false;
-            for (std::size_t j = 0; j < i; ++j)
-                if (are_dependent(x, y, others[j])) return false;
-        }
-        return true;
-    };
-    for (const FreeVector& free : system.free) {
-        auto& others = views[static_cast<std::size_t>(free.view)];
-        IntegerVector x;
-        do
-            x = {digit(), digit(), digit()};
-        while (!is_generic(x, others));
-        others.push_back(x);
-        result.push_back(x);
-    }
-    return result;
-}
+/// Which solutions are to be written.
+struct Demands {
+    double nondegeneracy = 0; ///< at least; larger than for complex images, as the checker refuses
+                              ///< records with a solution that may be degenerate
+    bool sure = true;         ///< only those that Newton's method surely finds again
+};
+constexpr Demands usual{1e-9, true};
+/// If the checker refuses one of these, other images will do.
+constexpr Demands all{1e-13, false};
 
 /// The images as the certificate has them.
 std::vector<FeatureImage> feature_images(const CameraSystem& system,
@@ -160,11 +125,14 @@ bool has_few_digits(const CameraPoint& point, int bits) {
 
 /// Finds for each solution how many bits after the binary point are enough. A single success may be
 /// luck, as the region that Newton's method converges from has a ragged edge: two coarser roundings
-/// must lead to the solution as well.
-void choose_bits(std::vector<Found>& found, const FixedImages& fixed) {
+/// must lead to the solution as well. Unless `sure`, the last success counts.
+void choose_bits(std::vector<Found>& found, const FixedImages& fixed, bool sure) {
     constexpr int wanted = 3;
-    std::vector<int> successes(found.size(), 0);
-    for (const int bits : {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44}) {
+    constexpr int most_sure_bits = 44;
+    std::vector<int> successes(found.size(), 0), last(found.size(), 0);
+    for (const int bits :
+         {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44, 46, 48, 50, 52}) {
+        if (sure && bits > most_sure_bits) break;
         std::vector<std::size_t> open;
         std::vector<CameraPoint> starts;
         for (std::size_t i = 0; i < found.size(); ++i)
@@ -179,9 +147,13 @@ void choose_bits(std::vector<Found>& found, const FixedImages& fixed) {
             Found& solution = found[open[k]];
             int& count = successes[open[k]];
             count = ends[k] && approximates(*ends[k], solution.point) ? count + 1 : 0;
-            if (count >= wanted && has_few_digits(solution.point, bits)) solution.bits = bits;
+            if (!has_few_digits(solution.point, bits)) continue;
+            if (count > 0) last[open[k]] = bits;
+            if (count >= wanted) solution.bits = bits;
         }
     }
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i].bits == 0 && !sure) found[i].bits = last[i];
 }
 
 ApproximateSolution approximate(const Found& solution) {
@@ -196,22 +168,11 @@ ApproximateSolution approximate(const Found& solution) {
     return result;
 }
 
-/// Images of the same directions as the integer ones, and of length 1 as those that paths come
-/// from.
-Images unit_images(const std::vector<IntegerVector>& vectors) {
-    Images result;
-    for (const auto& [x, y, z] : vectors) {
-        const double scale = 1 / std::sqrt(static_cast<double>(x * x + y * y + z * z));
-        result.push_back({x * scale, y * scale, z * scale});
-    }
-    return result;
-}
-
 /// The solutions at the integer images, as they arrive there.
 class Arrivals {
 public:
-    Arrivals(const CameraSystem& system, const Images& images)
-        : system_(system), fixed_(system, images),
+    Arrivals(const CameraSystem& system, const Images& images, const Demands& demands)
+        : system_(system), demands_(demands), fixed_(system, images),
           vectors_(image_vectors(system, standard_constants(system), images)) {}
 
     /// Adds solutions, in the standard chart, that are new, and their conjugates.
@@ -219,7 +180,7 @@ public:
         for (const auto& point : fixed_.solve_well(approximations)) {
             if (!point || seen_.find(*point) ||
                 nondegeneracy(system_, vectors_, standard_chart().cameras(*point)) <
-                    least_nondegeneracy)
+                    demands_.nondegeneracy)
                 continue;
             Found solution{*point, is_real(*point), 0};
             seen_.add(*point);
@@ -236,7 +197,7 @@ public:
     int size() const { return seen_.size(); }
 
     std::vector<ApproximateSolution> written() {
-        choose_bits(found_, fixed_);
+        choose_bits(found_, fixed_, demands_.sure);
         std::ranges::sort(found_, {}, [](const Found& solution) {
             return std::pair(solution.point[0].real(), std::abs(solution.point[0].imag()));
         });
@@ -248,6 +209,7 @@ public:
 
 private:
     const CameraSystem& system_;
+    Demands demands_;
     FixedImages fixed_;
     std::vector<Complex3> vectors_;
     SolutionSet seen_;
@@ -256,14 +218,32 @@ private:
 
 } // namespace
 
+LowerBound find_for_integer_images(const CameraSystem& system, std::uint64_t seed,
+                                   std::uint64_t stream, int wanted) {
+    constexpr int most_edges = 6;
+    std::vector<IntegerVector> vectors;
+    Monodromy monodromy(system, seed, stream, [&](const Images& scene, Random& random) {
+        vectors = vectors_near(system, scene, random);
+        return unit_images(vectors);
+    });
+    monodromy.find(wanted, most_edges);
+    std::vector<CameraPoint> solutions;
+    for (const CameraPoint& point : monodromy.solutions().points())
+        solutions.push_back(standard_chart().point(monodromy.chart().cameras(point)));
+    Arrivals arrivals(system, monodromy.images(), all);
+    arrivals.add(solutions);
+    return {{0, std::nullopt, feature_images(system, vectors), arrivals.written()},
+            monodromy.follower().counts()};
+}
+
 DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, int most,
                                  int wanted, Random& random) {
     constexpr int most_paths = 3;
-    const auto vectors = integer_vectors(system, random);
+    const auto vectors = random_vectors(system, random);
     const Images images = unit_images(vectors);
     std::vector<CameraPoint> solutions = monodromy.solutions().points();
     if (std::ssize(solutions) > most) solutions.resize(static_cast<std::size_t>(most));
-    Arrivals arrivals(system, images);
+    Arrivals arrivals(system, images, usual);
     for (int path = 0; path < most_paths && arrivals.size() < wanted; ++path) {
         const Images from = monodromy.images(), to = rephased(images, Phases::near_one, random);
         const auto moving = [&](const Images& a, const Images& b) {

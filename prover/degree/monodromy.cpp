@@ -10,25 +10,57 @@
 namespace plprove {
 
 Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
-                     double least)
-    : system_(system), least_(least),
+                     double least, Field field)
+    : system_(system), least_(least), field_(field),
       random_(seed, stream), chart_{{random_.complex3(), random_.complex3()}, {}},
       constants_(random_constants(system, random_)), follower_({}) {
     for (Complex& x : chart_.centre)
         x = random_.complex();
     follower_ = PathFollower(tracked_system(system, chart_));
+}
+
+Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
+                     double least)
+    : Monodromy(system, seed, stream, least, Field::complex) {
     CameraPoint start;
     for (Complex& x : start)
         x = random_.complex();
     nodes_[0].images = images_of_scene(system, chart_.cameras(start), random_);
-    add(start);
     nodes_[1].images = random_neighbour(nodes_[0].images, random_);
+    prepare_nodes(seed, stream);
+    add(0, start);
+}
+
+Monodromy::Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
+                     const ChooseImages& choose)
+    : Monodromy(system, seed, stream, suspicious, Field::real) {
+    CameraPoint start;
+    for (Complex& x : start)
+        x = random_.number(Field::real);
+    const QuaternionCameras cameras = standard_chart().cameras(start);
+    nodes_[1].images = images_of_scene(system, cameras, random_, Field::real);
+    nodes_[0].images = choose(nodes_[1].images, random_);
+    prepare_nodes(seed, stream);
+    add(1, chart_.point(cameras));
+}
+
+void Monodromy::prepare_nodes(std::uint64_t seed, std::uint64_t stream) {
     // A stream of its own: this test has no part in the choice of paths.
     Random others(seed, stream ^ (std::uint64_t{1} << 63U));
     for (Node& node : nodes_) {
-        node.vectors = image_vectors(system, constants_, node.images);
-        spurious_.emplace_back(system, chart_, constants_, node.images, others);
+        node.vectors = image_vectors(system_, constants_, node.images);
+        spurious_.emplace_back(system_, chart_, constants_, node.images, others);
     }
+}
+
+int Monodromy::add(std::size_t node, const CameraPoint& zero) {
+    SolutionSet& solutions = nodes_[node].solutions;
+    const int index = solutions.add(zero);
+    if (field_ == Field::real) {
+        const CameraPoint other = chart_.point(conjugate(chart_.cameras(zero)));
+        if (!solutions.find(other)) solutions.add(other);
+    }
+    return index;
 }
 
 void Monodromy::add_edge() {
@@ -63,7 +95,7 @@ std::vector<int> Monodromy::match(Edge& edge, int from, int start,
     const std::optional<int> known = set.find(*end);
     if (!known && nondegeneracy(system_, nodes_[target].vectors, chart_.cameras(*end)) < least)
         return {start};
-    const int index = known ? *known : set.add(*end);
+    const int index = known ? *known : add(target, *end);
     inverse.resize(static_cast<std::size_t>(set.size()), open);
     int& theirs = inverse[static_cast<std::size_t>(index)];
     if (theirs >= 0 && theirs != start) {
@@ -191,6 +223,27 @@ void Monodromy::run(int edges, int target) {
                 }
         }
     } while (follow_postponed());
+}
+
+bool Monodromy::follow_some(int target) {
+    const int known = solutions().size();
+    // The first edge and conjugation reach nearly all solutions from a few. The others lead to
+    // these: so they are followed for some solutions at a time, enough to fill the lanes.
+    int most = std::max(16, (target - known) / 2);
+    for (Edge& edge : edges_) {
+        for (const int from : {0, 1})
+            if (follow_edge(edge, from, most)) return true;
+        most = std::max(16, known / 32);
+    }
+    return false;
+}
+
+void Monodromy::find(int target, int most_edges) {
+    while (solutions().size() < target) {
+        if (follow_some(target) || follow_postponed()) continue;
+        if (edges() == most_edges) return;
+        add_edge();
+    }
 }
 
 int Monodromy::unmatched(const Edge& edge) const {

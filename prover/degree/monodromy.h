@@ -7,6 +7,8 @@
 #include "prover/degree/solution_set.h"
 #include "prover/degree/spurious_zeros.h"
 
+#include <functional>
+
 namespace plprove {
 
 /// Two nodes with random images, and edges between them along which all solutions are followed.
@@ -22,13 +24,24 @@ public:
     Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
               double least = suspicious);
 
+    /// Chooses images of the first node near those of the second one.
+    using ChooseImages = std::function<Images(const Images&, Random&)>;
+    /// The images of both nodes are real; `choose` is given those of a scene. The conjugate of a
+    /// solution is one, too: each one that is found brings its conjugate along.
+    Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream,
+              const ChooseImages& choose);
+
     /// Adds a zero of the camera equations for images(), wherever it comes from, that is not among
     /// solutions().
-    void add(const CameraPoint& zero) { nodes_[0].solutions.add(zero); }
+    void add(const CameraPoint& zero) { add(0, zero); }
 
     /// Follows solutions along all edges until each edge has matched all solutions of both nodes,
     /// or `target` solutions (0: any number) are known at the first node.
     void run(int edges, int target);
+
+    /// Follows no more solutions than it takes to know `target` of them at the first node, along as
+    /// few edges as will do, `most_edges` in all.
+    void find(int target, int most_edges);
 
     const SolutionSet& solutions() const { return nodes_[0].solutions; }
     const Images& images() const { return nodes_[0].images; }
@@ -44,6 +57,11 @@ public:
     int spurious_solutions() const;
 
 private:
+    Monodromy(const CameraSystem& system, std::uint64_t seed, std::uint64_t stream, double least,
+              Field field);
+    /// To be called once both nodes have their images.
+    void prepare_nodes(std::uint64_t seed, std::uint64_t stream);
+
     struct Node {
         Images images;
         std::vector<Complex3> vectors; ///< the image vectors
@@ -58,6 +76,8 @@ private:
         std::array<std::vector<int>, 2> postponed{}; ///< starts of paths to follow again
     };
 
+    /// Adds a zero at a node, and its conjugate if the images are real. Returns its index.
+    int add(std::size_t node, const CameraPoint& zero);
     void add_edge();
     /// Forth to the images and back, in two legs.
     std::array<std::array<TrackedImages, 2>, 2> random_detour(const Images& to);
@@ -73,6 +93,8 @@ private:
     /// Follows those of the paths on a detour that have no end, and matches what arrives.
     void follow_detours(Edge& edge, int from, const std::vector<int>& starting,
                         const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends);
+    /// Follows solutions along the first edge that has some without a partner; false if none has.
+    bool follow_some(int target);
     /// Follows the postponed paths with more digits. Whether that found solutions.
     bool follow_postponed();
     /// Of zeros for the images of a node, the indices of the spurious ones.
@@ -83,6 +105,7 @@ private:
 
     const CameraSystem& system_;
     double least_;
+    Field field_;
     Random random_;
     CameraChart chart_;
     std::vector<Complex3> constants_;

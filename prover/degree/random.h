@@ -9,6 +9,9 @@
 
 namespace plprove {
 
+/// Where the coordinates of random points are from.
+enum class Field : std::uint8_t { real, complex };
+
 class Random {
 public:
     /// Different streams of the same seed are independent sequences.
@@ -39,8 +42,19 @@ public:
         return {scale, slope * scale};
     }
 
-    Complex3 complex3() {
-        const Complex x = complex(), y = complex(), z = complex();
+    Complex3 complex3() { return vector(Field::complex); }
+
+    /// complex(), or its real counterpart: uniform in 1/4 <= |x| <= 1.
+    Complex number(Field field) {
+        if (field == Field::complex) return complex();
+        while (true) {
+            const double x = real();
+            if (std::abs(x) >= 0.25) return x;
+        }
+    }
+
+    Complex3 vector(Field field) {
+        const Complex x = number(field), y = number(field), z = number(field);
         return {x, y, z};
     }
 

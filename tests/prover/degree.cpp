@@ -1,5 +1,7 @@
 // Degrees: known ones as laws, relations between them, and what a run reports.
 #include "prover/degree/degree.h"
+#include "prover/degree/integer_vectors.h"
+#include "prover/degree/scene.h"
 #include "tests/support/solved_class.h"
 
 #include <algorithm>
@@ -134,4 +136,59 @@ TEST_CASE("a run stops at its target, or shows that there are not so many soluti
     const DegreeRun all = compute_degree(number, until(300));
     CHECK(all.degree == 216);
     CHECK(all.complete());
+}
+
+TEST_CASE("a lower bound is a certificate of so many different solutions, and no more is claimed") {
+    for (const int wanted : {50, 312}) {
+        const DegreeRun found =
+            compute_degree(number_of("2*Pa/Pa/Pa + P/P/P"), {.at_least = wanted});
+        CHECK(found.degree >= wanted);
+        CHECK(found.degree <= 312);
+        CHECK_FALSE(found.complete());
+        REQUIRE(found.certificate);
+        CHECK(found.certificate->degree() == found.degree);
+        CHECK(found.certificate->solutions.size() <= static_cast<std::size_t>(found.degree));
+    }
+}
+
+TEST_CASE("where there are fewer solutions than a lower bound asks for, all of them are found") {
+    const DegreeRun found = compute_degree(number_of("3*P/P/P + a/a/a"), {.at_least = 217});
+    CHECK(found.degree == 216);
+    CHECK(found.certificate->degree() == 216);
+}
+
+TEST_CASE("the images of a lower bound are integers near those of a scene, and generic") {
+    const CameraSystem system = camera_system(label_classes()[2394]);
+    std::vector<IntegerVector> vectors;
+    const Monodromy monodromy(system, 0, 2394, [&](const Images& scene, Random& random) {
+        for (const Complex3& image : scene)
+            for (const Complex& x : image)
+                CHECK(x.imag() == 0);
+        vectors = vectors_near(system, scene, random);
+        return unit_images(vectors);
+    });
+    CHECK(monodromy.solutions().size() == 0); // the scene is that of the other node
+    REQUIRE(vectors.size() == system.free.size());
+    for (const IntegerVector& vector : vectors)
+        for (const int x : vector) {
+            CHECK(x != 0);
+            CHECK(std::abs(x) <= 90);
+        }
+}
+
+TEST_CASE("of the solutions for real images the conjugates are solutions, too") {
+    const CameraSystem system = camera_system(label_classes()[number_of("3*P/P/P + a/a/a")]);
+    Monodromy monodromy(system, 0, 7, [&](const Images& scene, Random& random) {
+        return unit_images(vectors_near(system, scene, random));
+    });
+    monodromy.find(216, 6);
+    const SolutionSet& solutions = monodromy.solutions();
+    REQUIRE(solutions.size() == 216);
+    const std::vector<Complex3> vectors =
+        image_vectors(system, monodromy.constants(), monodromy.images());
+    for (const CameraPoint& point : solutions.points()) {
+        const QuaternionCameras cameras = monodromy.chart().cameras(point);
+        CHECK(solutions.find(monodromy.chart().point(conjugate(cameras))));
+        CHECK(nondegeneracy(system, vectors, cameras) > 1e-9);
+    }
 }

@@ -1,0 +1,25 @@
+// Integer vectors for the images of a certificate (certs/FORMAT.md, section 9).
+#pragma once
+
+#include "prover/degree/images.h"
+
+#include <array>
+#include <vector>
+
+namespace plprove {
+
+using IntegerVector = std::array<int, 3>;
+
+/// Random vectors of integers from -19 to 19, one for each free vector of the system, that are
+/// generic enough for solutions to arrive there.
+std::vector<IntegerVector> random_vectors(const CameraSystem& system, Random& random);
+
+/// Vectors of integers from -90 to 90 whose images are neighbours of real ones. Of many choices it
+/// takes the one farthest from degenerate images: the fewest solutions are ill-conditioned there.
+std::vector<IntegerVector> vectors_near(const CameraSystem& system, const Images& images,
+                                        Random& random);
+
+/// Images of the same directions, and of length 1 as those that paths come from.
+Images unit_images(const std::vector<IntegerVector>& vectors);
+
+} // namespace plprove
