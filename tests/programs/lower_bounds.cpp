@@ -1,0 +1,110 @@
+// The lower bounds of all degrees, whose certificates are not on file: anyone gets them back.
+#include "tests/support/program.h"
+
+#include <doctest/doctest.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+namespace {
+
+const std::string plprove = PLPROVE;
+const std::string plcheck = PLCHECK;
+const std::string certs = std::string(SOURCE_DIR) + "/certs";
+
+/// What a name CLASS-SOLUTIONS-SEED.plc in the list of digests says, and the digest.
+struct ListedFile {
+    int number = 0, solutions = 0, seed = 0;
+    std::string name, digest;
+};
+
+std::vector<ListedFile> listed_files() {
+    std::vector<ListedFile> files;
+    for (const std::string& line :
+         lines_of(read_file(certs + "/degrees/SHA256SUMS-lower-bounds"))) {
+        ListedFile& file = files.emplace_back();
+        file.digest = line.substr(0, 64);
+        file.name = line.substr(66);
+        char dash = 0;
+        std::istringstream(file.name) >> file.number >> dash >> file.solutions >> dash >> file.seed;
+        file.solutions = std::abs(file.solutions);
+        file.seed = std::abs(file.seed);
+    }
+    return files;
+}
+
+/// What degrees.csv says of each class: its degree, and the largest certified lower bound.
+struct OnFile {
+    int degree = 0, certified = 0;
+};
+
+std::map<int, OnFile> degrees_on_file() {
+    std::map<int, OnFile> classes;
+    for (const std::string& line : lines_of(read_file(certs + "/degrees.csv"))) {
+        int number = 0, degree = 0;
+        char comma = 0;
+        std::istringstream text(line);
+        if (!(text >> number >> comma >> degree)) continue;
+        OnFile& found = classes[number];
+        found.degree = std::max(found.degree, degree);
+        if (line.find(",certified,") != std::string::npos)
+            found.certified = std::max(found.certified, degree);
+    }
+    return classes;
+}
+
+} // namespace
+
+TEST_CASE("the list of lower bounds has for each of its classes the degree on file, and plcheck "
+          "reported it") {
+    const std::map<int, OnFile> degrees = degrees_on_file();
+    std::set<std::string> reported;
+    for (const std::string& line : lines_of(read_file(certs + "/degrees/lower-bounds.txt")))
+        reported.insert(line);
+    std::set<int> classes;
+    for (const ListedFile& file : listed_files()) {
+        CAPTURE(file.name);
+        CHECK(degrees.at(file.number).degree == file.solutions);
+        CHECK(degrees.at(file.number).certified == file.solutions);
+        CHECK(classes.insert(file.number).second);
+        CHECK(reported.contains("class " + std::to_string(file.number) +
+                                ": certified to have at least " + std::to_string(file.solutions) +
+                                " solutions"));
+    }
+    CHECK(reported.size() == classes.size());
+    CHECK(classes.size() > 1000);
+}
+
+TEST_CASE("plprove gives back the bytes of a dozen certificates of lower bounds, and they hold") {
+    constexpr int quick = 1500; // solutions, at most
+    constexpr std::size_t dozen = 12;
+    std::vector<ListedFile> files;
+    for (const ListedFile& file : listed_files())
+        if (file.solutions <= quick) files.push_back(file);
+    REQUIRE(files.size() >= dozen);
+    const TemporaryFolder folder;
+    std::map<std::string, ListedFile> chosen;
+    std::string names;
+    for (std::size_t i = 0; i < dozen; ++i) {
+        const ListedFile& file = files[i * (files.size() - 1) / (dozen - 1)];
+        const std::string path = (folder / file.name).string();
+        const Outcome outcome = run(plprove + " degree " + std::to_string(file.number) +
+                                    " --at-least " + std::to_string(file.solutions) + " --seed " +
+                                    std::to_string(file.seed) + " -o " + path);
+        REQUIRE(outcome.status == 0);
+        chosen[path] = file;
+        names += " " + path;
+    }
+    const Outcome checked = run(plcheck + " --json" + names);
+    CHECK(checked.status == 0);
+    const nlohmann::json report = nlohmann::json::parse(checked.out);
+    REQUIRE(report.at("files").size() == dozen);
+    for (const nlohmann::json& file : report.at("files")) {
+        const ListedFile& listed = chosen.at(file.at("file"));
+        CAPTURE(listed.name);
+        CHECK(file.at("sha256") == listed.digest);
+        CHECK(file.at("degrees").at(0).at("class") == listed.number);
+        CHECK(file.at("degrees").at(0).at("certified_at_least") >= listed.solutions);
+    }
+}
