@@ -292,9 +292,10 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
     command->add_flag("--exact", request->exact, "find all solutions")->excludes("--target");
     add_class_filters(*command, "--classes", request->classes,
                       "compute only these classes (default: all)");
-    command->add_option("--threads", request->threads, "how many classes to compute at a time")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+    command
+        ->add_option("--threads", request->threads,
+                     "how many classes to compute at a time (default: one a core)")
+        ->check(CLI::Range(1, 1024));
     command->add_option("--seed", request->options.seed, "draw other random images")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();

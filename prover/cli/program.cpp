@@ -8,6 +8,7 @@
 #include "prover/cli/bounds_command.h"
 #include "prover/cli/catalogue_commands.h"
 #include "prover/cli/degree_commands.h"
+#include "prover/cli/describe.h"
 #include "prover/cli/problem_report.h"
 #include "prover/drawing/drawing.h"
 #include "prover/format/version.h"
@@ -27,6 +28,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace plprove {
 
@@ -224,15 +226,12 @@ std::string version_text() {
     return std::string("plprove ") + software_version + ", certificate format " + format_version;
 }
 
-int run(int argc, char** argv, const ComputeDegree& compute) {
-    if (const std::optional<std::string> advice = renamed(argc, argv)) {
-        std::cerr << "plprove: " << *advice << '\n';
-        return exit_usage;
-    }
-    CLI::App program("Which points and lines in two or three photos fix the cameras? plprove "
-                     "decides, and writes "
-                     "certificates.\nplcheck replays them and believes nothing.",
-                     "plprove");
+constexpr const char* summary =
+    "Which points and lines in two or three photos fix the cameras? plprove decides, and writes "
+    "certificates.\nplcheck replays them and believes nothing.";
+
+/// Gives the program its commands, and the texts of its help.
+std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
     program.footer("Examples:\n"
                    "  plprove problem 'P/P/P + 4*a/a/a'    is it minimal, and why?\n"
                    "  plprove show 'P/P/P + 4*a/a/a'       what does each view see?\n"
@@ -244,16 +243,25 @@ int run(int argc, char** argv, const ComputeDegree& compute) {
                    "Exit status: 0 done, 1 failed, 2 bad input, 3 wrong use.");
     program.set_version_flag("--version", version_text());
     program.require_subcommand(1);
-    const Command commands[] = {problem_command(program),
-                                show_command(program),
-                                add_list_command(program, deliver),
-                                certify_command(program),
-                                classification_command(program),
-                                add_bounds_command(program, deliver),
-                                add_degree_command(program, deliver, compute),
-                                add_degrees_command(program, compute),
-                                export_command(program),
-                                bundle_command(program)};
+    return {problem_command(program),
+            show_command(program),
+            add_list_command(program, deliver),
+            certify_command(program),
+            classification_command(program),
+            add_bounds_command(program, deliver),
+            add_degree_command(program, deliver, compute),
+            add_degrees_command(program, compute),
+            export_command(program),
+            bundle_command(program)};
+}
+
+int run(int argc, char** argv, const ComputeDegree& compute) {
+    if (const std::optional<std::string> advice = renamed(argc, argv)) {
+        std::cerr << "plprove: " << *advice << '\n';
+        return exit_usage;
+    }
+    CLI::App program(summary, "plprove");
+    const std::vector<Command> commands = set_up(program, compute);
     try {
         program.parse(words_of(argc, argv));
     } catch (const CLI::ParseError& error) {
@@ -269,6 +277,12 @@ int run(int argc, char** argv, const ComputeDegree& compute) {
 }
 
 } // namespace
+
+std::string describe_plprove() {
+    CLI::App program(summary, "plprove");
+    set_up(program, {});
+    return describe(program);
+}
 
 int run_plprove(int argc, char** argv, const ComputeDegree& compute) {
     std::signal(SIGXFSZ, SIG_IGN); // a file beyond the user's limit is a failed write
