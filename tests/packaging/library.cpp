@@ -1,0 +1,70 @@
+// The installed checker as a library: a program of ten lines is built against it, as
+// docs/install.md shows, and says what the command plcheck says.
+#include "tests/packaging/installation.h"
+
+#include <doctest/doctest.h>
+#include <map>
+
+namespace {
+
+/// The first block of the page that is fenced with this word.
+std::string block_of(const std::string& page, const std::string& word) {
+    const std::string fence = "```" + word + "\n";
+    const std::size_t begin = page.find(fence);
+    REQUIRE(begin != std::string::npos);
+    const std::size_t start = begin + fence.size();
+    return page.substr(start, page.find("```", start) - start);
+}
+
+/// Builds the program of docs/install.md in a folder; the program is the folder's build/check.
+void build_program(const TemporaryFolder& folder) {
+    const std::string page = read_file(SOURCE_DIR "/docs/install.md");
+    write_file(folder / "check.cpp", block_of(page, "cpp"));
+    write_file(folder / "CMakeLists.txt", block_of(page, "cmake"));
+    const std::string at = folder.path().string();
+    const Outcome build = run("env -u CXXFLAGS cmake -S " + at + " -B " + at +
+                              "/build -DCMAKE_PREFIX_PATH=" + installed().string() +
+                              " && cmake --build " + at + "/build");
+    CAPTURE(build.out);
+    CAPTURE(build.err);
+    REQUIRE(build.status == 0);
+}
+
+} // namespace
+
+TEST_CASE("a program built against the installed library says what plcheck says") {
+    const TemporaryFolder folder;
+    build_program(folder);
+    const std::string inside = "cd " + folder.path().string() + " && ";
+    const std::string plcheck = (installed() / "bin/plcheck ").string();
+    const std::string plprove = (installed() / "bin/plprove ").string();
+    REQUIRE(run(inside + plprove + "certify 2394 -o good.plc").status == 0);
+    REQUIRE(run(inside + plprove + "degree 2394 --target 3 -o degrees.plc").status == 0);
+    REQUIRE(run(inside + "sed '$ s/[0-9]*$/1/' good.plc > refused.plc").status == 0);
+    REQUIRE(run(inside + "head -n 4 good.plc > malformed.plc").status == 0);
+    const std::map<std::string, int> expected{
+        {"good.plc", 0}, {"degrees.plc", 0}, {"refused.plc", 1}, {"malformed.plc", 2}};
+    for (const auto& [file, status] : expected) {
+        CAPTURE(file);
+        const Outcome library = run(inside + "build/check " + file);
+        const Outcome command = run(inside + plcheck + file);
+        CHECK(library.status == status);
+        CHECK(command.status == status);
+        CHECK(library.out == command.out);
+    }
+}
+
+TEST_CASE("the package says its version, and refuses to stand for another major one") {
+    const TemporaryFolder folder;
+    const auto configure = [&](const std::string& version) {
+        write_file(folder / "CMakeLists.txt", "cmake_minimum_required(VERSION 3.25)\n"
+                                              "project(example CXX)\n"
+                                              "find_package(plcheck " +
+                                                  version + " REQUIRED)\n");
+        return run("cmake -S " + folder.path().string() + " -B " + (folder / "build").string() +
+                   " -DCMAKE_PREFIX_PATH=" + installed().string())
+            .status;
+    };
+    CHECK(configure(PROJECT_VERSION) == 0);
+    CHECK(configure("999.0") != 0);
+}
