@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace plprove {
@@ -23,32 +25,68 @@ struct Selection {
     bool required = true;
 };
 
-const Selection selections[] = {
+const Selection bundle_selections[] = {
     {"certs", {".plc", ".md", ".csv", "SHA256SUMS"}},
     {"checker", {".cpp", ".h", "CMakeLists.txt"}},
     {"docs", {".md", ".svg"}, false},
     {"proofs", {".md", ".v", ".awk", ".expected", "Makefile", ".cpp", ".h"}},
 };
 
-constexpr const char* single_files[] = {"CITATION.cff", "LICENSE"};
+constexpr const char* bundle_files[] = {"CITATION.cff", "LICENSE"};
+
+const Selection checker_selections[] = {
+    {"checker", {".cpp", ".h", "CMakeLists.txt"}},
+    {"cmake", {".cmake"}},
+    {"packaging", {".awk", ".cmake", ".in", "CMakeLists.txt"}},
+};
+
+constexpr const char* checker_files[] = {"CITATION.cff",   "CMakeLists.txt",  "CMakePresets.json",
+                                         "LICENSE",        "certs/FORMAT.md", "docs/ci.md",
+                                         "docs/install.md"};
 
 constexpr const char* landmarks[] = {"certs/FORMAT.md", "certs/SHA256SUMS", "checker/main.cpp"};
 
-constexpr const char* readme = R"(Certificates for the classification of point-line minimal problems
+constexpr const char* bundle_readme =
+    R"(Certificates for the classification of point-line minimal problems
 
 certs/     the certificates; FORMAT.md specifies them, enough to write another checker
 checker/   the sources of plcheck, which believes nothing and replays every certificate
 proofs/    why a certificate that passes implies its claim, and programs that a proof needs
 
-With a C++20 compiler and GMP (https://gmplib.org), in this folder:
+With a C++20 compiler, GMP (https://gmplib.org) and FLINT with Arb (https://flintlib.org), in this
+folder:
+
+    c++ -std=c++20 -O2 -DPLC_ARB -I. checker/*.cpp checker/*/*.cpp -lflint-arb -lflint -lgmpxx -lgmp -o plcheck
+    ./plcheck certs/*.plc certs/degrees/*.plc
+
+The first line builds the checker. FLINT 3 has Arb inside: leave out -lflint-arb. The second line
+replays every certificate, in about a minute. It prints what they prove, and exits with 0 if all of
+them hold.
+
+Without FLINT, the checker replays all but the degree files:
 
     c++ -std=c++20 -O2 -I. checker/*.cpp checker/*/*.cpp -lgmpxx -lgmp -o plcheck
     ./plcheck certs/*.plc
 
-The first line builds the checker. The second prints what the certificates prove, and exits with 0
-if all of them hold. The degree files certs/degrees/*.plc need the library Arb, too: add to the
-first line -DPLC_ARB and, before -lgmpxx, -lflint-arb -lflint (with FLINT 3: -lflint).
+SHA256SUMS has the SHA-256 digest of every other file here: sha256sum --check SHA256SUMS
+)";
 
+constexpr const char* checker_readme = R"(plcheck, the checker of point-line certificates
+
+checker/         the sources
+certs/FORMAT.md  what a certificate file is, and what plcheck verifies
+example.plc      a certificate: the Chicago problem 2*Pa/Pa/Pa + P/P/P is minimal
+
+With a C++20 compiler and GMP (https://gmplib.org), in this folder:
+
+    c++ -std=c++20 -O2 -I. checker/*.cpp checker/*/*.cpp -lgmpxx -lgmp -o plcheck
+    ./plcheck example.plc
+
+The first line builds the checker. The second prints what the certificate proves, and exits with 0
+if it holds. Degree files need FLINT with Arb (https://flintlib.org), too: add to the first line
+-DPLC_ARB and, before -lgmpxx, -lflint-arb -lflint (with FLINT 3: -lflint).
+
+docs/install.md says how to install plcheck with CMake, and how to call it from a program.
 SHA256SUMS has the SHA-256 digest of every other file here: sha256sum --check SHA256SUMS
 )";
 
@@ -94,6 +132,17 @@ void check_digests(const Files& files) {
                        "write SHA256SUMS again");
 }
 
+Files select(const fs::path& source, std::span<const Selection> selections,
+             std::span<const char* const> single_files) {
+    require_project(source);
+    Files files;
+    for (const Selection& selection : selections)
+        add_selection(files, source, selection);
+    for (const char* name : single_files)
+        files[name] = read(source / name);
+    return files;
+}
+
 std::string sums(const Files& files) {
     std::string text;
     for (const auto& [path, content] : files)
@@ -101,19 +150,24 @@ std::string sums(const Files& files) {
     return text;
 }
 
-} // namespace
-
-Files bundle(const fs::path& source) {
-    require_project(source);
-    Files files;
-    for (const Selection& selection : selections)
-        add_selection(files, source, selection);
-    for (const char* name : single_files)
-        files[name] = read(source / name);
-    check_digests(files);
+Files finished(Files files, const char* readme) {
     files["README"] = readme;
     files["SHA256SUMS"] = sums(files);
     return files;
+}
+
+} // namespace
+
+Files bundle(const fs::path& source) {
+    Files files = select(source, bundle_selections, bundle_files);
+    check_digests(files);
+    return finished(std::move(files), bundle_readme);
+}
+
+Files checker_archive(const fs::path& source, const std::string& example) {
+    Files files = select(source, checker_selections, checker_files);
+    files["example.plc"] = example;
+    return finished(std::move(files), checker_readme);
 }
 
 } // namespace plprove

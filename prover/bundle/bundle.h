@@ -18,4 +18,10 @@ Files bundle(const std::filesystem::path& source);
 /// The folder that the bundle unpacks to.
 inline constexpr const char* bundle_folder = "point-line-certificates";
 
+/// The checker alone, made from the project's source folder: licence and citation, its sources with
+/// what CMake needs to install them, the format, `example` as example.plc, a README that says how
+/// to build and run it, and SHA256SUMS of all of these. Throws std::runtime_error if `source` is
+/// not the source folder of this project, or if a file cannot be read.
+Files checker_archive(const std::filesystem::path& source, const std::string& example);
+
 } // namespace plprove

@@ -178,26 +178,41 @@ Command export_command(CLI::App& program) {
             }};
 }
 
+struct BundleRequest {
+    std::string source = ".";
+    std::string path;
+    bool checker = false;
+};
+
+void write_bundle(const BundleRequest& request) {
+    const std::string folder =
+        request.checker ? std::string("plcheck-") + software_version : bundle_folder;
+    const Files files =
+        request.checker
+            ? checker_archive(request.source, write(certify_problem(parse_spec("2394"))))
+            : bundle(request.source);
+    deliver(request.path.empty() ? folder + ".tar.zst" : request.path, tar_zst(files, folder));
+}
+
 Command bundle_command(CLI::App& program) {
-    struct Request {
-        std::string source = ".";
-        std::string path = "point-line-certificates.tar.zst";
-    };
-    auto request = std::make_shared<Request>();
+    auto request = std::make_shared<BundleRequest>();
     CLI::App* app = program.add_subcommand(
         "bundle",
         "Pack the certificates, the proofs and the checker's sources into one file to keep");
     app->add_option("-o,--output", request->path,
-                    "the .tar.zst file to write, - for standard output")
-        ->capture_default_str();
+                    "the file to write, - for standard output (default: "
+                    "point-line-certificates.tar.zst, or plcheck-VERSION.tar.zst)");
+    app->add_flag("--checker", request->checker,
+                  "pack the checker alone: its sources, the format and one certificate");
     app->add_option("--source", request->source, "the project's source folder")
         ->capture_default_str();
     app->footer("Examples:\n"
                 "  plprove bundle                       in the project's source folder\n"
                 "  tar -xf point-line-certificates.tar.zst\n"
-                "                                       its README says how to check everything");
+                "                                       its README says how to check everything\n"
+                "  plprove bundle --checker             for those who have certificates");
     return {app, [request] {
-                deliver(request->path, tar_zst(bundle(request->source), bundle_folder));
+                write_bundle(*request);
                 return 0;
             }};
 }

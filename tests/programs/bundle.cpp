@@ -1,4 +1,5 @@
 // The bundle that is archived for decades, as its reader meets it: an empty folder, a compiler.
+#include "tests/support/process.h"
 #include "tests/support/program.h"
 
 #include <doctest/doctest.h>
@@ -49,17 +50,28 @@ TEST_CASE("the bundle unpacks, builds and checks with what it brings along") {
         CHECK(listed.find(std::string("  ") + file + "\n") != std::string::npos);
     CHECK(listed.find("  tests/") == std::string::npos);
 
+    // With Arb: what the README says to check is every certificate file.
     const std::vector<std::string> commands = commands_in(run(inside + "cat README").out);
-    REQUIRE(commands.size() == 2);
-    const Outcome build = run(inside + commands[0]);
+    REQUIRE(commands.size() == 4);
+    const std::string every_file = run(inside + "find . -name '*.plc' | sort").out;
+    CHECK(run(inside + "echo_all() { shift; printf './%s\\n' \"$@\" | sort; }; echo_all " +
+              commands[1])
+              .out == every_file);
+    const Outcome with_arb = run(inside + commands[0]);
+    CAPTURE(with_arb.err);
+    REQUIRE(with_arb.status == 0);
+    CHECK(run(inside + "./plcheck certs/degrees/three-points.plc").status == 0);
+
+    // From C++ and GMP alone.
+    const Outcome build = run(inside + commands[2]);
     CAPTURE(build.err);
     REQUIRE(build.status == 0);
-    const Outcome fresh = run(inside + commands[1]);
+    const Outcome fresh = run(inside + commands[3]);
     CHECK(fresh.status == 0);
     CHECK(fresh.out.find("143494 certificates hold") != std::string::npos);
     const Outcome degrees =
         run(inside + "printf 'plcert 2 degrees\\n' >degrees.plc && ./plcheck degrees.plc");
-    CHECK(degrees.status == 1); // built from C++ and GMP alone
+    CHECK(degrees.status == 1);
     CHECK(degrees.err == "degrees.plc:1: refused: this plcheck was built without Arb\n");
     const Outcome installed = run("cd " + source + " && " + plcheck + " certs/*.plc");
     CHECK(fresh.out == installed.out);
@@ -104,6 +116,48 @@ TEST_CASE(
     CHECK(without.status == 0);
     CHECK(without.out.find("/docs/") == std::string::npos);
     CHECK(without.out.find("/checker/file/reader.h\n") != std::string::npos);
+}
+
+TEST_CASE("the archive of the checker alone unpacks, builds and checks its example") {
+    const TemporaryFolder folder;
+    const std::string in_folder = "cd " + folder.path().string() + " && ";
+    const std::string pack = in_folder + plprove + " bundle --checker --source " + source;
+    REQUIRE(run(pack).status == 0);
+    const std::string name = "plcheck-" PROJECT_VERSION;
+    CHECK(names_in(folder.path()) == name + ".tar.zst\n");
+    REQUIRE(run(in_folder + "zstd -q -d -c " + name + ".tar.zst | tar -x").status == 0);
+
+    const std::string inside = in_folder + "cd " + name + " && ";
+    CHECK(run(inside + "sha256sum --check --strict --quiet SHA256SUMS").status == 0);
+    CHECK(run(inside + "find . -name '*.plc'").out == "./example.plc\n");
+    CHECK(run(inside + "cmp certs/FORMAT.md " + source + "/certs/FORMAT.md").status == 0);
+    CHECK(run(inside + "test -e prover").status != 0);
+
+    const std::vector<std::string> commands = commands_in(run(inside + "cat README").out);
+    REQUIRE(commands.size() == 2);
+    const Outcome build = run(inside + commands[0]);
+    CAPTURE(build.err);
+    REQUIRE(build.status == 0);
+    const Outcome check = run(inside + commands[1]);
+    CHECK(check.status == 0);
+    CHECK(check.out.find("certified minimal, class 2394: 2*Pa/Pa/Pa + P/P/P") != std::string::npos);
+}
+
+TEST_CASE("the archive of the checker depends on the sources alone") {
+    const TemporaryFolder folder;
+    make_project(folder);
+    for (const char* name : {"CMakeLists.txt", "CMakePresets.json", "cmake", "packaging"})
+        std::filesystem::copy(std::filesystem::path(source) / name, folder / name,
+                              std::filesystem::copy_options::recursive);
+    const std::string in_copy = "cd " + folder.path().string() + " && ";
+    REQUIRE(run(in_copy + "find . -exec touch -d 2001-01-01 {} + && chmod 600 LICENSE && "
+                          "touch checker/core prover.txt")
+                .status == 0);
+    const Outcome from_copy = run(in_copy + plprove + " bundle --checker -o -");
+    const Outcome from_sources = run(plprove + " bundle --checker -o - --source " + source);
+    REQUIRE(from_copy.status == 0);
+    const bool same = from_copy.out == from_sources.out;
+    CHECK(same);
 }
 
 TEST_CASE("a bundle is refused where a certificate has not the digest on file") {
