@@ -1,6 +1,7 @@
 # Turns what `plcheck --help` prints into the facts that prover/cli/describe.h lists. An option is a
 # line that begins, after blanks, with dashes; its description begins after two blanks, and goes on
-# in lines that are indented as deep.
+# in lines that are indented as deep. Two kinds of lines are added: `usage` and what follows the
+# program's name in a call of it, and `item N` where the help has the Nth option.
 BEGIN {
     print "program\tplcheck\tReplays certificates of point-line problems, and says what they prove."
 }
@@ -8,6 +9,7 @@ BEGIN {
 function end_option() {
     if (names == "") return
     options[++count] = "option\t" names "\t" value "\t" description
+    lines[++line_count] = "item\t" count
     names = ""
 }
 

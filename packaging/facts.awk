@@ -30,6 +30,12 @@ $1 == "text" {
     text[commands, ++lines[commands]] = $2
 }
 
+# Where the text has an option: the Nth of the command (item_at), counted without its operands.
+$1 == "item" {
+    text[commands, ++lines[commands]] = ""
+    item_at[commands, lines[commands]] = $2
+}
+
 # The words that the value may be, separated by blanks; empty if it is not one of a few words.
 function choices(value) {
     if (match(value, /\{[^}]*\}/)) {

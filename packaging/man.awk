@@ -46,16 +46,27 @@ function without_relations(value) {
     return value == "" ? "" : " " value
 }
 
-function print_items(c, wanted, heading,    i, head, begun) {
+function print_item(c, i,    head) {
+    head = names[c, i]
+    gsub(",", ", ", head)
+    print ".TP" > page
+    print bold(head) roff(without_relations(value[c, i])) > page
+    print roff(description[c, i] "." relations(value[c, i])) > page
+}
+
+function print_items(c, wanted, heading,    i, begun) {
     for (i = 1; i <= items[c]; ++i) {
         if (kind[c, i] != wanted || description[c, i] == "") continue
         if (!begun++) print ".SH " heading > page
-        head = names[c, i]
-        gsub(",", ", ", head)
-        print ".TP" > page
-        print bold(head) roff(without_relations(value[c, i])) > page
-        print roff(description[c, i] "." relations(value[c, i])) > page
+        print_item(c, i)
     }
+}
+
+# The number of the Nth option among the items of a command.
+function option_number(c, n,    i) {
+    for (i = 1; i <= items[c]; ++i)
+        if (kind[c, i] == "option" && --n == 0) return i
+    return 0
 }
 
 function print_commands(    c) {
@@ -67,38 +78,49 @@ function print_commands(    c) {
     }
 }
 
-# The heading that begins at this line of a help text; empty if none does.
-function heading_of(line, begun) {
-    if (line ~ /^[A-Z][A-Za-z ]*:$/) return toupper(substr(line, 1, length(line) - 1))
-    if (line ~ /^Exit status: /) return "EXIT STATUS"
-    if (begun || line == "") return ""
-    return line ~ /^ / ? "EXAMPLES" : "NOTES"
+# Whether the paragraph that begins at a line of the text ends where the text has an option.
+function leads_to_option(c, i) {
+    while (i <= lines[c] && text[c, i] != "") ++i
+    return (c, i) in item_at
 }
 
-# Lines of a help text: headings, examples, which are indented, and prose.
-function print_text(c,    i, line, heading, begun, gap, verbatim) {
+# The section that a line of the text belongs to, after one of the section `now`.
+function section_of(c, i, now,    line) {
+    line = text[c, i]
+    if ((c, i) in item_at) return "OPTIONS"
+    if (line ~ /^[A-Z][A-Za-z ]*:$/) return toupper(substr(line, 1, length(line) - 1))
+    if (line ~ /^Exit status: /) return "EXIT STATUS"
+    if (line == "" || (i > 1 && text[c, i - 1] != "")) return now
+    if (line ~ /^ /) return now == "" ? "EXAMPLES" : now
+    return leads_to_option(c, i) ? "OPTIONS" : "NOTES"
+}
+
+# Lines of a help text: headings, examples, which are indented, options, and prose.
+function print_text(c,    i, line, section, before, gap, verbatim) {
     for (i = 1; i <= lines[c]; ++i) {
         line = text[c, i]
         if (verbatim && line !~ /^ /) {
             print ".fi" > page
             verbatim = 0
         }
-        heading = heading_of(line, begun)
-        if (heading != "") {
-            print ".SH " heading > page
-            begun = 1
+        before = section
+        section = section_of(c, i, section)
+        if (section != before) {
+            print ".SH " section > page
             gap = 0
-            if (line ~ /:$/) continue
+        }
+        if ((c, i) in item_at) {
+            print_item(c, option_number(c, item_at[c, i]))
+            gap = 1
+        } else if (line == "") {
+            gap = 1
+        } else if (section == before || line !~ /:$/ || section == "OPTIONS") {
             sub(/^Exit status: /, "", line)
+            if (gap) print ".PP" > page
+            gap = 0
+            if (line ~ /^ / && !verbatim++) print ".nf" > page
+            print roff(line) > page
         }
-        if (line == "") {
-            gap = begun
-            continue
-        }
-        if (gap) print ".PP" > page
-        gap = 0
-        if (line ~ /^ / && !verbatim++) print ".nf" > page
-        print roff(line) > page
     }
     if (verbatim) print ".fi" > page
 }
@@ -120,7 +142,7 @@ function print_page(c,    name) {
     print ".SH DESCRIPTION" > page
     print roff(summary[c]) (summary[c] ~ /[.?!]$/ ? "" : ".") > page
     print_items(c, "operand", "ARGUMENTS")
-    print_items(c, "option", "OPTIONS")
+    if (!(c in usage)) print_items(c, "option", "OPTIONS") # else the text has them in their places
     if (c == 0 && commands) print_commands()
     print_text(c)
     print_see_also(c)

@@ -2,7 +2,6 @@
 // installs on a bare system, tests/packages tries.
 #include "tests/packaging/installation.h"
 
-#include <cstdlib>
 #include <doctest/doctest.h>
 
 namespace {
