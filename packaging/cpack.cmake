@@ -27,7 +27,6 @@ set(CPACK_PACKAGE_DESCRIPTION
 "Which points and lines in three photos fix the cameras? A certificate says so
 of a problem, and plcheck replays it, believing nothing. plprove, where it is
 part of the package, finds certificates.")
-set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 include(CPack)
 
 # Debian wants licence and change log here.

@@ -22,9 +22,10 @@ void build_program(const TemporaryFolder& folder) {
     write_file(folder / "check.cpp", block_of(page, "cpp"));
     write_file(folder / "CMakeLists.txt", block_of(page, "cmake"));
     const std::string at = folder.path().string();
-    const Outcome build = run("env -u CXXFLAGS cmake -S " + at + " -B " + at +
-                              "/build -DCMAKE_PREFIX_PATH=" + installed().string() +
-                              " && cmake --build " + at + "/build");
+    const Outcome build =
+        run("env -u CXXFLAGS cmake -S " + at + " -B " + at +
+            "/build -DCMAKE_PREFIX_PATH=" + installed().string() +
+            " -DCMAKE_EXE_LINKER_FLAGS='" LINK_OPTIONS "' && cmake --build " + at + "/build");
     CAPTURE(build.out);
     CAPTURE(build.err);
     REQUIRE(build.status == 0);
