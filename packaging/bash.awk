@@ -9,18 +9,18 @@ function list_options(c,    i, list) {
 
 function operand_of(c,    i) {
     for (i = 1; i <= items[c]; ++i)
-        if (kind[c, i] == "operand") return completes("operand", value[c, i])
+        if (kind[c, i] == "operand") return completes("operand", value[c, i], "")
     return "none"
 }
 
 # A branch for each option with a value, and one for what has no option before it.
 function print_branches(c,    i, j, list, count, what) {
     for (i = 1; i <= items[c]; ++i) {
-        what = completes(kind[c, i], value[c, i])
+        what = completes(kind[c, i], value[c, i], description[c, i])
         if (kind[c, i] != "option" || what == "flag") continue
         count = split(names[c, i], list, ",")
         for (j = 1; j <= count; ++j)
-            print_branch("'" command_name[c] " " list[j] "'", what, choices(value[c, i]))
+            print_branch("'" command_name[c] " " list[j] "'", what, choices(value[c, i], description[c, i]))
     }
     if (c == 0 && commands)
         print_branch("' '*", "words", list_commands())

@@ -36,8 +36,9 @@ $1 == "item" {
     item_at[commands, lines[commands]] = $2
 }
 
-# The words that the value may be, separated by blanks; empty if it is not one of a few words.
-function choices(value) {
+# The words that the value may be, separated by blanks; empty if it is not one of a few words. The
+# value lists them, `{a,b}` or `a|b`, or the description does: `a, b or c`.
+function choices(value, description) {
     if (match(value, /\{[^}]*\}/)) {
         value = substr(value, RSTART + 1, RLENGTH - 2)
         gsub(",", " ", value)
@@ -48,15 +49,19 @@ function choices(value) {
         gsub(/\|/, " ", value)
         return value
     }
+    if (value != "" && description ~ /^[a-z-]+(, [a-z-]+)* or [a-z-]+$/) {
+        gsub(/,| or/, "", description)
+        return description
+    }
     return ""
 }
 
 # What the value is, for a shell to complete: `words`, `folder`, `file`, `none` (nothing that a shell
 # knows) or `flag` (the option takes no value).
-function completes(kind, value) {
+function completes(kind, value, description) {
     sub(/ *(Needs|Excludes):.*/, "", value)
     if (kind == "option" && value == "") return "flag"
-    if (choices(value) != "") return "words"
+    if (choices(value, description) != "") return "words"
     if (value ~ /^DIR/) return "folder"
     if (value ~ /^(FILE|REPORT)/) return "file"
     if (kind == "option" && value ~ /^TEXT/) return "file"

@@ -17,8 +17,8 @@ function print_option(c, i,    list, count, j, what, line) {
     count = split(names[c, i], list, ",")
     for (j = 1; j <= count; ++j)
         line = line (list[j] ~ /^--/ ? " -l " substr(list[j], 3) : " -s " substr(list[j], 2))
-    what = completes("option", value[c, i])
-    if (what == "words") line = line " -x -a " quoted(choices(value[c, i]))
+    what = completes("option", value[c, i], description[c, i])
+    if (what == "words") line = line " -x -a " quoted(choices(value[c, i], description[c, i]))
     if (what == "folder") line = line " -x -a '(__fish_complete_directories)'"
     if (what == "file") line = line " -r -F"
     if (what == "none") line = line " -x"
@@ -33,7 +33,7 @@ END {
     for (c = 0; c <= commands; ++c)
         for (i = 1; i <= items[c]; ++i) {
             if (kind[c, i] == "option") print_option(c, i)
-            else if (completes("operand", value[c, i]) == "file" && commands)
+            else if (completes("operand", value[c, i], "") == "file" && commands)
                 print "complete -c " program condition(c) " -F"
         }
 }

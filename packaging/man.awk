@@ -84,11 +84,15 @@ function leads_to_option(c, i) {
     return (c, i) in item_at
 }
 
+function is_heading(line) {
+    return line ~ /^[A-Z][A-Za-z ]*:$/
+}
+
 # The section that a line of the text belongs to, after one of the section `now`.
 function section_of(c, i, now,    line) {
     line = text[c, i]
     if ((c, i) in item_at) return "OPTIONS"
-    if (line ~ /^[A-Z][A-Za-z ]*:$/) return toupper(substr(line, 1, length(line) - 1))
+    if (is_heading(line)) return toupper(substr(line, 1, length(line) - 1))
     if (line ~ /^Exit status: /) return "EXIT STATUS"
     if (line == "" || (i > 1 && text[c, i - 1] != "")) return now
     if (line ~ /^ /) return now == "" ? "EXAMPLES" : now
@@ -114,7 +118,7 @@ function print_text(c,    i, line, section, before, gap, verbatim) {
             gap = 1
         } else if (line == "") {
             gap = 1
-        } else if (section == before || line !~ /:$/ || section == "OPTIONS") {
+        } else if (!is_heading(line)) {
             sub(/^Exit status: /, "", line)
             if (gap) print ".PP" > page
             gap = 0

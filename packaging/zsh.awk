@@ -13,9 +13,9 @@ function escaped(text) {
     return text
 }
 
-function action(kind, value,    what) {
-    what = completes(kind, value)
-    if (what == "words") return ":value:(" choices(value) ")"
+function action(kind, value, description,    what) {
+    what = completes(kind, value, description)
+    if (what == "words") return ":value:(" choices(value, description) ")"
     if (what == "folder") return ":folder:_files -/"
     if (what == "file") return ":file:_files"
     return what == "flag" ? "" : ":value: "
@@ -23,12 +23,12 @@ function action(kind, value,    what) {
 
 function print_item(c, i,    list, count, j, exclusive, rest) {
     if (kind[c, i] == "operand") {
-        print "        " quoted("*" action("operand", value[c, i])) " \\"
+        print "        " quoted("*" action("operand", value[c, i], "")) " \\"
         return
     }
     exclusive = names[c, i]
     gsub(",", " ", exclusive)
-    rest = "[" escaped(description[c, i]) "]" action("option", value[c, i])
+    rest = "[" escaped(description[c, i]) "]" action("option", value[c, i], description[c, i])
     count = split(names[c, i], list, ",")
     for (j = 1; j <= count; ++j)
         print "        " quoted("(" exclusive ")" list[j] rest) " \\"
