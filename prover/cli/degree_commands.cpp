@@ -1,20 +1,11 @@
 #include "prover/cli/degree_commands.h"
 
 #include "prover/cli/degree_report.h"
-#include "prover/cli/filter_options.h"
-#include "prover/degree_sweep/classes.h"
-#include "prover/degree_sweep/collect.h"
 #include "prover/degree_sweep/write.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
-#include "prover/system/interruption.h"
-#include "prover/system/progress.h"
 
 #include <chrono>
-#include <iomanip>
-#include <iostream>
-#include <sstream>
-#include <thread>
 
 namespace plprove {
 
@@ -33,25 +24,6 @@ constexpr const char* degree_examples =
     "  plprove degree 142849 --target 300           stop once 300 solutions are found\n"
     "  plprove degree 2394 --at-least 312 -o chicago.plc\n"
     "                                               a certificate of 312 solutions, no more\n";
-
-constexpr const char* degrees_examples =
-    "You may kill a sweep at any moment: the same command goes on where it was.\n\n"
-    "A FILTER has the options of `plprove list`, with or without dashes, and numbers of classes. "
-    "plprove computes\na system of equations (a constraint class) if one of its minimal classes "
-    "passes one of the filters.\n\n"
-    "Examples:\n"
-    "  plprove degrees -o sweep                     all 10,073 systems, to 300 solutions\n"
-    "  plprove degrees --exact -o sweep             ... then to the end, the small ones first\n"
-    "  plprove degrees --exact --classes pl0p -o pl0p\n"
-    "                                               the problems with points and lines only\n"
-    "  plprove degrees --classes 'one-pin points ..3' --classes 2394,6723 -o some\n"
-    "  plprove degrees --collect --below 300 --also pl0p -o sweep\n"
-    "                                               write the files again, with fewer "
-    "certificates\n"
-    "  plcheck --json certs/classification.plc certs/bounds.plc sweep/degrees*.plc >report\n"
-    "                                               replay every certificate\n"
-    "  plprove degrees --collect --checked report -o sweep\n"
-    "                                               call certified what plcheck accepted\n";
 
 /// The problem's decision. Throws BadInput where it has no degree that can be computed.
 Decision decided(const std::string& spec) {
@@ -97,157 +69,6 @@ int find_degree(const DegreeRequest& request, const Deliver& deliver,
     return report.run.degree > 0 ? 0 : exit_failure;
 }
 
-struct DegreesRequest {
-    std::string folder;
-    DegreeOptions options{300, 0, true};
-    bool exact = false;
-    bool no_certificates = false;
-    bool retry = false;
-    bool collect_only = false;
-    unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-    std::vector<ClassFilter> classes;
-    std::vector<ClassFilter> also;
-    std::string checked;
-    Selection selection;
-};
-
-std::vector<std::size_t> chosen_classes(const std::vector<ClassFilter>& filters) {
-    try {
-        return constraint_classes_of(filters);
-    } catch (const std::invalid_argument& error) {
-        throw BadInput(error.what());
-    }
-}
-
-/// `2 h 5 min`, `3 min`, `12 s`.
-std::string duration(double seconds) {
-    const auto whole = static_cast<long>(seconds + 0.5);
-    if (whole < 100) return std::to_string(whole) + " s";
-    const long minutes = (whole + 30) / 60;
-    if (minutes < 100) return std::to_string(minutes) + " min";
-    return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
-}
-
-std::string rate_and_time_left(const SweepProgress& progress) {
-    if (progress.done == 0) return "";
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << ", "
-         << static_cast<double>(progress.done) / progress.seconds << " a second, "
-         << duration(progress.seconds * (1 - progress.share) / progress.share) << " left";
-    return text.str();
-}
-
-/// Computes what is missing; ends the process if a signal asks for that.
-void run_sweep(const SweepFolder& folder, const SweepPlan& plan, const ComputeDegree& compute) {
-    const Interruption interruption;
-    ProgressLine line("computing degrees", plan.classes.size());
-    SweepProgress last;
-    SweepWatch watch;
-    watch.progress = [&](const SweepProgress& progress) {
-        last = progress;
-        line.show(progress.done, rate_and_time_left(progress));
-    };
-    watch.pause = [&] {
-        const int signal = interruption.pending();
-        if (signal == 0) return;
-        line.wipe();
-        std::cerr << "plprove: interrupted: " << last.done << " of " << last.total
-                  << " classes are on file; the same command goes on from there" << std::endl;
-        Interruption::end_by(signal);
-    };
-    sweep(folder, plan, compute, watch);
-}
-
-/// Says which classes have not the result that was asked for. Returns whether all have.
-bool all_fulfilled(const SweepFolder& folder, const std::vector<std::size_t>& classes,
-                   const DegreeOptions& options) {
-    constexpr std::size_t named_at_most = 10;
-    std::size_t count = 0;
-    std::string names;
-    for (const std::size_t number : classes) {
-        const std::optional<ClassResult> result = folder.read(number, false);
-        if (result && fulfils(*result, options)) continue;
-        if (++count <= named_at_most) names += " #" + std::to_string(number);
-    }
-    if (count == 0) return true;
-    std::cerr << "plprove: " << count << (count == 1 ? " class" : " classes")
-              << " fell short:" << names << (count > named_at_most ? " ..." : "") << "\n  "
-              << (folder.path() / "runs.jsonl").string()
-              << " says why; --retry computes them again\n";
-    return false;
-}
-
-void write_collection(const SweepFolder& folder, const DegreesRequest& request) {
-    Selection selection = request.selection;
-    if (!request.checked.empty()) selection.checked.emplace(request.checked, folder.path());
-    if (!request.also.empty()) {
-        const std::vector<std::size_t> also = chosen_classes(request.also);
-        selection.also = {also.begin(), also.end()};
-    }
-    const Collected collected = collect(folder, selection);
-    std::cout << "degrees       " << (folder.path() / "degrees.csv").string() << ": "
-              << collected.classes << " classes, " << collected.exact << " complete by evidence, "
-              << collected.classes - collected.exact << " lower bounds only\n"
-              << "certificates  ";
-    for (const std::string& file : collected.files)
-        std::cout << (folder.path() / file).string()
-                  << (file == collected.files.back() ? ": " : " ");
-    std::cout << collected.certificates << " classes, " << collected.solutions << " solutions, "
-              << (selection.checked ? "all accepted by plcheck"
-                                    : "certified once plcheck accepts them")
-              << std::endl;
-    if (collected.damaged > 0)
-        std::cerr << "plprove: " << collected.damaged
-                  << " files are damaged and were left out; a sweep computes them again\n";
-    if (!std::cout)
-        throw std::runtime_error(
-            "cannot write to standard output: is it closed, or the disk full?");
-}
-
-int find_degrees(const DegreesRequest& request, const ComputeDegree& compute) {
-    DegreeOptions options = request.options;
-    if (request.exact) options.target = 0;
-    options.certificate = !request.no_certificates;
-    const SweepFolder folder(request.folder, options.seed);
-    if (request.collect_only) {
-        if (folder.numbers().empty())
-            throw BadInput("there are no results in " + request.folder +
-                           ": run a sweep there first, or name another folder or --seed");
-        write_collection(folder, request);
-        return 0;
-    }
-    const std::vector<std::size_t> classes =
-        request.classes.empty() ? minimal_constraint_classes() : chosen_classes(request.classes);
-    const FolderLock lock(request.folder);
-    SweepPlan plan = plan_sweep(folder, classes, options, request.retry);
-    plan.threads = request.threads;
-    const auto begin = std::chrono::steady_clock::now();
-    if (!plan.classes.empty()) run_sweep(folder, plan, compute);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    std::cout << "computed      " << plan.classes.size() << " classes in "
-              << duration(elapsed.count()) << "; " << plan.on_file << " were on file\n";
-    write_collection(folder, request);
-    return all_fulfilled(folder, classes, options) ? 0 : exit_failure;
-}
-
-CLI::Option* add_class_filters(CLI::App& command, const char* name,
-                               std::vector<ClassFilter>& filters, const char* help) {
-    return command
-        .add_option_function<std::vector<std::string>>(
-            name,
-            [&filters, name](const std::vector<std::string>& texts) {
-                try {
-                    for (const std::string& text : texts)
-                        filters.push_back(parse_class_filter(text));
-                } catch (const std::invalid_argument& error) {
-                    throw CLI::ValidationError(name, error.what());
-                }
-            },
-            help)
-        ->type_name("FILTER")
-        ->allow_extra_args(false);
-}
-
 } // namespace
 
 Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree compute) {
@@ -276,56 +97,6 @@ Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree com
     return {command, [request, deliver = std::move(deliver), compute = std::move(compute)] {
                 return find_degree(*request, deliver, compute);
             }};
-}
-
-Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
-    const auto request = std::make_shared<DegreesRequest>();
-    CLI::App* command = program.add_subcommand(
-        "degrees",
-        "Compute the degrees of many classes: a sweep, which you may kill and start again");
-    command->add_option("-o,--output", request->folder, "the folder of the sweep")
-        ->type_name("DIR")
-        ->required();
-    command->add_option("--target", request->options.target, "stop at so many solutions of a class")
-        ->check(CLI::Range(1, largest_target))
-        ->capture_default_str();
-    command->add_flag("--exact", request->exact, "find all solutions")->excludes("--target");
-    add_class_filters(*command, "--classes", request->classes,
-                      "compute only these classes (default: all)");
-    command
-        ->add_option("--threads", request->threads,
-                     "how many classes to compute at a time (default: one a core)")
-        ->check(CLI::Range(1, 1024));
-    command->add_option("--seed", request->options.seed, "draw other random images")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    command->add_flag("--no-certificates", request->no_certificates,
-                      "compute degrees only: quicker");
-    command->add_flag("--retry", request->retry, "compute those again that fell short before");
-    CLI::Option* collect = command->add_flag("--collect", request->collect_only,
-                                             "compute nothing: write the files of what is there");
-    for (const char* option :
-         {"--target", "--exact", "--classes", "--threads", "--no-certificates", "--retry"})
-        collect->excludes(option);
-    command
-        ->add_option("--below", request->selection.below,
-                     "write only certificates of complete classes with fewer solutions than this "
-                     "(default: of all)")
-        ->check(CLI::Range(1, largest_target));
-    add_class_filters(*command, "--also", request->also, "... and those of these classes")
-        ->needs("--below");
-    command
-        ->add_option(
-            "--checked", request->checked,
-            "what `plcheck --json` printed of degrees.plc: keep what plcheck accepted, and "
-            "call that certified in degrees.csv")
-        ->type_name("REPORT")
-        ->needs(collect)
-        ->excludes("--below")
-        ->excludes("--also");
-    command->footer(degrees_examples);
-    return {command,
-            [request, compute = std::move(compute)] { return find_degrees(*request, compute); }};
 }
 
 } // namespace plprove

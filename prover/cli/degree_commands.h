@@ -1,4 +1,4 @@
-// The subcommands `plprove degree` and `plprove degrees`.
+// The subcommand `plprove degree`.
 #pragma once
 
 #include "prover/cli/command.h"
@@ -8,8 +8,5 @@ namespace plprove {
 
 /// Adds `degree PROBLEM` to `program`.
 Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree compute);
-
-/// Adds `degrees -o DIR` to `program`.
-Command add_degrees_command(CLI::App& program, ComputeDegree compute);
 
 } // namespace plprove

@@ -9,6 +9,7 @@
 #include "prover/cli/catalogue_commands.h"
 #include "prover/cli/degree_commands.h"
 #include "prover/cli/describe.h"
+#include "prover/cli/degrees_command.h"
 #include "prover/cli/problem_report.h"
 #include "prover/drawing/drawing.h"
 #include "prover/format/version.h"
