@@ -3,6 +3,7 @@
 #include "prover/cli/filter_options.h"
 #include "prover/degree_sweep/classes.h"
 #include "prover/degree_sweep/collect.h"
+#include "prover/degree_sweep/sweep.h"
 #include "prover/system/exit.h"
 #include "prover/system/interruption.h"
 #include "prover/system/progress.h"
@@ -20,7 +21,8 @@ namespace {
 constexpr int largest_target = 1'000'000;
 
 constexpr const char* degrees_examples =
-    "You may kill a sweep at any moment: the same command goes on where it was.\n\n"
+    "You may kill a sweep at any moment: the same command goes on where it was. Under mpirun, all "
+    "ranks\nshare the work, and the folder.\n\n"
     "A FILTER has the options of `plprove list`, with or without dashes, and numbers of classes. "
     "plprove computes\na system of equations (a constraint class) if one of its minimal classes "
     "passes one of the filters.\n\n"
@@ -29,6 +31,8 @@ constexpr const char* degrees_examples =
     "  plprove degrees --exact -o sweep             ... then to the end, the small ones first\n"
     "  plprove degrees --exact --classes pl0p -o pl0p\n"
     "                                               the problems with points and lines only\n"
+    "  mpirun -n 64 plprove degrees --exact -o sweep\n"
+    "                                               the same sweep on 64 cores\n"
     "  plprove degrees --classes 'one-pin points ..3' --classes 2394,6723 -o some\n"
     "  plprove degrees --collect --below 300 --also pl0p -o sweep\n"
     "                                               write the files again, with fewer "
@@ -45,7 +49,7 @@ struct DegreesRequest {
     bool no_certificates = false;
     bool retry = false;
     bool collect_only = false;
-    unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+    unsigned threads = 0; ///< 0: as many as are useful
     std::vector<ClassFilter> classes;
     std::vector<ClassFilter> also;
     std::string checked;
@@ -78,8 +82,15 @@ std::string rate_and_time_left(const SweepProgress& progress) {
     return text.str();
 }
 
+/// How many threads each rank has, if the user does not say. A rank is meant for one core, since
+/// mpirun starts as many ranks as it may use cores.
+unsigned useful_threads(const Ranks& ranks) {
+    return ranks.count > 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
+}
+
 /// Computes what is missing; ends the process if a signal asks for that.
-void run_sweep(const SweepFolder& folder, const SweepPlan& plan, const ComputeDegree& compute) {
+void run_sweep(const SweepFolder& folder, const SweepPlan& plan, const Ranks& ranks,
+               const ComputeDegree& compute) {
     const Interruption interruption;
     ProgressLine line("computing degrees", plan.classes.size());
     SweepProgress last;
@@ -96,7 +107,16 @@ void run_sweep(const SweepFolder& folder, const SweepPlan& plan, const ComputeDe
                   << " classes are on file; the same command goes on from there" << std::endl;
         Interruption::end_by(signal);
     };
-    sweep(folder, plan, compute, watch);
+    sweep(folder, plan, ranks, compute, watch);
+}
+
+/// Computes what rank 0 gives this one; ends the process if a signal asks for that. Rank 0 speaks.
+void help(const SweepFolder& folder, const DegreeOptions& options, unsigned threads,
+          const Ranks& ranks, const ComputeDegree& compute) {
+    const Interruption interruption;
+    help_sweep(folder, options, threads, ranks, compute, [&] {
+        if (const int signal = interruption.pending(); signal != 0) Interruption::end_by(signal);
+    });
 }
 
 /// Says which classes have not the result that was asked for. Returns whether all have.
@@ -145,30 +165,51 @@ void write_collection(const SweepFolder& folder, const DegreesRequest& request) 
             "cannot write to standard output: is it closed, or the disk full?");
 }
 
-int find_degrees(const DegreesRequest& request, const ComputeDegree& compute) {
+/// What the options ask of a class.
+DegreeOptions options_of(const DegreesRequest& request) {
     DegreeOptions options = request.options;
     if (request.exact) options.target = 0;
     options.certificate = !request.no_certificates;
-    const SweepFolder folder(request.folder, options.seed);
-    if (request.collect_only) {
-        if (folder.numbers().empty())
-            throw BadInput("there are no results in " + request.folder +
-                           ": run a sweep there first, or name another folder or --seed");
-        write_collection(folder, request);
-        return 0;
-    }
+    return options;
+}
+
+int collect_only(const SweepFolder& folder, const DegreesRequest& request) {
+    if (folder.numbers().empty())
+        throw BadInput("there are no results in " + request.folder +
+                       ": run a sweep there first, or name another folder or --seed");
+    write_collection(folder, request);
+    return 0;
+}
+
+int sweep_and_collect(const SweepFolder& folder, const DegreesRequest& request, unsigned threads,
+                      const Ranks& ranks, const ComputeDegree& compute) {
+    const DegreeOptions options = options_of(request);
     const std::vector<std::size_t> classes =
         request.classes.empty() ? minimal_constraint_classes() : chosen_classes(request.classes);
     const FolderLock lock(request.folder);
     SweepPlan plan = plan_sweep(folder, classes, options, request.retry);
-    plan.threads = request.threads;
+    if (ranks.count > 1) plan = largest_first(std::move(plan));
+    plan.threads = threads;
     const auto begin = std::chrono::steady_clock::now();
-    if (!plan.classes.empty()) run_sweep(folder, plan, compute);
+    if (!plan.classes.empty()) run_sweep(folder, plan, ranks, compute);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     std::cout << "computed      " << plan.classes.size() << " classes in "
               << duration(elapsed.count()) << "; " << plan.on_file << " were on file\n";
     write_collection(folder, request);
     return all_fulfilled(folder, classes, options) ? 0 : exit_failure;
+}
+
+int find_degrees(const DegreesRequest& request, const ComputeDegree& compute) {
+    const Ranks ranks = join_ranks();
+    const SweepFolder folder(request.folder, request.options.seed);
+    const unsigned threads = request.threads > 0 ? request.threads : useful_threads(ranks);
+    if (!ranks.leads()) {
+        help(folder, options_of(request), threads, ranks, compute);
+        return 0;
+    }
+    const EndOfWork end(ranks);
+    if (request.collect_only) return collect_only(folder, request);
+    return sweep_and_collect(folder, request, threads, ranks, compute);
 }
 
 CLI::Option* add_class_filters(CLI::App& command, const char* name,
@@ -207,7 +248,8 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
                       "compute only these classes (default: all)");
     command
         ->add_option("--threads", request->threads,
-                     "how many classes to compute at a time (default: one a core)")
+                     "how many classes to compute at a time (default: one a core; under mpirun, "
+                     "one a rank)")
         ->check(CLI::Range(1, 1024));
     command->add_option("--seed", request->options.seed, "draw other random images")
         ->check(CLI::NonNegativeNumber)

@@ -1,0 +1,262 @@
+// plprove degrees under mpirun: the bytes of one process, whatever the number of ranks, and
+// whichever of them is killed. The program is plprove with a fake engine.
+#include "tests/support/process.h"
+#include "tests/support/program.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <doctest/doctest.h>
+#include <map>
+#include <random>
+#include <regex>
+#include <sstream>
+#include <sys/wait.h>
+#include <thread>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Numbers of classes: of 37 constraint classes, two of which the fake engine does not like.
+const std::string some = "60000..60150";
+
+/// More ranks than cores, by root too, and in a container.
+void prepare_mpi() {
+    for (const char* variable : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
+                                 "OMPI_MCA_rmaps_base_oversubscribe"})
+        ::setenv(variable, "1", 1);
+    ::setenv("OMPI_MCA_hwloc_base_binding_policy", "none", 1);
+    ::setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 1);
+    ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1); // MPI's own
+}
+
+Arguments sweep_of(const fs::path& folder, const Arguments& more = {}) {
+    Arguments arguments{"degrees", "--target", "40", "--classes", some, "-o", folder.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+std::string shell(const std::string& program, const Arguments& arguments) {
+    std::string line = program;
+    for (const std::string& argument : arguments)
+        line += " '" + argument + "'";
+    return line;
+}
+
+std::string by_ranks(int ranks) {
+    return std::string(MPIRUN) + " -n " + std::to_string(ranks) + " " + PLPROVE_FAKE_ENGINE;
+}
+
+pid_t start_ranks(int ranks, const Arguments& arguments, const char* milliseconds) {
+    Arguments all{"-n", std::to_string(ranks), PLPROVE_FAKE_ENGINE};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return start_program(MPIRUN, "/", all,
+                         [&] { ::setenv("PLC_FAKE_ENGINE_MS", milliseconds, 1); });
+}
+
+/// The processes that this one has started.
+std::vector<pid_t> children_of(pid_t process) {
+    const std::string id = std::to_string(process);
+    std::istringstream list(read_file("/proc/" + id + "/task/" + id + "/children"));
+    std::vector<pid_t> children;
+    for (pid_t child = 0; list >> child;)
+        children.push_back(child);
+    return children;
+}
+
+/// The finished classes of a sweep, by their paths in it. What a run took is left out.
+std::map<std::string, std::string> finished(const fs::path& folder) {
+    const std::regex seconds("\"seconds\":[0-9.e-]+");
+    std::map<std::string, std::string> files;
+    if (!fs::exists(folder / "seed-0")) return files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "seed-0"))
+        if (entry.path().extension() == ".plc")
+            files[entry.path().lexically_relative(folder)] =
+                std::regex_replace(read_file(entry.path()), seconds, "\"seconds\":0");
+    return files;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+int occurrences(const std::string& text, const std::string& part) {
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
+/// A sweep by one process, in a folder that vanishes with the object.
+struct SweepByOne {
+    TemporaryFolder folder;
+    fs::path path = folder / "one";
+    Outcome outcome;
+
+    SweepByOne() {
+        prepare_mpi();
+        outcome = run(shell(PLPROVE_FAKE_ENGINE, sweep_of(path)));
+        REQUIRE(outcome.status == 1); // the double fails for some classes, and says so
+    }
+
+    void check_same(const fs::path& other) const {
+        for (const char* file : {"degrees.csv", "degrees.plc"})
+            CHECK(read_file(other / file) == read_file(path / file));
+        CHECK(finished(other) == finished(path));
+    }
+};
+
+/// How many classes are finished; quick.
+std::size_t count_finished(const fs::path& folder) {
+    std::size_t count = 0;
+    if (!fs::exists(folder / "seed-0")) return count;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "seed-0"))
+        count += entry.path().extension() == ".plc";
+    return count;
+}
+
+/// Waits until so many classes are finished, or 10 seconds.
+void wait_until_finished(std::size_t count, const fs::path& folder) {
+    for (int i = 0; i < 1000 && count_finished(folder) < count; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
+/// Starts a sweep, and kills one of its ranks some time after it has finished another class.
+/// Returns whether there was one to kill; then the sweep has failed.
+bool sweep_until_killed(int ranks, const fs::path& sweep, std::mt19937& random) {
+    const std::size_t before = count_finished(sweep);
+    const pid_t mpirun = start_ranks(ranks, sweep_of(sweep), "40");
+    wait_until_finished(before + 1, sweep);
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 250));
+    const std::vector<pid_t> processes = children_of(mpirun);
+    const bool killed =
+        !processes.empty() && ::kill(processes[random() % processes.size()], SIGKILL) == 0;
+    const int status = wait_for(mpirun);
+    CHECK(WIFEXITED(status));
+    if (killed) CHECK(WEXITSTATUS(status) != 0);
+    return killed;
+}
+
+} // namespace
+
+TEST_CASE("two and four ranks write the bytes of one process, and one of them speaks") {
+    const SweepByOne one;
+    for (const int ranks : {2, 4})
+        for (const char* threads : {"1", "3"}) {
+            CAPTURE(ranks);
+            CAPTURE(threads);
+            const fs::path sweep = one.folder / (std::to_string(ranks) + "-" + threads);
+            const Outcome outcome =
+                run(shell(by_ranks(ranks), sweep_of(sweep, {"--threads", threads})));
+            CHECK(outcome.status == 1);
+            one.check_same(sweep);
+            CHECK(contains(outcome.out, "computed      37 classes in "));
+            CHECK(occurrences(outcome.out, "\n") == occurrences(one.outcome.out, "\n"));
+            CHECK(occurrences(outcome.err, "plprove: 2 classes fell short:") == 1);
+            CHECK(occurrences(outcome.err, "plprove: ") == 1);
+        }
+}
+
+TEST_CASE("a sweep that loses a rank goes on with the same command and loses nothing") {
+    const SweepByOne one;
+    std::mt19937 random(5);
+    int kills = 0;
+    for (const int ranks : {2, 4}) {
+        const fs::path sweep = one.folder / std::to_string(ranks);
+        std::map<std::string, std::string> files;
+        while (sweep_until_killed(ranks, sweep, random)) {
+            ++kills;
+            const auto now = finished(sweep);
+            CHECK(now.size() > files.size());
+            CHECK(std::ranges::includes(now, files));
+            files = now;
+            if (files.size() == finished(one.path).size()) break;
+        }
+        const Outcome last = run(shell(by_ranks(ranks), sweep_of(sweep)));
+        CHECK(last.status == 1);
+        one.check_same(sweep);
+    }
+    CHECK(kills >= 3);
+    MESSAGE(kills << " kills");
+}
+
+TEST_CASE("one process ends what ranks have begun, and ranks what one process has") {
+    const SweepByOne one;
+    const fs::path sweep = one.folder / "both";
+    run(shell(PLPROVE_FAKE_ENGINE,
+              {"degrees", "--target", "40", "--classes", "60000..60050", "-o", sweep.string()}));
+    const std::size_t begun = finished(sweep).size();
+    CHECK(begun > 3);
+    const Outcome rest = run(shell(by_ranks(3), sweep_of(sweep)));
+    CHECK(contains(rest.out, "; " + std::to_string(begun) + " were on file\n"));
+    one.check_same(sweep);
+    const Outcome again = run(shell(PLPROVE_FAKE_ENGINE, sweep_of(sweep)));
+    CHECK(contains(again.out, "computed      0 classes in 0 s; 37 were on file\n"));
+}
+
+TEST_CASE("ranks that get SIGTERM end, rank 0 says so, and the same command goes on") {
+    const SweepByOne one;
+    const fs::path sweep = one.folder / "sweep", err = one.folder / "err";
+    // mpirun may not pass on what ranks say while they end: each has a file.
+    const std::string rank = "PLC_FAKE_ENGINE_MS=150 exec " +
+                             shell(PLPROVE_FAKE_ENGINE, sweep_of(sweep)) + " 2>" + err.string() +
+                             "$OMPI_COMM_WORLD_RANK";
+    const pid_t mpirun = start_program(MPIRUN, "/", {"-n", "2", "/bin/sh", "-c", rank});
+    wait_until_finished(4, sweep);
+    for (const pid_t process : children_of(mpirun)) // as a batch system does at the limit of time
+        ::kill(process, SIGTERM);
+    wait_for(mpirun);
+    const std::string message = read_file(err.string() + "0");
+    CHECK(message.starts_with("plprove: interrupted: "));
+    CHECK(contains(message, "goes on from there\n"));
+    CHECK(read_file(err.string() + "1").empty());
+    const std::size_t on_file = count_finished(sweep);
+    CHECK(on_file >= 4);
+    CHECK(on_file < 37);
+    const Outcome rest = run(shell(by_ranks(2), sweep_of(sweep)));
+    CHECK(contains(rest.out, "; " + std::to_string(on_file) + " were on file\n"));
+    one.check_same(sweep);
+}
+
+TEST_CASE("a sweep goes on after mpirun got Ctrl-C or SIGTERM") {
+    const SweepByOne one;
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const fs::path sweep = one.folder / std::to_string(signal);
+        const pid_t mpirun = start_ranks(3, sweep_of(sweep), "150");
+        wait_until_finished(4, sweep);
+        ::kill(mpirun, signal);
+        wait_for(mpirun);
+        const std::size_t on_file = count_finished(sweep);
+        CHECK(on_file >= 4);
+        const Outcome rest = run(shell(by_ranks(3), sweep_of(sweep)));
+        CHECK(contains(rest.out, "; " + std::to_string(on_file) + " were on file\n"));
+        one.check_same(sweep);
+    }
+}
+
+TEST_CASE("what rank 0 refuses, or any rank cannot write, is said once and ends all ranks") {
+    const SweepByOne one;
+    const Outcome none = run(shell(by_ranks(3), {"degrees", "--classes", "0", "-o", "/nowhere"}));
+    CHECK(none.status == 2);
+    CHECK(occurrences(none.err, "plprove: no minimal class passes the filter") == 1);
+    CHECK(occurrences(none.err, "plprove: ") == 1);
+
+    const fs::path sweep = one.folder / "sweep";
+    fs::create_directories(sweep / "seed-0");
+    write_file(sweep / "seed-0" / "060", ""); // where a folder should be
+    const Outcome full = run(shell(by_ranks(3), sweep_of(sweep)));
+    CHECK(full.status == 1);
+    CHECK(occurrences(full.err, "plprove: ") == 1);
+    CHECK(contains(full.err, "seed-0/060"));
+}
+
+TEST_CASE("a plprove that was started alone does not start MPI") {
+    const SweepByOne one;
+    const std::string broken = "OMPI_MCA_pml=none-of-these ";
+    const fs::path alone = one.folder / "alone";
+    CHECK(run(broken + shell(by_ranks(2), sweep_of(one.folder / "ranks"))).out.empty());
+    CHECK(run(broken + shell(PLPROVE_FAKE_ENGINE, sweep_of(alone))).status == 1);
+    one.check_same(alone);
+}
