@@ -8,6 +8,7 @@
 #include "prover/system/interruption.h"
 #include "prover/system/progress.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iomanip>
 #include <iostream>
@@ -119,26 +120,44 @@ void help(const SweepFolder& folder, const DegreeOptions& options, unsigned thre
     });
 }
 
+/// ` #4 #6`, and ` ...` for the rest of a long list.
+std::string names_of(const std::vector<std::size_t>& classes) {
+    constexpr std::size_t named_at_most = 10;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(classes.size(), named_at_most); ++i)
+        names += " #" + std::to_string(classes[i]);
+    return names + (classes.size() > named_at_most ? " ..." : "");
+}
+
 /// Says which classes have not the result that was asked for. Returns whether all have.
 bool all_fulfilled(const SweepFolder& folder, const std::vector<std::size_t>& classes,
                    const DegreeOptions& options) {
-    constexpr std::size_t named_at_most = 10;
-    std::size_t count = 0;
-    std::string names;
+    std::vector<std::size_t> others;
     for (const std::size_t number : classes) {
         const std::optional<ClassResult> result = folder.read(number, false);
-        if (result && fulfils(*result, options)) continue;
-        if (++count <= named_at_most) names += " #" + std::to_string(number);
+        if (!result || !fulfils(*result, options)) others.push_back(number);
     }
-    if (count == 0) return true;
-    std::cerr << "plprove: " << count << (count == 1 ? " class" : " classes")
-              << " fell short:" << names << (count > named_at_most ? " ..." : "") << "\n  "
+    if (others.empty()) return true;
+    std::cerr << "plprove: " << others.size() << (others.size() == 1 ? " class" : " classes")
+              << " fell short:" << names_of(others) << "\n  "
               << (folder.path() / "runs.jsonl").string()
               << " says why; --retry computes them again\n";
     return false;
 }
 
-void write_collection(const SweepFolder& folder, const DegreesRequest& request) {
+/// Says which files could not be used. Returns whether all could.
+bool none_damaged(const std::vector<std::size_t>& damaged) {
+    if (damaged.empty()) return true;
+    std::cerr << "plprove: " << damaged.size()
+              << (damaged.size() == 1 ? " file is damaged and was" : " files are damaged and were")
+              << " left out:" << names_of(damaged) << "\n  a sweep with --retry computes "
+              << (damaged.size() == 1 ? "its class" : "their classes") << " again\n";
+    return false;
+}
+
+/// Writes the files of a collection and says what they have. Returns whether no class was left out
+/// because its file is damaged.
+bool write_collection(const SweepFolder& folder, const DegreesRequest& request) {
     Selection selection = request.selection;
     if (!request.checked.empty()) selection.checked.emplace(request.checked, folder.path());
     if (!request.also.empty()) {
@@ -157,12 +176,13 @@ void write_collection(const SweepFolder& folder, const DegreesRequest& request) 
               << (selection.checked ? "all accepted by plcheck"
                                     : "certified once plcheck accepts them")
               << std::endl;
-    if (collected.damaged > 0)
-        std::cerr << "plprove: " << collected.damaged
-                  << " files are damaged and were left out; a sweep computes them again\n";
     if (!std::cout)
         throw std::runtime_error(
             "cannot write to standard output: is it closed, or the disk full?");
+    if (selection.checked && selection.checked->refused_something())
+        std::cerr << "plprove: plcheck refused something in " << request.checked
+                  << ": no degree is called exact\n";
+    return none_damaged(collected.damaged);
 }
 
 /// What the options ask of a class.
@@ -177,8 +197,7 @@ int collect_only(const SweepFolder& folder, const DegreesRequest& request) {
     if (folder.numbers().empty())
         throw BadInput("there are no results in " + request.folder +
                        ": run a sweep there first, or name another folder or --seed");
-    write_collection(folder, request);
-    return 0;
+    return write_collection(folder, request) ? 0 : exit_failure;
 }
 
 int sweep_and_collect(const SweepFolder& folder, const DegreesRequest& request, unsigned threads,
@@ -195,8 +214,9 @@ int sweep_and_collect(const SweepFolder& folder, const DegreesRequest& request, 
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     std::cout << "computed      " << plan.classes.size() << " classes in "
               << duration(elapsed.count()) << "; " << plan.on_file << " were on file\n";
-    write_collection(folder, request);
-    return all_fulfilled(folder, classes, options) ? 0 : exit_failure;
+    const bool whole = write_collection(folder, request);
+    const bool fulfilled = all_fulfilled(folder, classes, options);
+    return whole && fulfilled ? 0 : exit_failure;
 }
 
 int find_degrees(const DegreesRequest& request, const ComputeDegree& compute) {
@@ -256,7 +276,8 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
         ->capture_default_str();
     command->add_flag("--no-certificates", request->no_certificates,
                       "compute degrees only: quicker");
-    command->add_flag("--retry", request->retry, "compute those again that fell short before");
+    command->add_flag("--retry", request->retry,
+                      "compute those again that fell short before, or whose file is damaged");
     CLI::Option* collect = command->add_flag("--collect", request->collect_only,
                                              "compute nothing: write the files of what is there");
     for (const char* option :

@@ -36,30 +36,70 @@ std::map<std::size_t, std::string> records_of(const std::string& file) {
     return records;
 }
 
+using Json = nlohmann::json;
+
+/// Throws std::runtime_error if the file at `path` is not the one of which the report has this
+/// item.
+void require_checked(const std::string& content, const Json& item, const fs::path& path,
+                     const fs::path& report) {
+    if (sha256(content) != item.at("sha256").get<std::string>())
+        throw std::runtime_error(path.string() + " is not the file that " + report.string() +
+                                 " is about: run plcheck --json again");
+}
+
+/// The same for the files that have no records of degrees.
+void require_other_files(const Json& files, const fs::path& report) {
+    for (const Json& item : files) {
+        const fs::path path = item.at("file").get<std::string>();
+        if (item.at("kind") == "degrees") continue;
+        if (!fs::is_regular_file(path))
+            throw std::runtime_error(path.string() + ", which " + report.string() +
+                                     " names, is not here: run this in the folder in which you "
+                                     "ran plcheck --json");
+        require_checked(read(path), item, path, report);
+    }
+}
+
+/// Adds the digests of the records in a file of the folder that plcheck accepted.
+void add_accepted(const Json& item, const fs::path& folder, const fs::path& report,
+                  std::map<std::size_t, std::string>& digests) {
+    if (item.at("kind") != "degrees" || item.at("degrees").empty()) return;
+    const fs::path path = folder / fs::path(item.at("file").get<std::string>()).filename();
+    const std::string content = read(path);
+    require_checked(content, item, path, report);
+    const std::map<std::size_t, std::string> records = records_of(content);
+    for (const Json& degree : item.at("degrees")) {
+        const auto number = degree.at("class").get<std::size_t>();
+        digests[number] = sha256(records.at(number));
+    }
+}
+
+/// The status of plcheck: 0 if it refused nothing, 1 if something. Throws std::runtime_error if it
+/// could not read all.
+int status_of(const Json& json, const fs::path& report) {
+    const int status = json.at("status").get<int>();
+    if (status == 0 || status == 1) return status;
+    throw std::runtime_error(report.string() + " has status " + std::to_string(status) +
+                             ": plcheck could not read or parse some file. Mend that, and run "
+                             "plcheck --json again");
+}
+
 } // namespace
 
 Checked::Checked(const fs::path& report, const fs::path& folder) {
     const std::string text = read(report);
     try {
-        const nlohmann::json json = nlohmann::json::parse(text);
-        for (const auto& file : json.at("files")) {
-            if (file.at("kind") != "degrees" || file.at("degrees").empty()) continue;
-            const fs::path path = folder / fs::path(file.at("file").get<std::string>()).filename();
-            const std::string content = read(path);
-            if (sha256(content) != file.at("sha256").get<std::string>())
-                throw std::runtime_error(path.string() + " is not the file that " +
-                                         report.string() + " is about: run plcheck --json again");
-            const std::map<std::size_t, std::string> records = records_of(content);
-            for (const auto& degree : file.at("degrees")) {
-                const auto number = degree.at("class").get<std::size_t>();
-                digests_[number] = sha256(records.at(number));
-            }
-        }
-        const nlohmann::json none = nlohmann::json::array();
-        for (const auto& [number, degree] :
-             json.value("certified_exactly", none).get<std::vector<std::pair<std::size_t, int>>>())
-            exact_[number] = degree;
-    } catch (const nlohmann::json::exception&) {
+        const Json json = Json::parse(text);
+        refused_something_ = status_of(json, report) != 0;
+        const Json& files = json.at("files");
+        for (const Json& item : files)
+            add_accepted(item, folder, report, digests_);
+        const auto exact =
+            json.at("certified_exactly").get<std::vector<std::pair<std::size_t, int>>>();
+        if (refused_something_ || exact.empty()) return;
+        require_other_files(files, report);
+        exact_ = {exact.begin(), exact.end()};
+    } catch (const Json::exception&) {
         throw std::runtime_error(report.string() +
                                  " is no report of plcheck --json on degrees: write one with "
                                  "plcheck --json");
@@ -70,14 +110,16 @@ Checked::Checked(const fs::path& report, const fs::path& folder) {
     }
 }
 
-std::optional<int> Checked::exact(std::size_t number) const {
-    const auto found = exact_.find(number);
-    return found == exact_.end() ? std::nullopt : std::optional(found->second);
-}
-
 bool Checked::accepts(const ClassResult& result) const {
     const auto found = digests_.find(result.run.number);
     return found != digests_.end() && found->second == sha256(result.record);
+}
+
+std::optional<int> Checked::exact(const ClassResult& result) const {
+    const auto found = exact_.find(result.run.number);
+    if (found == exact_.end() || found->second != result.certified || !accepts(result))
+        return std::nullopt;
+    return found->second;
 }
 
 } // namespace plprove

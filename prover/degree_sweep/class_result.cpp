@@ -1,11 +1,13 @@
 #include "prover/degree_sweep/class_result.h"
 
+#include "prover/degree_sweep/read_record.h"
 #include "prover/degree_sweep/write.h"
 
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <stdexcept>
 
 namespace plprove {
 
@@ -14,6 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view run_mark = "# run ";
+constexpr int most_edges = 99;                  // as in a record
+constexpr int smallest_trace_exponent = -99;    // as in a record
 constexpr std::size_t longest_run_line = 16000; // leaves room for the mark in a line of the format
 
 Json json_of(const ClassResult& result) {
@@ -44,37 +48,90 @@ bool is_head(const std::string& line) {
     return line + '\n' == degree_file("") || line == "plcert 1 degrees";
 }
 
-/// Throws Json::exception.
+/// The run line is not what run_line() writes; caught in this file, as Json::exception is.
+class BadRunLine : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+constexpr std::int64_t largest_integer = std::numeric_limits<std::int64_t>::max();
+
+std::int64_t integer(const Json& json, std::int64_t least, std::int64_t most) {
+    const bool beyond = json.is_number_unsigned() && json.get<std::uint64_t>() > largest_integer;
+    if (!json.is_number_integer() || beyond) throw BadRunLine("no integer, or too large");
+    const auto value = json.get<std::int64_t>();
+    if (value < least || value > most) throw BadRunLine("out of range");
+    return value;
+}
+
+int count(const Json& json) {
+    return static_cast<int>(integer(json, 0, std::numeric_limits<int>::max()));
+}
+
+std::uint64_t large_count(const Json& json) {
+    return static_cast<std::uint64_t>(integer(json, 0, largest_integer));
+}
+
+/// The evidence that the line has: what it says where the run is complete, nulls where it is not.
+std::optional<CompletenessEvidence> evidence_of(const Json& json) {
+    const Json &edges = json.at("edges"), &exponent = json.at("trace_exponent");
+    if (!json.at("complete").get<bool>()) {
+        if (edges.is_null() && exponent.is_null()) return std::nullopt;
+        throw BadRunLine("evidence of no completeness");
+    }
+    CompletenessEvidence evidence{static_cast<int>(integer(edges, 0, most_edges)), std::nullopt};
+    if (!exponent.is_null())
+        evidence.trace_exponent = static_cast<int>(integer(exponent, smallest_trace_exponent, -1));
+    else if (evidence.edges == 0)
+        throw BadRunLine("completeness without evidence");
+    return evidence;
+}
+
+/// Throws Json::exception or BadRunLine.
 ClassResult result_of(const Json& json) {
     ClassResult result;
     DegreeRun& run = result.run;
-    json.at("number").get_to(run.number);
-    json.at("degree").get_to(run.degree);
-    if (json.at("complete").get<bool>()) run.evidence = {json.at("edges").get<int>(), std::nullopt};
-    if (const Json& exponent = json.at("trace_exponent"); run.evidence && !exponent.is_null())
-        run.evidence->trace_exponent = exponent.get<int>();
-    json.at("certified").get_to(result.certified);
-    json.at("tracks").get_to(run.tracks);
-    json.at("retried").get_to(run.retried);
-    json.at("failed").get_to(run.failed);
+    run.number = large_count(json.at("number"));
+    run.degree = count(json.at("degree"));
+    run.evidence = evidence_of(json);
+    result.certified = count(json.at("certified"));
+    run.tracks = large_count(json.at("tracks"));
+    run.retried = large_count(json.at("retried"));
+    run.failed = large_count(json.at("failed"));
     json.at("seconds").get_to(result.seconds);
+    if (!(result.seconds >= 0)) throw BadRunLine("a time below zero");
+    if (!json.at("seed").is_number_unsigned()) throw BadRunLine("no seed");
     json.at("seed").get_to(result.seed);
     for (const Json& attempt : json.at("attempts"))
         result.attempts.push_back(
-            {attempt.at("target").get<int>(), attempt.at("certificate").get<bool>()});
+            {count(attempt.at("target")), attempt.at("certificate").get<bool>()});
     json.at("notes").get_to(run.notes);
     return result;
 }
 
-/// Whether the text is a record of this class with so many solutions.
+bool same(const CompletenessEvidence& one, const CompletenessEvidence& other) {
+    return one.edges == other.edges && one.trace_exponent == other.trace_exponent;
+}
+
+/// Whether the record's evidence, if it has any, is that of the run: that its solutions are all.
+bool agree(const std::optional<CompletenessEvidence>& of_record, const ClassResult& result) {
+    if (!of_record) return true;
+    const DegreeRun& run = result.run;
+    return run.evidence && same(*of_record, *run.evidence) && run.degree == result.certified;
+}
+
+/// Whether the record is one of this class, and the run line says the same of it.
 bool is_whole(const ClassResult& result) {
     if (result.record.empty()) return result.certified == 0;
-    std::istringstream lines(result.record);
-    int solutions = 0;
-    for (std::string line; std::getline(lines, line);)
-        solutions += line.starts_with("real ") ? 1 : line.starts_with("pair ") ? 2 : 0;
-    return solutions == result.certified && result.record.back() == '\n' &&
-           result.record.starts_with("degree " + std::to_string(result.run.number) + ' ');
+    const auto summary = read_record(result.record, result.run.number);
+    return summary && summary->solutions == result.certified && agree(summary->evidence, result);
+}
+
+/// Takes back what the record says of completeness where the run knows better.
+void withdraw_refuted_evidence(ClassResult& result) {
+    const auto summary = read_record(result.record, result.run.number);
+    if (!summary || agree(summary->evidence, result)) return;
+    result.record.replace(0, result.record.find('\n'),
+                          "degree " + std::to_string(result.run.number) + " evidence none");
 }
 
 } // namespace
@@ -107,6 +164,7 @@ ClassResult merged(ClassResult old, ClassResult recent) {
     std::ranges::sort(recent.attempts);
     recent.attempts.erase(std::unique(recent.attempts.begin(), recent.attempts.end()),
                           recent.attempts.end()); // clang 14 knows no subranges
+    withdraw_refuted_evidence(recent);
     return recent;
 }
 
@@ -137,6 +195,8 @@ std::string write(const ClassResult& result) {
 }
 
 std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole) {
+    std::error_code ignored; // what cannot be looked at cannot be read
+    if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt; // a pipe would hang
     std::ifstream file(path, std::ios::binary);
     std::string head, line;
     if (!std::getline(file, head) || !is_head(head)) return std::nullopt;
@@ -147,6 +207,7 @@ std::optional<ClassResult> read_class_result(const std::filesystem::path& path, 
         result.record.assign(std::istreambuf_iterator<char>(file), {});
         if (is_whole(result)) return result;
     } catch (const Json::exception&) {
+    } catch (const BadRunLine&) {
         // as of a file that another program wrote, or a disk damaged
     }
     return std::nullopt;

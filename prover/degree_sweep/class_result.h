@@ -41,7 +41,8 @@ struct ClassResult {
 
 ClassResult class_result(DegreeRun run, const DegreeOptions& options, double seconds);
 
-/// What is known of a class from both: neither a degree nor a certificate is ever lost.
+/// What is known of a class from both: neither a degree nor a certificate is ever lost. A record
+/// that claims to have all solutions, where the run found more, claims so no longer.
 ClassResult merged(ClassResult old, ClassResult recent);
 
 /// Whether the options were tried. A run that stopped short will do so again.
@@ -57,7 +58,9 @@ std::string run_line(const ClassResult& result);
 /// The file.
 std::string write(const ClassResult& result);
 
-/// Reads such a file back, `record` only if `whole`. Nothing where there is none or it is damaged.
+/// Reads such a file back, `record` only if `whole`. Nothing where there is none or it is damaged:
+/// where the first lines are not what write() writes, or, if `whole`, the record is not, or has not
+/// the solutions and the evidence of which the run line speaks.
 std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole);
 
 } // namespace plprove

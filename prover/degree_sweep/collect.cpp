@@ -73,7 +73,7 @@ DegreeRecord computed_record(const ClassResult& result) {
 /// What plcheck certified of the class, if it did: that its degree is exact, or a lower bound.
 std::optional<DegreeRecord> certified_record(const ClassResult& result, const Checked& checked) {
     const std::size_t number = result.run.number;
-    if (const std::optional<int> degree = checked.exact(number))
+    if (const std::optional<int> degree = checked.exact(result))
         return DegreeRecord{number, *degree, DegreeBound::exact, DegreeStatus::certified,
                             "plcheck: lower and upper bound"};
     if (!checked.accepts(result)) return std::nullopt;
@@ -112,7 +112,7 @@ Collected collect(const SweepFolder& folder, const Selection& selection, std::si
     for (const std::size_t number : folder.numbers()) {
         const std::optional<ClassResult> result = folder.read(number, true);
         if (!result) {
-            ++collected.damaged;
+            collected.damaged.push_back(number);
             continue;
         }
         runs += run_line(*result) + '\n';

@@ -1,6 +1,7 @@
 #include "prover/degree_sweep/folder.h"
 
 #include "prover/system/atomic_file.h"
+#include "prover/system/exit.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -61,6 +62,13 @@ fs::path SweepFolder::file_of(std::size_t number) const {
     return results_ / thousand / (std::to_string(number) + ".plc");
 }
 
+void SweepFolder::require_place(std::size_t number) const {
+    const fs::path path = file_of(number);
+    const fs::file_status status = fs::status(path);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw BadInput(path.string() + " is no regular file: remove it");
+}
+
 std::optional<ClassResult> SweepFolder::read(std::size_t number, bool whole) const {
     std::optional<ClassResult> result = read_class_result(file_of(number), whole);
     if (result && (result->run.number != number || result->seed != seed_)) return std::nullopt;
@@ -79,7 +87,9 @@ std::vector<std::size_t> SweepFolder::numbers() const {
     std::vector<std::size_t> numbers;
     if (!fs::exists(results_)) return numbers;
     for (const auto& entry : fs::recursive_directory_iterator(results_))
-        if (const auto number = number_of(entry.path())) numbers.push_back(*number);
+        if (const auto number = number_of(entry.path());
+            number && file_of(*number) == entry.path()) // no copy elsewhere, and no 04.plc
+            numbers.push_back(*number);
     std::ranges::sort(numbers);
     return numbers;
 }

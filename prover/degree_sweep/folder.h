@@ -34,6 +34,10 @@ public:
     const std::filesystem::path& path() const { return folder_; }
     std::filesystem::path file_of(std::size_t number) const;
 
+    /// Throws BadInput if something stands where the class's file belongs that is no file, as a
+    /// pipe or a folder.
+    void require_place(std::size_t number) const;
+
     /// What is on file for the class, without the certificate's text unless `whole`; nothing where
     /// there is none that can be used.
     std::optional<ClassResult> read(std::size_t number, bool whole) const;
@@ -41,7 +45,7 @@ public:
     /// Puts on file what is known of the class with this result. Throws std::system_error.
     void save(ClassResult result) const;
 
-    /// The classes that have a file, ascending.
+    /// The classes that have a file, ascending. What stands elsewhere is no file of a class.
     std::vector<std::size_t> numbers() const;
 
 private:

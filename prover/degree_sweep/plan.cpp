@@ -14,7 +14,8 @@ SweepPlan plan_sweep(const SweepFolder& folder, const std::vector<std::size_t>& 
     std::vector<std::pair<double, std::size_t>> wanted;
     double largest = 1; // of the known ones
     for (const std::size_t number : classes) {
-        const std::optional<ClassResult> result = folder.read(number, false);
+        folder.require_place(number);
+        const std::optional<ClassResult> result = folder.read(number, retry);
         if (result && (fulfils(*result, options) || (!retry && attempted(*result, options))))
             continue;
         double expected = result ? result->degree() : 0;

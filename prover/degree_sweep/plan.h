@@ -17,7 +17,8 @@ struct SweepPlan {
 
 /// How a sweep wants to go about these classes: those without a result that fulfils the options go
 /// first that are expected to have the fewest solutions, by what is known of their degrees in the
-/// folder or in certs/degrees.csv. With `retry`, classes go in again whose last run stopped short.
+/// folder or in certs/degrees.csv. With `retry`, classes go in again whose last run stopped short,
+/// or whose record is damaged. Throws BadInput as SweepFolder::require_place() does.
 SweepPlan plan_sweep(const SweepFolder& folder, const std::vector<std::size_t>& classes,
                      const DegreeOptions& options, bool retry);
 

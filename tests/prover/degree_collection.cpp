@@ -15,21 +15,33 @@ using namespace plprove;
 
 namespace {
 
-/// What plcheck would say of degrees.plc in the folder, if it accepted these classes, and found
-/// degrees exact: read back.
-Checked checked(const std::filesystem::path& folder, const std::vector<std::size_t>& accepted,
-                const std::vector<std::pair<std::size_t, int>>& exact = {}) {
-    const nlohmann::json other = {{"file", "classification.plc"}, {"kind", "classification"}};
+/// Writes what plcheck would say of degrees.plc in the folder, if it accepted these classes, and
+/// found degrees exact with a classification. Returns its path.
+std::filesystem::path report_on(const std::filesystem::path& folder,
+                                const std::vector<std::size_t>& accepted,
+                                const std::vector<std::pair<std::size_t, int>>& exact = {},
+                                int status = 0) {
+    const std::filesystem::path classification = folder / "classification.plc";
+    write_file(classification, "plcert 2 classification\n");
+    const nlohmann::json other = {{"file", classification.string()},
+                                  {"kind", "classification"},
+                                  {"sha256", sha256(read_file(classification))}};
     nlohmann::json file = {{"file", "elsewhere/degrees.plc"},
                            {"kind", "degrees"},
                            {"sha256", sha256(read_file(folder / "degrees.plc"))}};
     for (const std::size_t number : accepted)
         file["degrees"].push_back({{"class", number}, {"certified_at_least", 1}});
-    const std::filesystem::path path = folder / "report";
-    const nlohmann::json report = {{"files", nlohmann::json::array({other, file})},
+    const nlohmann::json report = {{"status", status},
+                                   {"files", nlohmann::json::array({other, file})},
                                    {"certified_exactly", exact}};
-    write_file(path, report.dump());
-    return Checked(path, folder);
+    write_file(folder / "report", report.dump());
+    return folder / "report";
+}
+
+/// The same, read back.
+Checked checked(const std::filesystem::path& folder, const std::vector<std::size_t>& accepted,
+                const std::vector<std::pair<std::size_t, int>>& exact = {}, int status = 0) {
+    return Checked(report_on(folder, accepted, exact, status), folder);
 }
 
 /// What a sweep over some classes left in a folder that vanishes with the object.
@@ -51,6 +63,14 @@ struct FinishedSweep {
         const std::string csv = read_file(folder / "degrees.csv");
         const std::vector<std::string> lines = lines_of(csv);
         return parse_degrees(std::vector<std::string_view>(lines.begin(), lines.end()));
+    }
+    /// The classes that degrees.csv calls certified exactly.
+    std::vector<std::size_t> certified_exactly() const {
+        std::vector<std::size_t> numbers;
+        for (const DegreeRecord& record : degrees())
+            if (record.status == DegreeStatus::certified && record.bound == DegreeBound::exact)
+                numbers.push_back(record.number);
+        return numbers;
     }
 };
 
@@ -99,17 +119,58 @@ TEST_CASE("where plcheck finds lower and upper bound to meet, the degree is cert
     collect(sweep.results, {});
     const std::vector<std::size_t> accepted = sweep.with_certificate();
     const std::size_t met = accepted.front();
-    const int degree = fake_engine::degree(met);
+    const int degree = sweep.results.read(met, true)->certified;
     collect(sweep.results, {0, {}, checked(sweep.folder.path(), accepted, {{met, degree}})});
-    std::size_t exact = 0;
-    for (const DegreeRecord& record : sweep.degrees()) {
-        if (record.status != DegreeStatus::certified || record.bound != DegreeBound::exact)
-            continue;
-        ++exact;
-        CHECK(record.number == met);
-        CHECK(record.degree == degree);
+    CHECK(sweep.certified_exactly() == std::vector<std::size_t>{met});
+}
+
+TEST_CASE(
+    "a degree is certified exactly only from the certificate and the files that were checked") {
+    const FinishedSweep sweep;
+    collect(sweep.results, {});
+    const std::filesystem::path folder = sweep.folder.path();
+    std::vector<std::size_t> accepted = sweep.with_certificate();
+    const std::size_t met = accepted[0], other = accepted[1];
+    const int degree = sweep.results.read(met, true)->certified;
+    const auto exact_after = [&](const Checked& report) {
+        collect(sweep.results, {0, {}, report});
+        return sweep.certified_exactly();
+    };
+    SUBCASE("one of which plcheck refused something certifies nothing exactly") {
+        const Checked report = checked(folder, accepted, {{met, degree}}, 1);
+        CHECK(report.refused_something());
+        CHECK(report.accepts(*sweep.results.read(met, true)));
+        CHECK(exact_after(report).empty());
     }
-    CHECK(exact == 1);
+    SUBCASE("another number than the certificate shows is not believed") {
+        CHECK(exact_after(checked(folder, accepted, {{met, degree + 1}})).empty());
+    }
+    SUBCASE("a class whose certificate plcheck did not accept is not believed") {
+        const std::vector<std::pair<std::size_t, int>> exact{
+            {met, degree}, {other, sweep.results.read(other, true)->certified}};
+        accepted.erase(accepted.begin());
+        CHECK(exact_after(checked(folder, accepted, exact)) == std::vector<std::size_t>{other});
+    }
+    SUBCASE("a certificate that was replaced since is not believed") {
+        const Checked report = checked(folder, accepted, {{met, degree}});
+        DegreeRun run = fake_engine::compute(met, {40, 1, true});
+        sweep.results.save(class_result(std::move(run), {40, 0, true}, 1));
+        CHECK(exact_after(report).empty());
+    }
+    SUBCASE("a classification that changed since, or is gone, is refused") {
+        const std::filesystem::path report = report_on(folder, accepted, {{met, degree}});
+        write_file(folder / "classification.plc", "another");
+        CHECK_THROWS_WITH_AS(Checked(report, folder), doctest::Contains("is not the file"),
+                             std::runtime_error);
+        std::filesystem::remove(folder / "classification.plc");
+        CHECK_THROWS_WITH_AS(Checked(report, folder), doctest::Contains("is not here"),
+                             std::runtime_error);
+    }
+    SUBCASE("a report on files that could not be read is refused") {
+        const std::filesystem::path report = report_on(folder, accepted, {{met, degree}}, 2);
+        CHECK_THROWS_WITH_AS(Checked(report, folder), doctest::Contains("has status 2"),
+                             std::runtime_error);
+    }
 }
 
 TEST_CASE("the parts of a collection have the same records in the same order, none too large") {

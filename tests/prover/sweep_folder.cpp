@@ -1,0 +1,196 @@
+// What stands in the folder of a sweep beside the files of its classes, and what has been damaged
+// in them: nothing of it is collected, or collected twice, and --retry mends it.
+#include "prover/degree_sweep/collect.h"
+#include "prover/degree_sweep/read_record.h"
+#include "prover/system/exit.h"
+#include "tests/support/fake_sweep.h"
+#include "tests/support/program.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <regex>
+#include <sys/stat.h>
+
+using namespace plprove;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A sweep over a few classes to the end, and one of them to damage.
+struct SmallSweep {
+    TemporaryFolder folder;
+    SweepFolder results{folder.path(), 0};
+    std::vector<std::size_t> classes;
+    std::size_t number = 0;
+    std::string text; ///< of the file of that class
+    std::string certificates, degrees;
+
+    SmallSweep() {
+        for (const std::size_t one : some_classes())
+            if (is_well(one) && fake_engine::degree(one) > 5) classes.push_back(one);
+        classes.resize(20);
+        number = classes[7];
+        run_sweep(results, classes, {0, 0, true});
+        CHECK(collect(results, {}).damaged.empty());
+        text = read_file(path());
+        certificates = read_file(folder / "degrees.plc");
+        degrees = read_file(folder / "degrees.csv");
+    }
+
+    fs::path path() const { return results.file_of(number); }
+
+    /// A collection leaves the class out and names it; --retry makes all as it was.
+    void check_damaged() {
+        const Collected collected = collect(results, {});
+        CHECK(collected.damaged == std::vector{number});
+        CHECK(collected.certificates == classes.size() - 1);
+        CHECK(read_file(folder / "degrees.plc").find("\ndegree " + std::to_string(number) + " ") ==
+              std::string::npos);
+        CHECK(
+            ("\n" + read_file(folder / "degrees.csv")).find("\n" + std::to_string(number) + ",") ==
+            std::string::npos);
+        run_sweep(results, classes, {0, 0, true}, 2, true);
+        check_as_it_was();
+    }
+
+    void check_as_it_was() const {
+        CHECK(collect(results, {}).damaged.empty());
+        CHECK(read_file(folder / "degrees.plc") == certificates);
+        CHECK(read_file(folder / "degrees.csv") == degrees);
+    }
+
+    void replace(const std::string& pattern, const std::string& by) const {
+        const std::string changed = std::regex_replace(text, std::regex(pattern), by,
+                                                       std::regex_constants::format_first_only);
+        REQUIRE(changed != text);
+        write_file(path(), changed);
+    }
+};
+
+} // namespace
+
+TEST_CASE("copies of a class's file under other names or in other folders are no results") {
+    const SmallSweep sweep;
+    const fs::path folder = sweep.path().parent_path();
+    const std::string name = sweep.path().filename().string();
+    fs::copy_file(sweep.path(), folder / ("0" + name));
+    fs::create_directories(folder / "copy");
+    fs::copy_file(sweep.path(), folder / "copy" / name);
+    fs::copy_file(sweep.path(), folder.parent_path() / name);
+    fs::copy(folder, folder.parent_path() / "old");
+    CHECK(sweep.results.numbers() == sweep.classes);
+    sweep.check_as_it_was();
+}
+
+TEST_CASE("a run line that says something else than the record is damage, and --retry mends it") {
+    SmallSweep sweep;
+    const std::string degree = std::to_string(fake_engine::degree(sweep.number));
+    const std::string more = std::to_string(fake_engine::degree(sweep.number) + 1);
+    const std::pair<std::string, std::string> changes[] = {
+        {"\"degree\":" + degree, "\"degree\":" + more},
+        {"\"degree\":" + degree, "\"degree\":1"},
+        {"\"certified\":" + degree, "\"certified\":" + more},
+        {"\"complete\":true", "\"complete\":false"},
+        {"\"complete\":true,\"edges\":5,\"trace_exponent\":-11",
+         "\"complete\":false,\"edges\":null,\"trace_exponent\":null"},
+        {"\"edges\":5", "\"edges\":6"},
+        {"\"trace_exponent\":-11", "\"trace_exponent\":null"}};
+    for (const auto& [pattern, by] : changes) {
+        CAPTURE(by);
+        sweep.replace(pattern, by);
+        sweep.check_damaged();
+    }
+}
+
+TEST_CASE("numbers that no run can have are damage, which any sweep mends") {
+    const SmallSweep sweep;
+    const std::pair<std::string, std::string> changes[] = {
+        {"\"edges\":5", "\"edges\":-7"},
+        {"\"edges\":5", "\"edges\":100"},
+        {"\"edges\":5", "\"edges\":null"},
+        {"\"edges\":5", "\"edges\":5.5"},
+        {"\"edges\":5,\"trace_exponent\":-11", "\"edges\":0,\"trace_exponent\":null"},
+        {"\"degree\":", "\"degree\":-"},
+        {"\"degree\":", "\"degree\":1e3"},
+        {"\"degree\":", "\"degree\":99999999"},
+        {"\"certified\":", "\"certified\":-"},
+        {":-11", ":0"},
+        {":-11", ":18446744073709551605"},
+        {"\"tracks\":", "\"tracks\":-1"},
+        {"\"failed\":", "\"failed\":-1"},
+        {"\"seconds\":", "\"seconds\":-1"},
+        {"\"seed\":0", "\"seed\":-1"},
+        {"\"target\":0", "\"target\":-1"},
+        {"\"seed\":0", "\"seed\":18446744073709551616"}};
+    for (const auto& [pattern, by] : changes) {
+        CAPTURE(by);
+        sweep.replace(pattern, by);
+        CHECK(!sweep.results.read(sweep.number, false));
+        run_sweep(sweep.results, sweep.classes, {0, 0, true});
+        sweep.check_as_it_was();
+    }
+}
+
+TEST_CASE("a record with a garbled line is left out of a collection, named, and mended") {
+    SmallSweep sweep;
+    const std::pair<std::string, std::string> changes[] = {
+        {"\nimage ", "\nimags "},
+        {"\nimage ", "\nimage  "},
+        {"\nimage [^ ]*", "\nimage Pabc/P/P"},
+        {" view ", " vi\xC3\xABw "},
+        {" point ", " point x"},
+        {" point ([-0-9]+) ", " point 0$1 "},
+        {" point ([-0-9]+) ", " point "},
+        {" point ", " point 1000000"},
+        {"\nimage [^\n]*", ""},
+        {"\n(real|pair) ", "\n$1 -"},
+        {"\n(real|pair) ", "\n$1 9"},
+        {"\n(real|pair) ", "\n"},
+        {"\n(real|pair) ([^\n]*)", "\n$1 $2 "},
+        {"\nimage ", "\n# image "},
+        {"\n(real|pair) ([^\n]*)", "\n$1 $2 7"},
+        {" evidence complete", " evidence Complete"}};
+    for (const auto& [pattern, by] : changes) {
+        CAPTURE(pattern);
+        CAPTURE(by);
+        sweep.replace(pattern, by);
+        sweep.check_damaged();
+    }
+}
+
+TEST_CASE("a pipe or a folder in the place of a file is named, and nothing hangs") {
+    const SmallSweep sweep;
+    fs::remove(sweep.path());
+    SUBCASE("pipe") {
+        REQUIRE(::mkfifo(sweep.path().c_str(), 0600) == 0);
+    }
+    SUBCASE("folder") {
+        fs::create_directory(sweep.path());
+    }
+    CHECK(!sweep.results.read(sweep.number, true));
+    CHECK(collect(sweep.results, {}).damaged == std::vector{sweep.number});
+    CHECK_THROWS_WITH_AS(left_to_do(sweep.results, sweep.classes, {0, 0, true}),
+                         doctest::Contains("is no regular file: remove it"), BadInput);
+    fs::remove(sweep.path());
+    run_sweep(sweep.results, sweep.classes, {0, 0, true});
+    sweep.check_as_it_was();
+}
+
+TEST_CASE("a record takes back that it is complete where a later run finds more") {
+    const SmallSweep sweep;
+    const int degree = fake_engine::degree(sweep.number);
+    DegreeRun run;
+    run.number = sweep.number;
+    run.degree = degree + 2;
+    run.evidence = {7, -12};
+    sweep.results.save(class_result(run, {0, 0, false}, 1));
+    const auto result = sweep.results.read(sweep.number, true);
+    REQUIRE(result);
+    CHECK(result->degree() == degree + 2);
+    CHECK(result->certified == degree);
+    const auto record = read_record(result->record, sweep.number);
+    REQUIRE(record);
+    CHECK(record->solutions == degree);
+    CHECK(!record->evidence);
+}
