@@ -252,6 +252,17 @@ TEST_CASE("what rank 0 refuses, or any rank cannot write, is said once and ends 
     CHECK(contains(full.err, "seed-0/060"));
 }
 
+TEST_CASE("the script for Slurm sweeps as one process does") {
+    const SweepByOne one;
+    const fs::path sweep = one.folder / "sweep";
+    const std::string line = "PLPROVE=" + std::string(PLPROVE_FAKE_ENGINE) + " ";
+    Arguments arguments = sweep_of(sweep);
+    arguments.erase(arguments.begin()); // "degrees" stands in the script
+    // What Slurm reads of the script is comments; without it, mpirun starts a rank a core.
+    CHECK(run(line + shell(SOURCE_DIR "/docs/slurm.sh", arguments)).status == 1);
+    one.check_same(sweep);
+}
+
 TEST_CASE("a plprove that was started alone does not start MPI") {
     const SweepByOne one;
     const std::string broken = "OMPI_MCA_pml=none-of-these ";
