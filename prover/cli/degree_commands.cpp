@@ -1,5 +1,6 @@
 #include "prover/cli/degree_commands.h"
 
+#include "prover/cli/arguments.h"
 #include "prover/cli/degree_report.h"
 #include "prover/degree_sweep/write.h"
 #include "prover/problem/spec.h"
@@ -87,9 +88,7 @@ Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree com
                      "only write a certificate of so many solutions: the quickest way")
         ->check(CLI::Range(1, largest_target))
         ->excludes("--target");
-    command->add_option("--seed", request->options.seed, "draw other random images")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
+    add_seed(*command, request->options.seed);
     command->add_flag("--json", request->json, "print JSON");
     command->add_option("-o,--output", request->path,
                         "also write the certificate to this file (- for standard output, alone)");

@@ -1,5 +1,6 @@
 #include "prover/cli/degrees_command.h"
 
+#include "prover/cli/arguments.h"
 #include "prover/cli/filter_options.h"
 #include "prover/degree_sweep/classes.h"
 #include "prover/degree_sweep/collect.h"
@@ -271,9 +272,7 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
                      "how many classes to compute at a time (default: one a core; under mpirun, "
                      "one a rank)")
         ->check(CLI::Range(1, 1024));
-    command->add_option("--seed", request->options.seed, "draw other random images")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
+    add_seed(*command, request->options.seed);
     command->add_flag("--no-certificates", request->no_certificates,
                       "compute degrees only: quicker");
     command->add_flag("--retry", request->retry,

@@ -5,6 +5,7 @@
 #include "prover/bundle/bundle.h"
 #include "prover/classification/classification_file.h"
 #include "prover/classification/problem_certificate.h"
+#include "prover/cli/arguments.h"
 #include "prover/cli/bounds_command.h"
 #include "prover/cli/catalogue_commands.h"
 #include "prover/cli/degree_commands.h"
@@ -13,6 +14,7 @@
 #include "prover/cli/problem_report.h"
 #include "prover/drawing/drawing.h"
 #include "prover/format/version.h"
+#include "prover/problem/names.h"
 #include "prover/problem/spec.h"
 #include "prover/scripts/scripts.h"
 #include "prover/system/atomic_file.h"
@@ -26,6 +28,7 @@
 #include <cstdio>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -36,8 +39,39 @@ namespace plprove {
 namespace {
 
 constexpr const char* problem_help =
-    "a problem: the authors' number (2394), notation ('2*Pa/Pa/Pa + P/P/P'), a signature of 27 "
-    "numbers, or the authors' Macaulay2 encoding";
+    "a problem: notation ('2*Pa/Pa/Pa + P/P/P'), the authors' number (2394), a name (Chicago), a "
+    "signature of 27 numbers, or the authors' Macaulay2 encoding";
+
+const std::string problem_examples =
+    "Examples:\n"
+    "  plprove problem '2*Pa/Pa/Pa + P/P/P'  notation: what views 1/2/3 see of each feature\n"
+    "  plprove problem '-/P/P + 3*P/P/P + P/-/P'\n"
+    "                                        P a point, a b c lines, - nothing\n"
+    "  plprove problem 2394                  the authors' number\n"
+    "  plprove problem Chicago               a name; all names are listed below\n"
+    "  plprove problem '0 0 0 0 0 0 2 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0'\n"
+    "                                        a signature\n"
+    "  plprove problem '{{0,1},{{{1,1},{1,1,1}},{{1,1},{1,1,1}},{{1,1},{1,1,1}}}}'\n"
+    "                                        Macaulay2: lines 0 and 1 pass through points 0 and\n"
+    "                                        1; each view sees lines {1,1} and points {1,1,1}\n"
+    "  plprove problem '3*P/P/P + P/P/a' --certificate mine.plc\n"
+    "  plcheck mine.plc\n\n"
+    "Names: ";
+
+/// In lines of at most 80 characters.
+std::string wrapped(const std::string& text) {
+    constexpr std::size_t columns = 80;
+    std::string result;
+    std::size_t column = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word; column += word.size() + 1) {
+        const bool fits = column + word.size() <= columns;
+        if (!result.empty()) result += fits ? ' ' : '\n';
+        if (!fits) column = 0;
+        result += word;
+    }
+    return result;
+}
 
 /// To the file, or to standard output for the name "-".
 void deliver(const std::string& path, const std::string& text) {
@@ -118,11 +152,7 @@ Command problem_command(CLI::App& program) {
     app->add_flag("--json", request->json, "print JSON");
     app->add_option("--certificate", request->certificate,
                     "also write a certificate of the verdict to this file");
-    app->footer("Examples:\n"
-                "  plprove problem '2*Pa/Pa/Pa + P/P/P'\n"
-                "  plprove problem '#2394' --json\n"
-                "  plprove problem '3*P/P/P + P/P/a' --certificate mine.plc\n"
-                "  plcheck mine.plc");
+    app->footer(problem_examples + wrapped(list_of_names()));
     return {app, [request] {
                 decide_problem(request->spec, request->json, request->certificate);
                 return 0;
@@ -218,19 +248,6 @@ Command bundle_command(CLI::App& program) {
             }};
 }
 
-/// The words of the command line, last first, as CLI11 wants them; the filter that follows
-/// --classes or --also is tied to it, since it may begin with dashes of its own.
-std::vector<std::string> words_of(int argc, char** argv) {
-    std::vector<std::string> words;
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
-        const bool takes_filter = word == "--classes" || word == "--also";
-        words.push_back(takes_filter && i + 1 < argc ? word + '=' + argv[++i] : word);
-    }
-    std::ranges::reverse(words);
-    return words;
-}
-
 /// What to call instead of a command that has another name now; nothing if there is none.
 std::optional<std::string> renamed(int argc, char** argv) {
     if (argc > 1 && std::string_view(argv[1]) == "archive")
@@ -278,10 +295,15 @@ int run(int argc, char** argv, const ComputeDegree& compute) {
     }
     CLI::App program(summary, "plprove");
     const std::vector<Command> commands = set_up(program, compute);
+    const std::vector<std::string> words = words_of(argc, argv);
     try {
-        program.parse(words_of(argc, argv));
+        program.parse(for_cli11(program, words));
     } catch (const CLI::ParseError& error) {
-        if (program.exit(error) != 0) return exit_usage;
+        if (error.get_exit_code() != 0) {
+            std::cerr << "plprove: " << usage_advice(program, words, error) << '\n';
+            return exit_usage;
+        }
+        program.exit(error);
         if (!std::cout.flush())
             throw std::runtime_error(
                 "cannot write to standard output: is it closed, or the disk full?");
@@ -305,7 +327,8 @@ int run_plprove(int argc, char** argv, const ComputeDegree& compute) {
     try {
         return run(argc, argv, compute);
     } catch (const NotationError& error) {
-        std::cerr << "plprove: not a problem: " << error.what() << '\n';
+        std::cerr << "plprove: not a problem: " << error.what()
+                  << "\n  `plprove problem --help` explains how to name a problem\n";
         return exit_input;
     } catch (const BadInput& error) {
         std::cerr << "plprove: " << error.what() << '\n';

@@ -1,7 +1,9 @@
 #include "prover/problem/notation.h"
 
 #include <bit>
+#include <iomanip>
 #include <optional>
+#include <sstream>
 
 namespace plprove {
 
@@ -26,16 +28,38 @@ public:
         }
     }
     [[noreturn]] void fail(const std::string& expected) const {
-        const std::string found = at_end() ? "the end" : describe(text_[position_]);
+        const std::string found = at_end() ? "the end" : describe(text_.substr(position_));
         throw NotationError("column " + std::to_string(position_ + 1) + ": found " + found +
                             ", expected " + expected);
     }
 
 private:
-    static std::string describe(char c) {
-        const auto code = static_cast<unsigned char>(c);
-        if (code > 0x20 && code < 0x7f) return std::string("'") + c + "'";
-        return code == 0x20 ? "a blank" : "the byte " + std::to_string(code);
+    /// What the text begins with.
+    static std::string describe(std::string_view text) {
+        const auto code = static_cast<unsigned char>(text.front());
+        if (code > 0x20 && code < 0x7f) return std::string("'") + text.front() + "'";
+        if (code == 0x20) return "a blank";
+        if (const std::optional<std::uint32_t> code_point = code_point_beyond_ascii(text)) {
+            std::ostringstream name;
+            name << "U+" << std::hex << std::uppercase << std::setw(4) << std::setfill('0')
+                 << *code_point << " (no ASCII)";
+            return name.str();
+        }
+        return "the byte " + std::to_string(code);
+    }
+
+    /// The code point with which the text begins, if that is UTF-8 of two bytes or more.
+    static std::optional<std::uint32_t> code_point_beyond_ascii(std::string_view text) {
+        const auto first = static_cast<unsigned char>(text.front());
+        const auto length = static_cast<std::size_t>(std::countl_one(first));
+        if (length < 2 || length > 4 || text.size() < length) return std::nullopt;
+        std::uint32_t code = first & (0x7fU >> length);
+        for (const char c : text.substr(1, length - 1)) {
+            const auto byte = static_cast<unsigned char>(c);
+            if ((byte & 0xc0U) != 0x80U) return std::nullopt;
+            code = code << 6U | (byte & 0x3fU);
+        }
+        return code;
     }
 
     std::string_view text_;
@@ -56,7 +80,8 @@ Sight read_sight(Cursor& cursor) {
         cursor.take(cursor.peek());
     }
     if (!sight.point && sight.pins == 0)
-        cursor.fail("what a view sees: 'P', the letters of pins, or '-'");
+        cursor.fail("what a view sees: 'P' for a point, the letters a to z of pins, or '-' for "
+                    "nothing");
     return sight;
 }
 
@@ -91,8 +116,13 @@ Feature read_feature(Cursor& cursor) {
         somewhere.point = somewhere.point || sight.point;
         somewhere.pins |= sight.pins;
     }
-    if (!std::has_single_bit(somewhere.pins + 1))
-        cursor.fail("pins named a, b, ... without gaps in the feature that ends here");
+    if (!std::has_single_bit(somewhere.pins + 1)) {
+        constexpr std::uint32_t pin_p = 1U << ('p' - 'a');
+        const bool meant_points = (somewhere.pins & pin_p) != 0;
+        cursor.fail(meant_points
+                        ? "a capital P for a point in the feature that ends here"
+                        : "pins named a, b, ... without gaps in the feature that ends here");
+    }
     feature.lines = std::popcount(somewhere.pins);
     if (!somewhere.point && feature.lines == 0)
         cursor.fail("'(P)' for a point that no view sees, or '(a)' for a line");

@@ -1,6 +1,8 @@
 #include "prover/problem/spec.h"
 
+#include "prover/problem/names.h"
 #include "prover/problem/signature.h"
+#include "prover/system/words.h"
 
 #include <algorithm>
 #include <cctype>
@@ -184,9 +186,22 @@ Problem problem_of_number(std::string_view digits, std::size_t column) {
     return problem_of(classes[number]);
 }
 
+[[noreturn]] void fail_on_unknown_name(std::string_view text) {
+    std::vector<std::string> names;
+    for (const NamedProblem& named : named_problems())
+        names.emplace_back(named.name);
+    const std::optional<std::string> meant = most_similar(std::string(text), names);
+    throw NotationError(in_quotes(text) + " is no name of a problem" +
+                        (meant ? ": did you mean " + *meant + "?"
+                               : ", and notation has a '/' between views: write "
+                                 "'P/P/P + 4*a/a/a', or one of the names " +
+                                     list_of_names()));
+}
+
 Problem parse_any_spec(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) fail(1, "expected a problem, such as 5*P/P");
+    if (first == std::string_view::npos)
+        fail(1, "expected a problem, such as '2*Pa/Pa/Pa + P/P/P', 2394 or Chicago");
     text = text.substr(0, text.find_last_not_of(" \t") + 1);
     if (text[first] == '{') return problem_of_list(ListReader(text).read());
     if (text[first] == '#') return problem_of_number(text.substr(first + 1), first + 2);
@@ -201,6 +216,10 @@ Problem parse_any_spec(std::string_view text) {
             std::ranges::replace(list.begin() + static_cast<std::ptrdiff_t>(first) + 1,
                                  list.end() - 1, ' ', ',');
         return problem_of_list(ListReader(list).read());
+    }
+    if (text.find('/') == std::string_view::npos) {
+        if (std::optional<Problem> problem = problem_named(text)) return *std::move(problem);
+        fail_on_unknown_name(text.substr(first));
     }
     return parse_problem(text);
 }

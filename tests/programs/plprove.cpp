@@ -48,7 +48,7 @@ TEST_CASE("bad input is refused on standard error with its own exit status") {
     CHECK(number.status == 2);
     CHECK(number.out.empty());
     CHECK(number.err.find("0 to 143493") != std::string::npos);
-    CHECK(run(plprove + " certify Chicago").status == 2);
+    CHECK(run(plprove + " certify Boston").status == 2);
     CHECK(run(plprove).status == 3);
     CHECK(run(plprove + " certify").status == 3);
     CHECK(run(plprove + " certify 1 --unknown").status == 3);

@@ -1,0 +1,20 @@
+// Words that people type: quoted in messages, and what a misspelled one was meant to be.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace plprove {
+
+/// The word in quotes if it is short and fit for a terminal, else `this`.
+std::string in_quotes(std::string_view word);
+
+/// The candidate that the fewest edits of the word reach, regardless of case: the insertion,
+/// removal or replacement of a letter, or an exchange of neighbours. Nothing if more than a third
+/// of the letters, or more than three, would change; the first one of several.
+std::optional<std::string> most_similar(const std::string& word,
+                                        std::span<const std::string> candidates);
+
+} // namespace plprove
