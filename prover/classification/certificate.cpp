@@ -129,12 +129,30 @@ std::optional<Certificate> certify_deficient(const PosedProblem& posed) {
     return certificate;
 }
 
-/// The matrix with its last `count` columns moved to the front.
-ResidueMatrix with_last_columns_first(const ResidueMatrix& matrix, int count) {
-    ResidueMatrix result(matrix.rows(), matrix.columns());
-    for (int i = 0; i < matrix.rows(); ++i)
-        for (int j = 0; j < matrix.columns(); ++j)
-            result.at(i, (j + count) % matrix.columns()) = matrix.at(i, j);
+/// The first columns of the feature's own unknowns that span the space of all of them, modulo q.
+std::vector<int> independent_own_columns(const FeatureBlock& block) {
+    ResidueMatrix echelon(block.rows, block.own);
+    for (int i = 0; i < block.rows; ++i)
+        for (int j = 0; j < block.own; ++j)
+            echelon.at(i, j) = residue(block.at(i, j));
+    const auto rank = nmod_mat_rref(echelon.get());
+    std::vector<int> independent;
+    for (int column = 0; column < block.own; ++column) {
+        const auto row = static_cast<int>(independent.size());
+        if (row < rank && echelon.at(row, column) != 0) independent.push_back(column);
+    }
+    return independent;
+}
+
+/// The block with these of its own columns only.
+FeatureBlock with_own_columns(const FeatureBlock& block, std::span<const int> columns) {
+    FeatureBlock result{block.rows, static_cast<int>(columns.size()), block.cameras, {}};
+    for (int i = 0; i < block.rows; ++i) {
+        for (const int column : columns)
+            result.entries.push_back(block.at(i, column));
+        for (int j = 0; j < block.cameras; ++j)
+            result.entries.push_back(block.at(i, block.own + j));
+    }
     return result;
 }
 
@@ -142,29 +160,26 @@ ResidueMatrix with_last_columns_first(const ResidueMatrix& matrix, int count) {
 
 std::optional<CameraMinimalCertificate>
 certify_dominant(std::span<const FeatureBlock* const> blocks) {
-    const ResidueMatrix whole = jacobian(blocks);
-    const int cameras = blocks.front()->cameras;
-    const int own = whole.columns() - cameras;
-    // Pivots are found from the left: the camera columns come first, to be among them.
-    ResidueMatrix echelon = with_last_columns_first(whole, cameras);
-    if (nmod_mat_rref(echelon.get()) < whole.rows()) return std::nullopt;
-    std::vector<int> kept_own;
-    std::vector<int> deleted;
-    for (int column = 0, row = 0; column < whole.columns(); ++column) {
-        const bool pivot = row < whole.rows() && echelon.at(row, column) != 0;
-        row += pivot;
-        if (column < cameras && !pivot) return std::nullopt;
-        if (column >= cameras) (pivot ? kept_own : deleted).push_back(column - cameras);
+    // Feature by feature, as J is large where many features leave much of the scene open.
+    CameraMinimalCertificate certificate;
+    std::vector<CameraPart> parts;
+    int rows_left = 0;
+    int first_column = 1;
+    for (const FeatureBlock* block : blocks) {
+        const std::vector<int> kept = independent_own_columns(*block);
+        for (int column = 0; column < block->own; ++column)
+            if (!std::ranges::binary_search(kept, column))
+                certificate.deleted_columns.push_back(first_column + column);
+        first_column += block->own;
+        auto part = eliminate(with_own_columns(*block, kept));
+        if (!part) return std::nullopt;
+        rows_left += part->modulo.rows();
+        parts.push_back(std::move(*part));
     }
-    ResidueMatrix square(whole.rows(), whole.rows());
-    for (int i = 0; i < whole.rows(); ++i) {
-        int target = 0;
-        for (const int column : kept_own)
-            square.at(i, target++) = whole.at(i, column);
-        for (int j = 0; j < cameras; ++j)
-            square.at(i, target++) = whole.at(i, own + j);
-    }
-    return CameraMinimalCertificate{counted_from_one(deleted), nmod_mat_det(square.get())};
+    if (rows_left != blocks.front()->cameras) return std::nullopt;
+    certificate.minor = determinant(pointers(parts));
+    if (certificate.minor == 0) return std::nullopt;
+    return certificate;
 }
 
 std::optional<Certificate> certify(const PosedProblem& posed) {

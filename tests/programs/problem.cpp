@@ -97,6 +97,18 @@ TEST_CASE("evidence that needs more than a line of the format goes on in the nex
     CHECK(contains(checked.out, "certified camera-minimal"));
 }
 
+TEST_CASE("a problem that leaves much of the scene open is certified soon") {
+    const TemporaryFolder folder;
+    const auto file = (folder / "verdict.plc").string();
+    const std::string spec = "3*P/P/P + a/a/a + 990*P/-/-(abcdefghijklmnopqrstuvwxyz)";
+    const Outcome outcome =
+        run("timeout 20 " + plprove + " problem '" + spec + "' --certificate " + file);
+    CHECK(outcome.status == 0);
+    const Outcome checked = run(plcheck + " " + file);
+    CHECK(checked.status == 0);
+    CHECK(contains(checked.out, "certified camera-minimal, class 6722"));
+}
+
 TEST_CASE("what is no problem is refused with the column") {
     const Outcome outcome = run(plprove + " problem 'P/P/P + ab/P/P'");
     CHECK(outcome.status == 2);
