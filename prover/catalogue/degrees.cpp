@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 
@@ -169,13 +170,16 @@ std::vector<DegreeRecord> DegreeTable::find(std::size_t number,
     return found;
 }
 
-std::vector<DegreeRecord> degrees_of_class(std::vector<DegreeRecord> records,
-                                           const std::vector<Signature>& classes,
-                                           std::size_t number, std::size_t constraint_class) {
+DegreeTable degrees_of_classes(std::vector<DegreeRecord> records,
+                               const std::vector<Signature>& classes,
+                               std::span<const std::size_t> constraint_classes) {
+    std::set<KindCounts> wanted;
+    for (const std::size_t number : constraint_classes)
+        wanted.insert(kind_counts(classes[number]));
     std::erase_if(records, [&](const DegreeRecord& record) {
-        return !alike(classes[record.number], classes[constraint_class]);
+        return !wanted.contains(kind_counts(classes[record.number]));
     });
-    return DegreeTable(std::move(records), classes).find(number, constraint_class);
+    return {std::move(records), classes};
 }
 
 } // namespace plprove

@@ -72,9 +72,10 @@ private:
     std::vector<Key> keys_; ///< ascending
 };
 
-/// The same as DegreeTable(records, classes).find(number, constraint_class), quicker for one class.
-std::vector<DegreeRecord> degrees_of_class(std::vector<DegreeRecord> records,
-                                           const std::vector<Signature>& classes,
-                                           std::size_t number, std::size_t constraint_class);
+/// A table that finds the same as DegreeTable(records, classes) for these constraint classes, and
+/// is quicker to make for a few.
+DegreeTable degrees_of_classes(std::vector<DegreeRecord> records,
+                               const std::vector<Signature>& classes,
+                               std::span<const std::size_t> constraint_classes);
 
 } // namespace plprove

@@ -1,15 +1,13 @@
 #include "prover/cli/problem_report.h"
+#include "prover/cli/problem_facts.h"
 
 #include <algorithm>
 #include <iomanip>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace plprove {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::vector<std::string> family_names(const Families& families) {
     std::vector<std::string> names;
@@ -21,27 +19,6 @@ std::vector<std::string> family_names(const Families& families) {
     if (families.trifocal_linear)
         names.emplace_back("one of the 66 problems linear in the trifocal tensor");
     return names;
-}
-
-/// Equal features of the problem, counted, with the degrees of freedom of one of them.
-struct FeatureRow {
-    std::string notation;
-    int count = 0;
-    int space = 0;
-    int images = 0;
-};
-
-std::vector<FeatureRow> feature_rows(const Problem& problem) {
-    std::vector<FeatureRow> rows;
-    for (const Feature& feature : problem) {
-        const std::string text = notation(feature);
-        auto row = std::ranges::find(rows, text, &FeatureRow::notation);
-        if (row == rows.end())
-            row = rows.insert(rows.end(), {text, 0, dimension_in_space(feature),
-                                           weight(feature) + dimension_in_space(feature)});
-        ++row->count;
-    }
-    return rows;
 }
 
 std::string or_nothing(const Problem& problem) {
@@ -111,10 +88,6 @@ std::string verdict_in_words(Verdict verdict) {
     return {};
 }
 
-bool is_camera_minimal(const Decision& decision) {
-    return decision.verdict == Verdict::minimal || decision.verdict == Verdict::camera_minimal;
-}
-
 void write_verdict(std::ostream& out, const Decision& decision) {
     section(out, "verdict");
     out << verdict_in_words(decision.verdict) << '\n';
@@ -134,6 +107,33 @@ void write_degrees(std::ostream& out, const std::vector<DegreeRecord>& degrees) 
     }
 }
 
+/// The number of the class; of a problem that is none of its members, with a member.
+std::string number_in_words(const Decision& decision) {
+    const std::string number = '#' + std::to_string(decision.classes->label);
+    const std::string of_class = number + " (" + notation(decision.lifted) + ")";
+    switch (standing_of(decision)) {
+    case Standing::member:
+        return number + " of the label classes";
+    case Standing::terminal:
+        return "terminal problem of #" + of_class.substr(1);
+    case Standing::dangling:
+        return "with its dangling pins fixed, " + of_class;
+    case Standing::reducible:
+        return "reduces to " +
+               std::string(same_features(decision.reduction.reduced, decision.lifted)
+                               ? ""
+                               : "a problem of ") +
+               of_class;
+    }
+    return {};
+}
+
+void write_number(std::ostream& out, const Decision& decision) {
+    section(out, "number");
+    out << number_in_words(decision) << ", swap class #" << decision.classes->swap
+        << ", constraint class #" << decision.classes->constraint << '\n';
+}
+
 void write_classes(std::ostream& out, const Decision& decision,
                    const std::vector<DegreeRecord>& degrees) {
     if (is_camera_minimal(decision) && decision.problem.front().views() == 3) {
@@ -141,9 +141,7 @@ void write_classes(std::ostream& out, const Decision& decision,
         out << or_nothing(decision.terminal) << '\n';
     }
     if (!decision.classes) return;
-    section(out, "number");
-    out << '#' << decision.classes->label << " of the label classes, swap class #"
-        << decision.classes->swap << ", constraint class #" << decision.classes->constraint << '\n';
+    write_number(out, decision);
     section(out, "families");
     const std::vector<std::string> names = family_names(*decision.families);
     if (names.empty()) out << "none of the named ones\n";
@@ -154,88 +152,66 @@ void write_classes(std::ostream& out, const Decision& decision,
     if (is_camera_minimal(decision)) write_degrees(out, degrees);
 }
 
-Json json_steps(const Decision& decision) {
-    Json steps = Json::array();
-    for (const ReductionStep& step : decision.reduction.steps)
-        steps.push_back({{"rule", name(step.rule)},
-                         {"feature", notation(step.before)},
-                         {"result", step.after ? Json(notation(*step.after)) : Json()}});
-    return steps;
+/// `add -/P/P: minimal, #825, degree 160 (certified)`
+std::string in_words(const HintWithDegrees& hint) {
+    const Decision& decision = hint.hint.decision;
+    std::string text = in_words(hint.hint) + ": " + std::string(name(decision.verdict));
+    if (decision.classes) text += ", #" + std::to_string(decision.classes->label);
+    if (hint.degrees.empty()) return text;
+    const DegreeRecord& degree = hint.degrees.front();
+    return text + ", degree " + in_words(degree) + " (" + std::string(name(degree.status)) + ")";
 }
 
-Json json_features(const Decision& decision) {
-    Json features = Json::array();
-    for (const FeatureRow& row : feature_rows(decision.problem))
-        features.push_back({{"feature", row.notation},
-                            {"count", row.count},
-                            {"scene", row.space},
-                            {"images", row.images}});
-    return features;
-}
-
-Json json_degree(const DegreeRecord& degree) {
-    return {{"value", degree.degree},
-            {"bound", name(degree.bound)},
-            {"status", name(degree.status)},
-            {"source", degree.source},
-            {"number", degree.number}};
-}
-
-Json json_families(const Families& families) {
-    return {{"pl0p", families.pl0p},
-            {"at_most_one_pin", families.at_most_one_pin},
-            {"plmp", families.plmp ? Json(*families.plmp) : Json()},
-            {"five_point_extension", families.five_point_extension},
-            {"registration", families.registration},
-            {"trifocal_linear", families.trifocal_linear}};
+void write_hints(std::ostream& out, const std::vector<HintWithDegrees>& hints) {
+    constexpr std::size_t most = 8;
+    if (hints.empty()) return;
+    section(out, "hint");
+    for (std::size_t i = 0; i < std::min(most, hints.size()); ++i) {
+        if (i > 0) continue_section(out);
+        out << in_words(hints[i]) << '\n';
+    }
+    if (hints.size() <= most) return;
+    continue_section(out);
+    out << "and " << hints.size() - most << " more: --json lists all\n";
 }
 
 } // namespace
 
-std::string text_report(const Decision& decision, const std::vector<DegreeRecord>& degrees) {
+ProblemReport report_on(const Problem& problem) {
+    ProblemReport report{decide(problem), {}, {}};
+    std::vector<std::size_t> constraint_classes;
+    const auto want = [&](const Decision& decision) {
+        if (decision.classes) constraint_classes.push_back(decision.classes->constraint);
+    };
+    want(report.decision);
+    for (Hint& hint : hints(report.decision)) {
+        want(hint.decision);
+        report.hints.push_back({std::move(hint), {}});
+    }
+    if (constraint_classes.empty()) return report;
+    const DegreeTable table =
+        degrees_of_classes(parse_degrees(degree_lines()), label_classes(), constraint_classes);
+    const auto on_file = [&](const Decision& decision) {
+        return decision.classes ? table.find(decision.classes->label, decision.classes->constraint)
+                                : std::vector<DegreeRecord>{};
+    };
+    report.degrees = on_file(report.decision);
+    for (auto& [hint, degrees] : report.hints)
+        degrees = on_file(hint.decision);
+    return report;
+}
+
+std::string text_report(const ProblemReport& report) {
+    const Decision& decision = report.decision;
     std::ostringstream out;
     section(out, "problem");
     out << notation(decision.problem) << '\n';
     write_dimensions(out, decision);
     write_reduction(out, decision);
     write_verdict(out, decision);
-    write_classes(out, decision, degrees);
+    write_classes(out, decision, report.degrees);
+    write_hints(out, report.hints);
     return out.str();
-}
-
-std::string json_report(const Decision& decision, const std::vector<DegreeRecord>& degrees) {
-    Json report = {
-        {"problem", notation(decision.problem)},
-        {"views", decision.problem.front().views()},
-        {"features", json_features(decision)},
-        {"dimensions",
-         {{"scene", decision.space_dimension},
-          {"cameras", decision.camera_dimension},
-          {"images", decision.image_dimension},
-          {"balanced", decision.balanced()}}},
-        {"reduction", json_steps(decision)},
-        {"reduced", notation(decision.reduction.reduced)},
-        {"constraints", decision.constraints},
-        {"verdict", name(decision.verdict)},
-        {"minimal", decision.verdict == Verdict::minimal},
-        {"camera_minimal", is_camera_minimal(decision)},
-        {"reasons", reasons(decision)},
-        {"excess", decision.obstruction.excess},
-        {"star", decision.obstruction.star},
-    };
-    if (is_camera_minimal(decision)) report["terminal"] = notation(decision.terminal);
-    if (decision.classes) {
-        report["number"] = decision.classes->label;
-        report["swap_class"] = decision.classes->swap;
-        report["constraint_class"] = decision.classes->constraint;
-        report["families"] = json_families(*decision.families);
-    }
-    if (!degrees.empty() && is_camera_minimal(decision)) {
-        report["degree"] = json_degree(degrees.front());
-        for (const DegreeRecord& degree : degrees)
-            report["degrees"].push_back(json_degree(degree));
-    }
-    return report.dump(2) + "\n";
 }
 
 } // namespace plprove

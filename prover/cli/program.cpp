@@ -129,14 +129,10 @@ Command certify_command(CLI::App& program) {
 
 void decide_problem(const std::string& spec, bool json, const std::string& certificate) {
     const Problem problem = parse_spec(spec);
-    const Decision decision = decide(problem);
-    std::vector<DegreeRecord> degrees;
-    if (decision.classes)
-        degrees = degrees_of_class(parse_degrees(degree_lines()), label_classes(),
-                                   decision.classes->label, decision.classes->constraint);
+    const ProblemReport report = report_on(problem);
     // The certificate first: where it fails, nothing is said that it was to prove.
     if (!certificate.empty()) deliver(certificate, write(certify_problem(problem)));
-    deliver("-", json ? json_report(decision, degrees) : text_report(decision, degrees));
+    deliver("-", json ? json_report(report) : text_report(report));
 }
 
 Command problem_command(CLI::App& program) {

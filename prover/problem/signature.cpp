@@ -183,16 +183,14 @@ Signature constraint_representative(const Signature& signature) {
     });
 }
 
-bool alike(const Signature& a, const Signature& b) {
+KindCounts kind_counts(const Signature& signature) {
     // Where the kinds begin in the list of features, and its end.
-    constexpr std::array<std::ptrdiff_t, 14> kinds{0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 18, 21, 27};
-    for (std::size_t i = 0; i + 1 < kinds.size(); ++i) {
-        const auto sum = [&](const Signature& s) {
-            return std::accumulate(s.begin() + kinds[i], s.begin() + kinds[i + 1], 0);
-        };
-        if (sum(a) != sum(b)) return false;
-    }
-    return true;
+    constexpr std::array<std::ptrdiff_t, 14> begin{0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 18, 21, 27};
+    KindCounts counts{};
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        counts[i] =
+            std::accumulate(signature.begin() + begin[i], signature.begin() + begin[i + 1], 0);
+    return counts;
 }
 
 std::size_t class_number(const std::vector<Signature>& classes, const Signature& representative) {

@@ -49,9 +49,10 @@ Signature swap_representative(const Signature& signature);
 /// swap and exchange, whose problems share their camera equations.
 Signature constraint_representative(const Signature& signature);
 
-/// Whether two signatures have as many features of each kind that relabeling, swap and exchange
-/// make one. Quick; those of one constraint class have.
-bool alike(const Signature& a, const Signature& b);
+/// How many features of each kind a signature has; a kind is what relabeling, swap and exchange
+/// make one. Quick, and the same for all signatures of a constraint class.
+using KindCounts = std::array<int, 13>;
+KindCounts kind_counts(const Signature& signature);
 
 /// All representatives of label classes of balanced signatures in decreasing lexicographic order:
 /// the index in this list is the authors' number of the class. Made at the first call, in a few

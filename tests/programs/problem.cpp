@@ -5,8 +5,17 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
 
 const std::string plprove = PLPROVE;
 const std::string plcheck = PLCHECK;
@@ -49,6 +58,66 @@ TEST_CASE("a problem that is no minimal one is told why") {
     CHECK(contains(epipolar["reasons"].dump(), "views 1 and 2 share 6 points"));
     const auto star = decide("Pabc/Pabc/Pabc + 5*-/P/P");
     CHECK(contains(star["reasons"].dump(), "view 1 sees only the point with 3 pins"));
+}
+
+TEST_CASE("a terminal problem is told from its class") {
+    const std::string of_class = "#6723 (3*P/P/P + Pa/P/a), swap class #6723";
+    const auto number_of = [](const std::string& spec) {
+        const std::string text = run(plprove + " problem '" + spec + "'").out;
+        const std::size_t begin = text.find("\nnumber      ") + 13;
+        return text.substr(begin, text.find('\n', begin) - begin);
+    };
+    CHECK(number_of("3*P/P/P + P/P/a").starts_with("terminal problem of " + of_class));
+    CHECK(number_of("P/P/a + 3*P/P/P").starts_with("terminal problem of " + of_class));
+    CHECK(number_of("3*P/P/P + P/P/a + a/-/-").starts_with("reduces to a problem of " + of_class));
+    CHECK(number_of("3*P/P/P + Pa/P/a + a/-/-").starts_with("reduces to " + of_class));
+    CHECK(number_of("3*P/P/P + Pa/P/a").starts_with("#6723 of the label classes"));
+    CHECK(number_of("3*P/P/P + P/Pa/a").starts_with("#6723 of the label classes"));
+    CHECK(number_of("P/P/P + 2*a/a/a + a/P/P + P/Pa/a")
+              .starts_with("with its dangling pins fixed, #"));
+    CHECK(decide("3*P/P/P + P/P/a")["standing"] == "terminal problem");
+    CHECK(decide("3*P/P/P + P/P/a")["class"] == "3*P/P/P + Pa/P/a");
+    CHECK(decide("6723")["standing"] == "member");
+}
+
+TEST_CASE("a problem that is not minimal is told what is minimal one feature away") {
+    const std::string text = run(plprove + " problem '3*P/P/P + P/-/P'").out;
+    CHECK(contains(text, "\nhint        add -/P/P: minimal, #6725, degree 384 (certified)\n"
+                         "            add P/-/P: minimal, #6724, degree 160 (certified)\n"));
+    const auto json = decide("3*P/P/P + P/-/P");
+    REQUIRE(json["hints"].size() == 6);
+    CHECK(json["hints"][1]["add"] == "P/-/P");
+    CHECK(json["hints"][1]["drop"].is_null());
+    for (const auto& hint : json["hints"]) {
+        const auto minimal = decide(hint["problem"]);
+        CHECK(minimal["verdict"] == hint["verdict"]);
+        CHECK(minimal["number"] == hint["number"]);
+        CHECK(minimal["degree"] == hint["degree"]);
+    }
+    CHECK(!decide("2394").contains("hints"));
+    // There are more than eight, of which the text shows the first.
+    const std::string many = run(plprove + " problem 'P/P/P + 5*P/P/- + 3*a/P/a'").out;
+    CHECK(contains(many, "more: --json lists all\n"));
+}
+
+TEST_CASE("a decision takes at most 20 milliseconds of processor time") {
+    const auto seconds = [] {
+        rusage usage{};
+        getrusage(RUSAGE_CHILDREN, &usage);
+        return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+               1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+    };
+    for (const char* spec : {"2394", "6*P/P/- + 5*P/-/P", "3*P/P/P + P/-/P", "4*P/P"}) {
+        CAPTURE(spec);
+        double each = 1;
+        for (int batch = 0; batch < 5; ++batch) {
+            const double begin = seconds();
+            run("for i in 1 2 3 4 5; do " + plprove + " problem '" + spec + "'; done");
+            each = std::min(each, (seconds() - begin) / 5);
+        }
+        CAPTURE(each);
+        if (!sanitized) CHECK(each <= 0.02);
+    }
 }
 
 TEST_CASE("text and JSON say the same") {

@@ -1,0 +1,105 @@
+#include "prover/cli/problem_facts.h"
+#include "prover/cli/problem_report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace plprove {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_steps(const Decision& decision) {
+    Json steps = Json::array();
+    for (const ReductionStep& step : decision.reduction.steps)
+        steps.push_back({{"rule", name(step.rule)},
+                         {"feature", notation(step.before)},
+                         {"result", step.after ? Json(notation(*step.after)) : Json()}});
+    return steps;
+}
+
+Json json_features(const Decision& decision) {
+    Json features = Json::array();
+    for (const FeatureRow& row : feature_rows(decision.problem))
+        features.push_back({{"feature", row.notation},
+                            {"count", row.count},
+                            {"scene", row.space},
+                            {"images", row.images}});
+    return features;
+}
+
+Json json_degree(const DegreeRecord& degree) {
+    return {{"value", degree.degree},
+            {"bound", name(degree.bound)},
+            {"status", name(degree.status)},
+            {"source", degree.source},
+            {"number", degree.number}};
+}
+
+Json json_families(const Families& families) {
+    return {{"pl0p", families.pl0p},
+            {"at_most_one_pin", families.at_most_one_pin},
+            {"plmp", families.plmp ? Json(*families.plmp) : Json()},
+            {"five_point_extension", families.five_point_extension},
+            {"registration", families.registration},
+            {"trifocal_linear", families.trifocal_linear}};
+}
+
+Json json_hints(const std::vector<HintWithDegrees>& hints) {
+    Json list = Json::array();
+    for (const auto& [hint, degrees] : hints) {
+        Json item = {{"add", hint.added ? Json(notation(*hint.added)) : Json()},
+                     {"drop", hint.dropped ? Json(notation(*hint.dropped)) : Json()},
+                     {"problem", notation(hint.decision.problem)},
+                     {"verdict", name(hint.decision.verdict)}};
+        if (hint.decision.classes) item["number"] = hint.decision.classes->label;
+        if (!degrees.empty()) item["degree"] = json_degree(degrees.front());
+        list.push_back(item);
+    }
+    return list;
+}
+
+void add_classes(Json& report, const Decision& decision) {
+    report["number"] = decision.classes->label;
+    report["standing"] = name(standing_of(decision));
+    report["class"] = notation(decision.lifted);
+    report["swap_class"] = decision.classes->swap;
+    report["constraint_class"] = decision.classes->constraint;
+    report["families"] = json_families(*decision.families);
+}
+
+} // namespace
+
+std::string json_report(const ProblemReport& full_report) {
+    const auto& [decision, degrees, hints] = full_report;
+    Json report = {
+        {"problem", notation(decision.problem)},
+        {"views", decision.problem.front().views()},
+        {"features", json_features(decision)},
+        {"dimensions",
+         {{"scene", decision.space_dimension},
+          {"cameras", decision.camera_dimension},
+          {"images", decision.image_dimension},
+          {"balanced", decision.balanced()}}},
+        {"reduction", json_steps(decision)},
+        {"reduced", notation(decision.reduction.reduced)},
+        {"constraints", decision.constraints},
+        {"verdict", name(decision.verdict)},
+        {"minimal", decision.verdict == Verdict::minimal},
+        {"camera_minimal", is_camera_minimal(decision)},
+        {"reasons", reasons(decision)},
+        {"excess", decision.obstruction.excess},
+        {"star", decision.obstruction.star},
+    };
+    if (is_camera_minimal(decision)) report["terminal"] = notation(decision.terminal);
+    if (decision.classes) add_classes(report, decision);
+    if (!degrees.empty() && is_camera_minimal(decision)) {
+        report["degree"] = json_degree(degrees.front());
+        for (const DegreeRecord& degree : degrees)
+            report["degrees"].push_back(json_degree(degree));
+    }
+    if (!hints.empty()) report["hints"] = json_hints(hints);
+    return report.dump(2) + "\n";
+}
+
+} // namespace plprove
