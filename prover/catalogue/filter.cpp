@@ -85,6 +85,13 @@ bool matches_degree(const Filter& filter, const Entry& entry) {
            (entry.certified_degree && filter.certified_degree->contains(*entry.certified_degree));
 }
 
+bool matches_parts(const Filter& filter, const Signature& signature) {
+    const auto contains_it = [&](const Part& part) { return contains(signature, part); };
+    const auto is_contained_in_it = [&](const Part& part) { return is_contained(signature, part); };
+    return (!filter.contains || std::ranges::any_of(*filter.contains, contains_it)) &&
+           (!filter.contained_in || std::ranges::any_of(*filter.contained_in, is_contained_in_it));
+}
+
 } // namespace
 
 std::optional<Range> parse_range(std::string_view text) {
@@ -120,7 +127,7 @@ std::optional<Views> parse_views(std::string_view text) {
 bool matches(const Filter& filter, const Entry& entry) {
     return matches_flags(filter, entry) && matches_counts(filter, entry) &&
            matches_obstruction(filter.obstruction, entry.obstruction) &&
-           matches_degree(filter, entry);
+           matches_degree(filter, entry) && matches_parts(filter, entry.signature);
 }
 
 } // namespace plprove

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "prover/catalogue/catalogue.h"
+#include "prover/catalogue/part.h"
 
 #include <limits>
 #include <vector>
@@ -46,6 +47,8 @@ struct Filter {
     std::optional<ObstructionFilter> obstruction;
     std::optional<DegreeStatus> degree_status;
     std::optional<DegreeBound> degree_bound;
+    /// Features, in all orders of the views, that a class has; and of which it consists.
+    std::optional<std::vector<Part>> contains, contained_in;
 };
 
 /// A family of classes: those that pass the filter and, if ranges are given, are numbered in one.

@@ -13,6 +13,7 @@ namespace {
 struct ListRequest {
     Filter filter;
     std::string format = "number";
+    bool count = false;
 };
 
 struct ExportRequest {
@@ -22,12 +23,16 @@ struct ExportRequest {
 constexpr const char* list_examples =
     "plprove lists the classes that pass all filters. N may be a range: 2..5, 2.. or ..5.\n\n"
     "Examples:\n"
-    "  plprove list --minimal | wc -l               how many classes are minimal\n"
+    "  plprove list --minimal --count               how many classes are minimal\n"
     "  plprove list --terminal --one-pin --points ..4\n"
     "                                               at most one pin per point, four points\n"
     "  plprove list --pl0p --minimal --format notation\n"
     "                                               points and lines only, spelled out\n"
     "  plprove list --points-in-views 5,5,3         one view sees 3 points, the others 5\n"
+    "  plprove list --minimal --contains '2*Pa/Pa/Pa + -/P/P'\n"
+    "                                               what completes these three features\n"
+    "  plprove list --terminal --contained-in '5*P/P/P + 5*a/a/a + 5*P/P/a'\n"
+    "                                               problems of such features only\n"
     "  plprove list --obstruction epipolar --rank ..7\n"
     "                                               far from minimal\n"
     "  plprove list --five-point --format csv       with all columns (certs/CATALOGUE.md)\n";
@@ -42,7 +47,9 @@ constexpr const char* export_examples =
 std::string list(const ListRequest& request) {
     std::vector<Entry> chosen = catalogue(parse_degrees(degree_lines()));
     std::erase_if(chosen, [&](const Entry& entry) { return !matches(request.filter, entry); });
+    if (request.count) return std::to_string(chosen.size()) + '\n';
     if (request.format == "csv") return to_csv(chosen);
+    if (request.format == "json") return to_json(chosen);
     std::string text;
     for (const Entry& entry : chosen)
         text += (request.format == "notation" ? notation(entry.signature)
@@ -81,9 +88,12 @@ Command add_list_command(CLI::App& program, Deliver deliver) {
     add_filters(*command, request->filter);
     command
         ->add_option("--format", request->format,
-                     "the authors' numbers, the problems in notation, or a table")
-        ->check(CLI::IsMember({"number", "notation", "csv"}))
+                     "the authors' numbers, the problems in notation, or all columns "
+                     "(certs/CATALOGUE.md)")
+        ->check(CLI::IsMember({"number", "notation", "csv", "json"}))
         ->capture_default_str();
+    command->add_flag("--count", request->count, "print only how many classes there are")
+        ->excludes("--format");
     command->footer(list_examples);
     return {command, [request, deliver = std::move(deliver)] {
                 return quiet_on_closed_pipe([&] { deliver("-", list(*request)); });

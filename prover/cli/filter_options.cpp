@@ -58,6 +58,17 @@ constexpr ViewsOption view_options[] = {
     {"--lines-in-views", &Filter::lines_in_views, "lines that the views see, in any order"},
 };
 
+struct PartOption {
+    const char* name;
+    std::optional<std::vector<Part>> Filter::*member;
+    const char* help;
+};
+
+constexpr PartOption part_options[] = {
+    {"--contains", &Filter::contains, "has these features, in some order of the views"},
+    {"--contained-in", &Filter::contained_in, "has no other features, nor more of them"},
+};
+
 const std::map<std::string, ObstructionFilter> obstructions{
     {"none", ObstructionFilter::none},
     {"epipolar", ObstructionFilter::epipolar},
@@ -86,6 +97,23 @@ void add_parsed(CLI::App& command, const char* name, std::optional<Value>& value
             },
             help)
         ->type_name(shape);
+}
+
+/// Adds an option that takes a problem, some features of which classes have, or which have them.
+void add_part(CLI::App& command, const char* name, std::optional<std::vector<Part>>& value,
+              const char* help) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [&value, name](const std::string& text) {
+                try {
+                    value = parse_part(text);
+                } catch (const NotationError& error) {
+                    throw CLI::ValidationError(name, error.what());
+                }
+            },
+            help)
+        ->type_name("PROBLEM");
 }
 
 /// Adds an option that takes one of the names in `values`.
@@ -135,6 +163,8 @@ void add_filters(CLI::App& command, Filter& filter) {
         add_parsed(command, range.name, filter.*range.member, parse_range, "N or N..M", range.help);
     for (const ViewsOption& views : view_options)
         add_parsed(command, views.name, filter.*views.member, parse_views, "A,B,C", views.help);
+    for (const PartOption& part : part_options)
+        add_part(command, part.name, filter.*part.member, part.help);
     add_choice(command, "--obstruction", filter.obstruction, obstructions, "none|epipolar|star|any",
                "why it is not minimal: points shared by two views, or a star");
     add_choice(command, "--degree-status", filter.degree_status, statuses,

@@ -244,6 +244,12 @@ TEST_CASE("every filter of list means its condition in SQL") {
         {"--lines-in-views 0,1,2",
          "lines_in_1 * lines_in_2 * lines_in_3 = 0 AND lines_in_1 + lines_in_2 + lines_in_3 = 3 "
          "AND max(lines_in_1, lines_in_2, lines_in_3) = 2"},
+        {"--contains 3*P/P/P",
+         "number IN (SELECT number FROM class_features WHERE feature = 7 AND multiplicity >= 3)"},
+        {"--contains -/P/P",
+         "number IN (SELECT number FROM class_features WHERE feature BETWEEN 18 AND 20)"},
+        {"--contained-in '3*P/P/P + 5*a/a/a'",
+         "number NOT IN (SELECT number FROM class_features WHERE feature NOT IN (7, 11))"},
         {"--degree 300..", "degree >= 300"},
         {"--degree ..299", "degree <= 299 AND degree_bound = 'exact'"},
         {"--degree 312", "degree = 312 AND degree_bound = 'exact'"},
@@ -274,12 +280,18 @@ TEST_CASE("list prints numbers, problems or the columns of the export") {
     const Outcome chicago = run(plprove_program + " list --degree 312");
     CHECK(("\n" + chicago.out).find("\n2394\n") != std::string::npos);
     CHECK(run(plprove_program + " list --points 99").out.empty());
+    CHECK(run(plprove_program + " list --format json | cmp - " + exports().json).status == 0);
+    CHECK(run(plprove_program + " list --minimal --count").out == "140616\n");
+    CHECK(run(plprove_program + " list --points 99 --count").out == "0\n");
+    CHECK(run(plprove_program + " list --contains '3*P/P/P + 2*-/P/P' --format notation").out ==
+          "3*P/P/P + 2*-/P/P\n");
 }
 
 TEST_CASE("wrong filters and exports without a file are refused as usage") {
     for (const char* arguments :
          {"list --points x", "list --points 5..2", "list --points", "list --obstruction E",
           "list --points-in-views 1,2", "list --degree-bound about", "list --format xml",
+          "list --contains P/P", "list --contains foo", "list --count --format csv",
           "list --not-minimal --terminal", "list --minimal --not-minimal", "list nonsense",
           "export", "export a.db b.db"}) {
         CAPTURE(arguments);
