@@ -1,5 +1,7 @@
 #include "prover/catalogue/degrees.h"
 
+#include "prover/degree/five_points.h"
+
 #include <algorithm>
 #include <charconv>
 #include <set>
@@ -180,6 +182,19 @@ DegreeTable degrees_of_classes(std::vector<DegreeRecord> records,
         return !wanted.contains(kind_counts(classes[record.number]));
     });
     return {std::move(records), classes};
+}
+
+std::vector<DegreeRecord> degrees_in_two_views(const std::vector<DegreeRecord>& records) {
+    const std::size_t extension = five_point_extension();
+    const auto found = std::ranges::find_if(records, [&](const DegreeRecord& record) {
+        return record.number == extension && record.status == DegreeStatus::certified &&
+               record.bound == DegreeBound::exact;
+    });
+    if (found == records.end()) return {};
+    const std::string source = "plcheck: the " + std::to_string(found->degree) +
+                               " solutions with a third camera have " +
+                               std::to_string(poses_of_five_points) + " relative poses";
+    return {{extension, poses_of_five_points, found->bound, found->status, source}};
 }
 
 } // namespace plprove

@@ -78,4 +78,9 @@ DegreeTable degrees_of_classes(std::vector<DegreeRecord> records,
                                const std::vector<Signature>& classes,
                                std::span<const std::size_t> constraint_classes);
 
+/// The degree of the minimal problems in two views, all of which reduce to the five-point problem,
+/// from that of its extension by a third camera (five_points.h); nothing if the latter is not on
+/// file, certified exactly.
+std::vector<DegreeRecord> degrees_in_two_views(const std::vector<DegreeRecord>& records);
+
 } // namespace plprove

@@ -2,9 +2,12 @@
 
 #include "prover/cli/arguments.h"
 #include "prover/cli/degree_report.h"
+#include "prover/cli/two_view_report.h"
+#include "prover/degree/five_points.h"
 #include "prover/degree_sweep/write.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
+#include "prover/system/progress.h"
 
 #include <chrono>
 
@@ -24,17 +27,14 @@ constexpr const char* degree_examples =
     "  plprove degree 2394 -o chicago.plc           with a certificate\n"
     "  plprove degree 142849 --target 300           stop once 300 solutions are found\n"
     "  plprove degree 2394 --at-least 312 -o chicago.plc\n"
-    "                                               a certificate of 312 solutions, no more\n";
+    "                                               a certificate of 312 solutions, no more\n"
+    "  plprove degree five-point -o five.plc        two views, with the help of a third\n";
 
 /// The problem's decision. Throws BadInput where it has no degree that can be computed.
 Decision decided(const std::string& spec) {
     Decision decision = decide(parse_spec(spec));
-    if (decision.verdict == Verdict::minimal || decision.verdict == Verdict::camera_minimal) {
-        if (decision.classes) return decision;
-        throw BadInput("degrees are computed for three views, and " + notation(decision.problem) +
-                       " has " + std::to_string(decision.problem.front().views()) +
-                       ": ask about a problem in three views");
-    }
+    if (decision.verdict == Verdict::minimal || decision.verdict == Verdict::camera_minimal)
+        return decision;
     std::string message = "only minimal and camera-minimal problems have a degree, and " +
                           notation(decision.problem) + " is neither";
     for (const std::string& reason : reasons(decision))
@@ -49,13 +49,31 @@ struct DegreeRequest {
     bool json = false;
 };
 
-int find_degree(const DegreeRequest& request, const Deliver& deliver,
-                const ComputeDegree& compute) {
-    DegreeReport report{decided(request.spec), request.options, {}, 0};
+/// Runs the engine on the class, with a line of progress on a terminal.
+DegreeReport computed(const Decision& decision, std::size_t number, DegreeOptions options,
+                      const ComputeDegree& compute) {
+    DegreeReport report{decision, options, {}, 0};
+    ProgressLine line("finding solutions", 0);
+    options.progress = [&](const DegreeProgress& progress) {
+        line.show(static_cast<std::size_t>(progress.solutions),
+                  " so far, " + std::to_string(progress.edges) + " edges");
+    };
     const auto begin = std::chrono::steady_clock::now();
-    report.run = compute(report.decision.classes->constraint, request.options);
+    report.run = compute(number, options);
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return report;
+}
+
+int find_degree(const DegreeRequest& request, const Deliver& deliver,
+                const ComputeDegree& compute) {
+    const Decision decision = decided(request.spec);
+    const bool two_views = !decision.classes;
+    if (two_views && (request.options.target > 0 || request.options.at_least > 0))
+        throw BadInput(
+            "a problem in two views has few solutions: leave --target and --at-least out");
+    const std::size_t number = two_views ? five_point_extension() : decision.classes->constraint;
+    const DegreeReport report = computed(decision, number, request.options, compute);
     if (report.run.degree < request.options.at_least)
         throw std::runtime_error("the run found only " + std::to_string(report.run.degree) +
                                  " solutions: try another --seed");
@@ -66,7 +84,10 @@ int find_degree(const DegreeRequest& request, const Deliver& deliver,
             ": try another --seed");
     if (!request.path.empty())
         deliver(request.path, write_degree_file(std::span(&*report.run.certificate, 1)));
-    if (request.path != "-") deliver("-", request.json ? json_report(report) : text_report(report));
+    if (request.path != "-" && two_views)
+        deliver("-", request.json ? json_two_view_report(report) : two_view_report(report));
+    if (request.path != "-" && !two_views)
+        deliver("-", request.json ? json_report(report) : text_report(report));
     return report.run.degree > 0 ? 0 : exit_failure;
 }
 

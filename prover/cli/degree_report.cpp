@@ -75,7 +75,7 @@ std::string json_report(const DegreeReport& report) {
         {"constraint_class", run.number},
         {"minimal", report.decision.verdict == Verdict::minimal},
         {"degree", run.degree},
-        {"certified", report.certified()},
+        {"certificate", report.certified()},
         {"complete", run.complete()},
         {"edges", nullptr},
         {"trace_exponent", nullptr},

@@ -22,7 +22,8 @@ struct DegreeReport {
 /// One fact a paragraph.
 std::string text_report(const DegreeReport& report);
 
-/// The same as a JSON object.
+/// The same as a JSON object. `certificate` is how many solutions the certificate shows: certified
+/// once plcheck accepts it.
 std::string json_report(const DegreeReport& report);
 
 } // namespace plprove

@@ -140,6 +140,8 @@ void write_classes(std::ostream& out, const Decision& decision,
         section(out, "terminal");
         out << or_nothing(decision.terminal) << '\n';
     }
+    const bool two_views = decision.problem.front().views() == 2;
+    if (two_views && is_camera_minimal(decision)) write_degrees(out, degrees);
     if (!decision.classes) return;
     write_number(out, decision);
     section(out, "families");
@@ -188,12 +190,15 @@ ProblemReport report_on(const Problem& problem) {
         want(hint.decision);
         report.hints.push_back({std::move(hint), {}});
     }
-    if (constraint_classes.empty()) return report;
-    const DegreeTable table =
-        degrees_of_classes(parse_degrees(degree_lines()), label_classes(), constraint_classes);
-    const auto on_file = [&](const Decision& decision) {
-        return decision.classes ? table.find(decision.classes->label, decision.classes->constraint)
-                                : std::vector<DegreeRecord>{};
+    const bool two_views = problem.front().views() == 2;
+    if (constraint_classes.empty() && !two_views) return report;
+    const std::vector<DegreeRecord> records = parse_degrees(degree_lines());
+    const DegreeTable table = degrees_of_classes(records, label_classes(), constraint_classes);
+    const auto on_file = [&](const Decision& decision) -> std::vector<DegreeRecord> {
+        if (decision.classes)
+            return table.find(decision.classes->label, decision.classes->constraint);
+        if (two_views && is_camera_minimal(decision)) return degrees_in_two_views(records);
+        return {};
     };
     report.degrees = on_file(report.decision);
     for (auto& [hint, degrees] : report.hints)

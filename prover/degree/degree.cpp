@@ -112,6 +112,15 @@ int DegreeCertificate::degree() const {
 
 namespace {
 
+/// The relative poses of the first two views that share five points, among the solutions found.
+std::optional<PoseCount> poses_of_shared_points(const CameraSystem& system,
+                                                const Monodromy& monodromy) {
+    const Subproblems parts = subproblems(system);
+    if (parts.five_points.empty()) return std::nullopt;
+    return count_poses(parts.five_points.front(), monodromy.chart(),
+                       monodromy.solutions().points());
+}
+
 /// The run with the random numbers of this attempt.
 DegreeRun attempt_degree(std::size_t number, const DegreeOptions& options, std::size_t attempt) {
     const CameraSystem system = camera_system(label_classes()[number]);
@@ -119,6 +128,7 @@ DegreeRun attempt_degree(std::size_t number, const DegreeOptions& options, std::
     // Only a certificate finds out that something is no solution; without one, suspect more.
     Monodromy monodromy(system, options.seed, stream,
                         options.certificate ? Monodromy::suspicious : 1e-6);
+    monodromy.report_to(options.progress);
     Random random(options.seed, ~stream);
     DegreeRun run;
     run.number = number;
@@ -132,6 +142,7 @@ DegreeRun attempt_degree(std::size_t number, const DegreeOptions& options, std::
     if (!run.certificate || run.certificate->degree() < options.target || options.target == 0)
         find_all(system, monodromy, options, random, run);
     run.degree = monodromy.solutions().size();
+    run.five_point_poses = poses_of_shared_points(system, monodromy);
     if (run.certificate) {
         const int shown = run.certificate->degree();
         if (run.evidence && shown < run.degree)
@@ -177,8 +188,8 @@ DegreeRun find_lower_bound(std::size_t number, const DegreeOptions& options) {
     run.number = number;
     for (std::size_t attempt = 0; attempt < most_images && run.degree < options.at_least;
          ++attempt) {
-        auto [certificate, counts] = find_for_integer_images(
-            system, options.seed, number + (attempt << 32U), options.at_least);
+        auto [certificate, counts] =
+            find_for_integer_images(system, options, number + (attempt << 32U));
         run.tracks += counts.tracks;
         run.retried += counts.retried;
         run.failed += counts.failed;

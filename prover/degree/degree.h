@@ -6,10 +6,17 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace plprove {
+
+/// How far a run is.
+struct DegreeProgress {
+    int solutions = 0; ///< found so far
+    int edges = 0;     ///< along which they are followed
+};
 
 struct DegreeOptions {
     int target = 0;          ///< stop once so many solutions are found; 0: go on until complete
@@ -17,6 +24,8 @@ struct DegreeOptions {
     bool certificate = true; ///< also track the solutions to integer images
     /// Not 0: find a certificate of so many solutions, the quickest way, and nothing else.
     int at_least = 0;
+    /// Called now and then by the thread that computes; has no part in the result.
+    std::function<void(const DegreeProgress&)> progress = {};
 };
 
 /// What one view sees of a feature: integer vectors as in FORMAT.md, section 9.
@@ -56,6 +65,12 @@ struct DegreeCertificate {
     int degree() const;
 };
 
+/// Of two cameras.
+struct PoseCount {
+    int poses = 0;
+    int essential_matrices = 0;
+};
+
 /// What came of tracking one class. `degree` is the number of solutions found, a lower bound that
 /// only plcheck certifies; it is complete if there is evidence that it is exact.
 struct DegreeRun {
@@ -67,6 +82,8 @@ struct DegreeRun {
     std::uint64_t failed = 0;       ///< of these, lost for good
     std::vector<std::string> notes; ///< why it is not complete, which edges are no bijections, ...
     std::optional<DegreeCertificate> certificate;
+    /// Of the solutions found, if two views share five points: the relative poses of these views.
+    std::optional<PoseCount> five_point_poses;
 
     bool complete() const { return evidence.has_value(); }
 };

@@ -218,15 +218,16 @@ private:
 
 } // namespace
 
-LowerBound find_for_integer_images(const CameraSystem& system, std::uint64_t seed,
-                                   std::uint64_t stream, int wanted) {
+LowerBound find_for_integer_images(const CameraSystem& system, const DegreeOptions& options,
+                                   std::uint64_t stream) {
     constexpr int most_edges = 6;
     std::vector<IntegerVector> vectors;
-    Monodromy monodromy(system, seed, stream, [&](const Images& scene, Random& random) {
+    Monodromy monodromy(system, options.seed, stream, [&](const Images& scene, Random& random) {
         vectors = vectors_near(system, scene, random);
         return unit_images(vectors);
     });
-    monodromy.find(wanted, most_edges);
+    monodromy.report_to(options.progress);
+    monodromy.find(options.at_least, most_edges);
     std::vector<CameraPoint> solutions;
     for (const CameraPoint& point : monodromy.solutions().points())
         solutions.push_back(standard_chart().point(monodromy.chart().cameras(point)));

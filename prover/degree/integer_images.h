@@ -7,14 +7,15 @@
 
 namespace plprove {
 
-/// Finds so many solutions for random integer images by monodromy between these and the images of
-/// a real scene nearby. The certificate shows those found, as that of certify_degree does.
+/// Finds options.at_least solutions for random integer images by monodromy between these and the
+/// images of a real scene nearby. The certificate shows those found, as that of certify_degree
+/// does.
 struct LowerBound {
     DegreeCertificate certificate;
     PathCounts counts;
 };
-LowerBound find_for_integer_images(const CameraSystem& system, std::uint64_t seed,
-                                   std::uint64_t stream, int wanted);
+LowerBound find_for_integer_images(const CameraSystem& system, const DegreeOptions& options,
+                                   std::uint64_t stream);
 
 /// Follows the first `most` solutions that `monodromy` has found to random integer images, on
 /// another path again if fewer than `wanted` arrive. The certificate shows all that arrive, each

@@ -220,6 +220,7 @@ void Monodromy::run(int edges, int target) {
                     const int most =
                         target > 0 ? std::max(16, wanted) : std::numeric_limits<int>::max();
                     if (follow_edge(edge, from, most)) moving = true;
+                    if (progress_) progress_({solutions().size(), this->edges()});
                 }
         }
     } while (follow_postponed());
@@ -240,6 +241,7 @@ bool Monodromy::follow_some(int target) {
 
 void Monodromy::find(int target, int most_edges) {
     while (solutions().size() < target) {
+        if (progress_) progress_({solutions().size(), edges()});
         if (follow_some(target) || follow_postponed()) continue;
         if (edges() == most_edges) return;
         add_edge();

@@ -2,6 +2,7 @@
 // solutions around loops of images.
 #pragma once
 
+#include "prover/degree/degree.h"
 #include "prover/degree/images.h"
 #include "prover/degree/path_follower.h"
 #include "prover/degree/solution_set.h"
@@ -42,6 +43,11 @@ public:
     /// Follows no more solutions than it takes to know `target` of them at the first node, along as
     /// few edges as will do, `most_edges` in all.
     void find(int target, int most_edges);
+    /// Has run() and find() call a function each time they have followed some paths; an empty one
+    /// is not called.
+    void report_to(std::function<void(const DegreeProgress&)> progress) {
+        progress_ = std::move(progress);
+    }
 
     const SolutionSet& solutions() const { return nodes_[0].solutions; }
     const Images& images() const { return nodes_[0].images; }
@@ -113,6 +119,7 @@ private:
     std::vector<Edge> edges_;
     PathFollower follower_;
     std::vector<SpuriousZeros> spurious_; ///< for the images of either node
+    std::function<void(const DegreeProgress&)> progress_;
 };
 
 } // namespace plprove

@@ -13,9 +13,10 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(std::size_t done, const std::string& more) {
-    if (terminal_)
-        std::fprintf(stderr, "\r%s: %zu of %zu%s\033[K", label_.c_str(), done, total_,
-                     more.c_str());
+    if (!terminal_) return;
+    std::string line = label_ + ": " + std::to_string(done);
+    if (total_ > 0) line += " of " + std::to_string(total_);
+    std::fprintf(stderr, "\r%s%s\033[K", line.c_str(), more.c_str());
 }
 
 void ProgressLine::wipe() {

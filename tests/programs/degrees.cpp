@@ -277,7 +277,7 @@ TEST_CASE("degree answers for people and for machines") {
     CHECK(report["number"] == 2394);
     CHECK(report["notation"] == "2*Pa/Pa/Pa + P/P/P");
     CHECK(report["complete"] == true);
-    CHECK(report["degree"] == report["certified"]);
+    CHECK(report["degree"] == report["certificate"]);
     CHECK(report["edges"] == 5);
     CHECK(report["trace_exponent"] == -11);
     for (const char* field : {"tracks", "retried", "failed", "seconds", "notes", "target", "seed",
@@ -340,7 +340,8 @@ TEST_CASE("what is no minimal problem, or no command, is refused") {
     refused("degree 0", 2, "only minimal and camera-minimal problems have a degree");
     refused("degree '4*P/P/P'", 2, "over-constrained");
     refused("degree P/P/P -o file", 2, "under-constrained");
-    refused("degree '5*P/P'", 2, "three views");
+    refused("degree '5*P/P' --target 3", 2, "leave --target out");
+    refused("degree '6*P/P'", 2, "over-constrained");
     refused("degree nonsense", 2, "not a problem");
     refused("degree 143494", 2, "not a problem");
     refused("degree", 3, "PROBLEM");

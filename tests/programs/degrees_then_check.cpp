@@ -26,11 +26,68 @@ TEST_CASE("the certificate of plprove degree holds for plcheck") {
     REQUIRE(outcome.status == 0);
     const auto report = nlohmann::json::parse(outcome.out);
     CHECK(report["degree"] == 160);
-    CHECK(report["certified"] == 160);
+    CHECK(report["certificate"] == 160);
+    CHECK(!report.contains("certified")); // plcheck has not been asked yet
     CHECK(report["complete"] == true);
     const Outcome check = run(plcheck + " --json " + file);
     CHECK(check.status == 0);
     CHECK(nlohmann::json::parse(check.out)["files"][0]["degrees"][0]["certified_at_least"] == 160);
+}
+
+TEST_CASE("the degree of the five-point problem follows from what plcheck certifies") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "five.plc").string();
+    const Outcome outcome = run(plprove + " degree --json five-point -o " + file);
+    REQUIRE(outcome.status == 0);
+    const auto report = nlohmann::json::parse(outcome.out);
+    CHECK(report["degree"] == 20);
+    CHECK(report["essential_matrices"] == 10);
+    const std::string certs = SOURCE_DIR "/certs/";
+    const Outcome check =
+        run(plcheck + " --json " + certs + "classification.plc " + certs + "bounds.plc " + file);
+    CHECK(check.status == 0);
+    const std::string number = std::to_string(report["extension"].get<int>());
+    int solutions = 0;
+    int third_cameras = 0;
+    const auto checked = nlohmann::json::parse(check.out);
+    for (const auto& claim : checked["degree_claims"]) {
+        const std::string name = claim["claim"];
+        if (name.starts_with("PL0P, class " + number + ":")) solutions = claim["certified_exactly"];
+        if (name == "- registration of its third camera, class " + number)
+            third_cameras = claim["certified_exactly"];
+    }
+    CHECK(solutions == report["extension_degree"]);
+    REQUIRE(third_cameras == report["third_cameras"]);
+    CHECK(solutions / third_cameras == report["degree"]);
+    // What is on file says the same.
+    const Outcome on_file = run(plprove + " problem --json five-point");
+    const auto degree = nlohmann::json::parse(on_file.out)["degree"];
+    CHECK(degree["value"] == report["degree"]);
+    CHECK(degree["status"] == "certified");
+}
+
+TEST_CASE("the degree of a problem in two views is that of the five points it reduces to") {
+    for (const char* spec : {"4*P/P + Pab/Pab", "5*P/P + a/b", "5*P/P + a/a + Pa/-"}) {
+        CAPTURE(spec);
+        const Outcome text = run(plprove + " degree '" + std::string(spec) + "'");
+        CHECK(text.status == 0);
+        CHECK(text.err.empty());
+        CHECK(lines_with(text.out, "reduced     5*P/P\n") == 1);
+        CHECK(lines_with(text.out, "degree      20 relative poses, of 10 essential matrices") == 1);
+        CHECK(lines_with(text.out, "4 third cameras for each relative pose") == 1);
+    }
+}
+
+TEST_CASE("degree shows on a terminal how many solutions it has found, and wipes that") {
+    if (run("command -v script").status != 0) {
+        MESSAGE("there is no script(1) here: not tested");
+        return;
+    }
+    const Outcome outcome = run("script -qec '" + plprove + " degree 2394' /dev/null");
+    const std::size_t shown = lines_with(outcome.out, "\rfinding solutions: ");
+    CHECK(shown > 3);
+    CHECK(lines_with(outcome.out, "\rfinding solutions: 312 so far, ") > 0);
+    CHECK(lines_with(outcome.out, "\r\x1b[Kproblem     2*Pa/Pa/Pa + P/P/P") == 1);
 }
 
 TEST_CASE("what a sweep certifies, plcheck has accepted, whatever the number of threads") {

@@ -1,0 +1,21 @@
+// The five-point problem, the only reduced minimal problem in two views, solved within a problem in
+// three views: the engine, the certificates and the checker speak of three.
+//
+// A third camera multiplies the solutions: each of the 20 relative poses leaves equally many third
+// cameras (Lemma U1 of proofs/upper_bounds.md). Templates bound both factors. So where a degree
+// file has as many solutions as the product of the bounds, both are attained, and the number of
+// relative poses is certified exactly.
+#pragma once
+
+#include "prover/degree/subproblems.h"
+
+#include <cstddef>
+
+namespace plprove {
+
+/// The number of the label class that is solved in place of the five-point problem: of its
+/// extensions by the registration of a third camera, the one with the fewest solutions. Views 2 and
+/// 3 share the five points; view 1 sees two of them, and a line.
+std::size_t five_point_extension();
+
+} // namespace plprove
