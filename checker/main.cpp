@@ -1,4 +1,7 @@
-// The command plcheck: reads files, has the core replay them, prints the report.
+// The command plcheck: reads files, has the core replay them, tells of each as it goes, prints the
+// report.
+#include "checker/command/options.h"
+#include "checker/command/progress.h"
 #include "checker/degrees/krawczyk.h"
 #include "checker/report/report.h"
 #include "checker/version.h"
@@ -6,38 +9,56 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <unistd.h>
 
 using namespace checker;
-static constexpr std::string_view help = R"(usage: plcheck [--json | --errata] FILE...
+static constexpr std::string_view help = R"(usage: plcheck [OPTION]... [--] FILE...
 
     plcheck classification.plc         derive every count of the classification from certificates
     plcheck problem.plc                replay the verdict on one problem
     plcheck degrees.plc                certify that classes have at least so many solutions
     plcheck classification.plc degrees.plc
-                                       the same; add upper bounds by theorem, compare with the paper
+                                       the same; add upper bounds by theorem
     plcheck classification.plc bounds.plc degrees.plc
                                        the same; add the upper bounds that templates certify
-    plcheck classification.plc SHA256SUMS
-                                       the same counts; compare the file with its digest in a list
+    plcheck certs/classification.plc certs/SHA256SUMS
+                                       compare the file with its digest in a list, too
 
-    --json      print the report for a program
-    --errata    print each count that differs from the paper, why it does, and a witness
-    --version   print the version, the format, and what you have to trust for each kind of claim
-    --help      print this text
+What do you expect? Status 0 then says that the files prove just that:
+    --expect PROBLEM     a problem like '2*Pa/Pa/Pa + P/P/P'; add one of the next two, or both
+    --verdict VERDICT    minimal, camera-minimal, not-minimal, obstructed, under-constrained or
+                         over-constrained
+    --degree N           exactly N solutions for the cameras; '>=N' at least N
+    --classification     that every label class has a certificate
 
-plcheck believes no file. certs/FORMAT.md says what it verifies. A file states its own claim:
-plcheck prints the claim, and the exit status says whether it holds.
-Exit status: 0 every certificate holds, 1 one is refused, 2 a file cannot be read or parsed, or the
-report cannot be written, 3 wrong usage.
+What to print, beside a line for each file and a summary; the last line is the result:
+    --table              every count and every degree, beside those of the paper
+    --errata             each count that differs from the paper, why it does, and a witness
+    --why                why the files prove what they do
+    --quiet              the last line only
+    --json               a report for a program, see docs/report.schema.json
+
+    --version            the version, the format, and what you have to trust for each kind of claim
+    --help               this text
+
+A problem is the same in another order of its features and with other names of pins. A file about
+it with the photos in another order does not count; a record of its label class does.
+plcheck believes no file. certs/FORMAT.md says what it verifies. A file chooses its own claim: say
+what you expect.
+Exit status: 0 verified: every file holds, and proves what is expected; 1 something is refused, or
+what is expected is not proved; 2 a file cannot be read or parsed, or the report cannot be written;
+3 wrong usage.
 )";
 
 static constexpr std::string_view trusted = R"(
 To believe a claim, trust what stands beside it. The folders are those of checker/.
 
 every claim           the C++ compiler and its library, GMP, the operating system, the machine;
-                      certs/FORMAT.md; main.cpp, replay.* and report, which print the claim
+                      certs/FORMAT.md; main.cpp, replay.*, command and report, which print
+                      the claim
 a classification      file, algebra, problem, classification; proofs/classification.md
 its counts            also counts
 one problem           file, algebra, problem, classification, verdict;
@@ -48,6 +69,7 @@ at most n solutions   all of the classification, degrees and bounds; proofs/uppe
 ... by theorem        also the table bounds/theorems.h; the proofs that upper_bounds.md names; for
                       Theorem U17, FLINT and what proofs/computations/two_points.cpp prints
 a digest              digests
+what you expect       also conclusion, which finds what the files prove of it
 
 Not trusted: certificate files, the programs that wrote them, the numbers of the paper (paper).
 )";
@@ -73,42 +95,76 @@ static int write(std::string_view text, int status) {
     return std::cout ? status : fail("cannot write the report: is the output closed, or full?", 2);
 }
 
+/// Reads a file, at most one chunk more than may be parsed. False if it cannot be read.
+static bool read(const char* path, std::string& bytes) {
+    std::ifstream in(path, std::ios::binary);
+    std::string chunk(1 << 20, '\0');
+    while (in && bytes.size() <= largest_file) {
+        in.read(chunk.data(), std::ssize(chunk));
+        bytes.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
+    }
+    return in.good() || in.eof();
+}
+
+static ReplayedFile read_and_replay(const Classification& classes, const char* path,
+                                    ProgressBar& bar) {
+    std::string bytes;
+    if (!read(path, bytes))
+        return {.name = printable(path, 4096), .content = Unreadable{std::strerror(errno)}};
+    bar.begin(bytes);
+    ReplayedFile file =
+        replay(classes, path, bytes, [&](const Progress& progress) { bar.update(progress); });
+    bar.clear();
+    return file;
+}
+
+static std::uintmax_t size_of(const std::vector<const char*>& paths) {
+    std::uintmax_t sum = 0;
+    for (const char* path : paths) {
+        std::error_code error; // a pipe has no size
+        const std::uintmax_t size = std::filesystem::file_size(path, error);
+        if (!error) sum += size;
+    }
+    return sum;
+}
+
+/// Replays the files, and tells of each when it is done.
+static std::vector<ReplayedFile> replay_all(const Classification& classes, const Options& options) {
+    const bool told = !options.json && !options.quiet;
+    ProgressBar bar(size_of(options.paths), !options.quiet && isatty(STDERR_FILENO) == 1);
+    std::vector<ReplayedFile> files;
+    for (const char* path : options.paths) {
+        files.push_back(read_and_replay(classes, path, bar));
+        std::cerr << complaints(files.back());
+        if (told) std::cout << finding(files.back()) << std::flush;
+    }
+    return files;
+}
+
+/// What is printed after the lines on the files.
+static std::string rest_of(const Report& report, const Options& options) {
+    if (options.json) return json(report);
+    std::string text;
+    if (!options.quiet) text += summary(report);
+    if (options.table) text += table(report);
+    if (options.errata) text += errata(report);
+    if (options.why) text += why(report);
+    return text + conclusion(report);
+}
+
 int main(int count, char** values) try {
     std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a failed write
-    std::string (*print)(const Report&) = text;
-    std::vector<const char*> paths;
-    for (int i = 1; i < count; ++i) {
-        const std::string_view option = values[i];
-        if (option == "--help" || option == "-h") return write(help, 0);
-        if (option == "--version") return write(version(), 0);
-        if (option == "--json")
-            print = json;
-        else if (option == "--errata")
-            print = errata;
-        else if (option.starts_with('-'))
-            return fail("unknown option " + printable(option, 40) + ", see --help", 3);
-        else
-            paths.push_back(values[i]);
-    }
-    if (paths.empty()) return fail("no file given, see --help", 3);
+    const std::string_view only = count == 2 ? values[1] : "";
+    if (only == "--help" || only == "-h") return write(help, 0);
+    if (only == "--version") return write(version(), 0);
+    const std::span arguments(values, static_cast<std::size_t>(count));
+    const Options options = parse_options(arguments.subspan(1));
     const Classification classes = classify();
-    std::vector<ReplayedFile> files;
-    int status = 0;
-    for (const char* path : paths) {
-        std::ifstream in(path, std::ios::binary);
-        std::string bytes, chunk(1 << 20, '\0');
-        while (in && bytes.size() <= largest_file) { // one chunk more than may be parsed, at most
-            in.read(chunk.data(), std::ssize(chunk));
-            bytes.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
-        }
-        if (in.good() || in.eof())
-            files.push_back(replay(classes, path, bytes));
-        else
-            status = fail("cannot read " + printable(path, 4096) + ": " + std::strerror(errno), 2);
-    }
-    const Report report = summarize(classes, std::move(files));
-    std::cerr << complaints(report);
-    return write(print(report), std::max(status, report.status));
+    const Report report = summarize(classes, replay_all(classes, options), options.expectation);
+    std::cerr << objections(report);
+    return write(rest_of(report, options), report.status);
+} catch (const WrongUsage& usage) {
+    return fail(usage.reason, 3);
 } catch (const std::bad_alloc&) {
     return fail("out of memory", 2);
 }

@@ -10,9 +10,14 @@
 #include <variant>
 
 namespace checker {
+/// A file that cannot be read, and why.
+struct Unreadable {
+    std::string reason{};
+};
+
 /// What a file proves. Malformed: it does not conform to FORMAT.md, and proves nothing.
-using FileContent =
-    std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile, DigestList>;
+using FileContent = std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile,
+                                 DigestList, Unreadable>;
 
 struct ReplayedFile {
     std::string name{}; // printable
@@ -20,6 +25,8 @@ struct ReplayedFile {
     FileContent content{};
 };
 
-/// Replays the bytes of a file.
-ReplayedFile replay(const Classification& classes, std::string_view name, std::string_view bytes);
+/// Replays the bytes of a file. The watch is told how far it is.
+ReplayedFile replay(
+    const Classification& classes, std::string_view name, std::string_view bytes,
+    const Watch& watch = [](const Progress&) {});
 } // namespace checker

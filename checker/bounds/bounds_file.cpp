@@ -131,12 +131,16 @@ static void check_template(const Template& given) {
     if (minor != given.minor) throw Refused("the minor is ", minor.value, " modulo q");
 }
 
-BoundsFile replay_bounds(Reader& reader) {
+BoundsFile replay_bounds(Reader& reader, const Watch& watch) {
     BoundsFile file;
     reader.take(say("modulus ", modulus, " $"));
+    Progress progress;
     while (!reader.at_end()) {
         const std::size_t line = reader.line();
         const Template given = read_template(reader);
+        ++progress.records;
+        progress.line = line;
+        watch(progress);
         try {
             check_template(given);
             ++file.templates;

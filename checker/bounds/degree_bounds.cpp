@@ -81,6 +81,11 @@ DegreeTable combine(const Classification& classes, const std::vector<bool>& mini
     return table;
 }
 
+DegreeBounds bounds_of(const DegreeTable& table, const Signature& signature) {
+    const auto place = table.find(constraint_class(signature));
+    return place == table.end() ? DegreeBounds{} : place->second;
+}
+
 std::optional<std::string> contradiction(const DegreeTable& table) {
     for (const auto& [signature, known] : table)
         if (known.at_most && known.at_least > known.at_most->solutions)

@@ -39,6 +39,9 @@ using DegreeTable = std::map<Signature, DegreeBounds>;
 DegreeTable combine(const Classification& classes, const std::vector<bool>& minimal,
                     const std::vector<LowerBound>& lower, const RegistrationBounds& upper);
 
+/// What is known of the degree of a balanced signature.
+DegreeBounds bounds_of(const DegreeTable& table, const Signature& signature);
+
 /// In words, a class whose bounds contradict each other; none if there is none.
 std::optional<std::string> contradiction(const DegreeTable& table);
 } // namespace checker

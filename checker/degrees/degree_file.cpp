@@ -10,17 +10,12 @@ struct FeatureLine {
     FeatureImages images{};
 };
 
+/// A record up to its solutions.
 struct DegreeRecord {
     std::size_t line = 0;
     std::size_t number = 0;
     bool complete = false; // by evidence
     std::vector<FeatureLine> features{};
-    std::vector<ApproximateSolution> solutions{};
-};
-
-/// A solution that is not proved, or not proved to be a new one.
-struct UnprovedSolution {
-    Complaint complaint;
 };
 
 /// Takes a word and a vector.
@@ -101,9 +96,6 @@ static DegreeRecord read_record(Reader& reader) {
         if (record.features.size() == camera_unknowns) reader.fail("image", "at most 11 features");
         record.features.push_back(read_feature_line(reader));
     } while (reader.comes("image"));
-    do
-        record.solutions.push_back(read_solution(reader));
-    while (!reader.at_end() && !reader.comes("degree"));
     return record;
 }
 
@@ -131,59 +123,92 @@ struct Found {
     std::size_t line;
 };
 
-/// The boxes of a line of the record: one if it is real, else also its conjugate.
-static std::vector<Found> prove(const CameraSystem& system, const ApproximateSolution& start) try {
-    const Box box = certify(system, start);
-    if (start.real) return {{box, start.line}};
-    const Box conjugate = box.conjugate();
-    if (box.meets(conjugate)) throw Refused("the pair may be real");
-    return {{box, start.line}, {conjugate, start.line}};
-} catch (const Refused& refused) {
-    throw UnprovedSolution{{start.line, refused.reason}};
-}
+/// The solutions of a record that are proved so far. No two boxes meet. (They are as many as the
+/// degree at most, so it does not take long to compare them all.)
+class ProvedSolutions {
+public:
+    explicit ProvedSolutions(const CameraSystem& system) : system_(system) {}
 
-/// The number of solutions, proved to be different. Throws UnprovedSolution.
-static std::size_t count_solutions(const CameraSystem& system,
-                                   const std::vector<ApproximateSolution>& starts) {
-    std::vector<Found> found;
-    for (const ApproximateSolution& start : starts)
-        for (const Found& one : prove(system, start))
-            found.push_back(one);
-    // Boxes that meet do so in the real part of the last coordinate, by which they are sorted.
-    constexpr std::size_t last = 2 * camera_unknowns - 2;
-    std::ranges::sort(found, {}, [](const Found& one) { return one.box.low[last]; });
-    for (auto a = found.begin(); a != found.end(); ++a) {
-        for (auto b = a + 1; b != found.end(); ++b) {
-            if (b->box.low[last] > a->box.high[last]) break;
-            if (!a->box.meets(b->box)) continue;
-            const auto [first, second] = std::minmax(a->line, b->line);
-            throw UnprovedSolution{{second, say("this may be the solution of line ", first)}};
+    std::size_t count() const { return found_.size(); }
+
+    /// Proves a solution, and its conjugate unless it is real. Throws Refused if it cannot, or if
+    /// it may be one that is proved before.
+    void add(const ApproximateSolution& start) {
+        const Box box = certify(system_, start);
+        add({box, start.line});
+        if (start.real) return;
+        const Box conjugate = box.conjugate();
+        if (box.meets(conjugate)) throw Refused("the pair may be real");
+        add({conjugate, start.line});
+    }
+
+private:
+    void add(const Found& solution) {
+        for (const Found& before : found_)
+            if (before.box.meets(solution.box))
+                throw Refused("this may be the solution of line ", before.line);
+        found_.push_back(solution);
+    }
+
+    const CameraSystem& system_;
+    std::vector<Found> found_;
+};
+
+/// Takes the solutions of a record and proves them as they come. After one that is refused, the
+/// others are only read.
+class RecordReplay {
+public:
+    RecordReplay(Reader& reader, DegreeFile& file, const Watch& watch, Progress& progress)
+        : reader_(reader), file_(file), watch_(watch), progress_(progress) {}
+
+    void run(const DegreeRecord& record, const Classification& classes) {
+        ++progress_.records;
+        std::size_t line = record.line; // at fault, if one is
+        try {
+            const CameraSystem system = system_of(record, classes);
+            ProvedSolutions proved(system);
+            do {
+                line = reader_.line();
+                proved.add(read_solution(reader_));
+                ++progress_.solutions;
+                watch_({reader_.line(), progress_.records, progress_.solutions});
+            } while (has_more());
+            file_.bounds.push_back({record.number, proved.count(), record.complete});
+        } catch (const Refused& refused) {
+            file_.refusals.add(line, say("class ", record.number, ": ", refused.reason));
+            skip(line == record.line);
         }
     }
-    return found.size();
-}
 
-DegreeFile replay_degrees(Reader& reader, const Classification& classes) {
+private:
+    bool has_more() const { return !reader_.at_end() && !reader_.comes("degree"); }
+
+    /// Reads the solutions that are left, one at least if none is read yet.
+    void skip(bool none_is_read) {
+        if (none_is_read) read_solution(reader_);
+        while (has_more())
+            read_solution(reader_);
+    }
+
+    Reader& reader_;
+    DegreeFile& file_;
+    const Watch& watch_;
+    Progress& progress_;
+};
+
+DegreeFile replay_degrees(Reader& reader, const Classification& classes, const Watch& watch) {
     DegreeFile file;
     if (!has_arb) {
         file.refusals.add(reader.line(), "this plcheck was built without Arb");
         return file;
     }
+    Progress progress;
     for (std::size_t due = 0; !reader.at_end();) {
         const DegreeRecord record = read_record(reader);
-        const std::string name = say("class ", record.number, ": ");
-        if (record.number < due) throw Malformed{{record.line, name + "is out of order"}};
+        if (record.number < due)
+            throw Malformed{{record.line, say("class ", record.number, ": is out of order")}};
         due = record.number + 1;
-        try {
-            const CameraSystem system = system_of(record, classes);
-            const std::size_t count = count_solutions(system, record.solutions);
-            file.bounds.push_back({record.number, count, record.complete});
-        } catch (const Refused& refused) {
-            file.refusals.add(record.line, name + refused.reason);
-        } catch (const UnprovedSolution& unproved) {
-            const auto& [line, reason] = unproved.complaint;
-            file.refusals.add(line, name + reason);
-        }
+        RecordReplay(reader, file, watch, progress).run(record, classes);
     }
     return file;
 }

@@ -1,6 +1,7 @@
 // Degree files (FORMAT.md, section 9): so many cameras explain the images of a class, with proof.
 #pragma once
 
+#include "checker/degrees/progress.h"
 #include "checker/file/reader.h"
 #include "checker/problem/classes.h"
 
@@ -19,5 +20,5 @@ struct DegreeFile {
 };
 
 /// Replays a file after its first line. Throws Malformed.
-DegreeFile replay_degrees(Reader& reader, const Classification& classes);
+DegreeFile replay_degrees(Reader& reader, const Classification& classes, const Watch& watch);
 } // namespace checker

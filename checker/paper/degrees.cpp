@@ -1,5 +1,4 @@
 #include "checker/counts/families.h"
-#include "checker/degrees/constraint_class.h"
 #include "checker/paper/claims.h"
 #include "checker/paper/degree_table.h"
 #include "checker/paper/numbers.h"
@@ -8,9 +7,7 @@
 
 namespace checker::paper {
 DegreeBounds bounds_of(const KnownDegrees& known, std::size_t number) {
-    const Signature& signature = known.classes.representatives[number];
-    const auto place = known.table.find(constraint_class(signature));
-    return place == known.table.end() ? DegreeBounds{} : place->second;
+    return checker::bounds_of(known.table, known.classes.representatives[number]);
 }
 
 /// How bounds of a number compare with a claim on it.

@@ -1,11 +1,14 @@
 #include "checker/report/report.h"
 
-#include <iomanip>
-
 namespace checker {
-/// A string in JSON. All strings of a report are printable ASCII.
+/// A string in JSON. All strings of a report are printable ASCII and line feeds.
 static std::string json_string(std::string_view text) {
-    return say(std::quoted(text));
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += c == '\n' ? "\\n" : std::string(1, c);
+    }
+    return quoted + '"';
 }
 
 /// The items in brackets, a line each.
@@ -27,6 +30,13 @@ static std::string_view truth(bool value) {
     return value ? "true" : "false";
 }
 
+static std::vector<std::string> quoted(const std::vector<std::string>& texts) {
+    std::vector<std::string> items;
+    for (const std::string& text : texts)
+        items.push_back(json_string(text));
+    return items;
+}
+
 static std::string complaint(std::size_t line, const std::string& reason) {
     return say("{\"line\": ", line, ", \"reason\": ", json_string(reason), "}");
 }
@@ -37,6 +47,8 @@ static std::vector<std::string> complaints_of(const ReplayedFile& file,
     std::vector<std::string> items;
     if (const auto* malformed = std::get_if<Malformed>(&file.content))
         items.push_back(complaint(malformed->complaint.line, malformed->complaint.reason));
+    if (const auto* unreadable = std::get_if<Unreadable>(&file.content))
+        items.push_back(complaint(0, "cannot be read: " + unreadable->reason));
     for (const auto& [line, reason] : refusals_of(file).first)
         items.push_back(complaint(line, reason));
     for (const std::string& objection : comparison.objections)
@@ -46,6 +58,10 @@ static std::vector<std::string> complaints_of(const ReplayedFile& file,
 
 /// The members that only this kind of file has.
 static std::string members(const Malformed&) {
+    return "";
+}
+
+static std::string members(const Unreadable&) {
     return "";
 }
 
@@ -77,23 +93,20 @@ static std::string members(const DigestList& list) {
 }
 
 static std::string item(const ReplayedFile& file, const Comparison& comparison) {
-    std::vector<std::string> not_given;
-    for (const std::string& name : comparison.not_given)
-        not_given.push_back(json_string(name));
-    const bool conforms = !std::holds_alternative<Malformed>(file.content);
     const auto own = [](const auto& content) { return members(content); };
     return say("{\"file\": ", json_string(file.name), ", \"kind\": ", json_string(kind_of(file)),
-               ", \"conforms\": ", truth(conforms), ", \"sha256\": ", json_string(file.sha256),
+               ", \"conforms\": ", truth(!kind_of(file).empty()),
+               ", \"sha256\": ", json_string(file.sha256),
                ", \"digest\": ", json_string(comparison.digest), std::visit(own, file.content),
                ", \"refused\": ", refusals_of(file).count + comparison.objections.size(),
                ", \"complaints\": ", array_of(complaints_of(file, comparison)),
-               ", \"not_verified\": ", array_of(not_given), "}");
+               ", \"not_verified\": ", array_of(quoted(comparison.not_given)), "}");
 }
 
 static std::string item(const paper::Claim& c) {
     return say("{\"claim\": ", json_string(c.claim), ", \"paper\": ", cell(c.claimed),
                ", \"certified\": ", cell(c.certified), ", \"verdict\": ", json_string(c.verdict),
-               "}");
+               ", \"counted\": ", json_string(c.counted), "}");
 }
 
 static std::string item(const paper::DegreeClaim& c) {
@@ -101,7 +114,7 @@ static std::string item(const paper::DegreeClaim& c) {
                ", \"certified_at_least\": ", cell(c.at_least),
                ", \"certified_exactly\": ", cell(c.exact), ", \"by_theorem\": ", cell(c.by_theorem),
                ", \"known_exactly\": ", cell(c.known), ", \"verdict\": ", json_string(c.verdict),
-               "}");
+               ", \"witness\": ", json_string(c.witness), "}");
 }
 
 static std::string item(const UpperBoundCount& count) {
@@ -120,11 +133,20 @@ template <class Item> static std::string array_of(const std::vector<Item>& list)
     return array_of(items);
 }
 
+static std::string item(const Judgement& judgement) {
+    return say("{\"verified\": ", truth(judgement.verified),
+               ", \"statement\": ", json_string(judgement.statement),
+               ", \"files\": ", array_of(quoted(judgement.files)),
+               ", \"why\": ", array_of(quoted(judgement.why)), "}");
+}
+
 std::string json(const Report& report) {
+    const Findings& findings = report.findings;
     std::vector<std::string> files;
-    for (std::size_t i = 0; i < report.files.size(); ++i)
-        files.push_back(item(report.files[i], report.comparisons[i]));
-    return say("{\"format\": 2, \"status\": ", report.status, ",\n\"files\": ", array_of(files),
+    for (std::size_t i = 0; i < findings.files.size(); ++i)
+        files.push_back(item(findings.files[i], findings.comparisons[i]));
+    return say("{\"format\": 2, \"status\": ", report.status,
+               ",\n\"conclusion\": ", item(report.judgement), ",\n\"files\": ", array_of(files),
                ",\n\"claims\": ", array_of(report.claims),
                ",\n\"terminal_problems\": ", array_of(report.upper_bounds),
                ",\n\"degree_claims\": ", array_of(report.degrees),

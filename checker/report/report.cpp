@@ -1,74 +1,11 @@
 #include "checker/report/report.h"
 
-#include "checker/degrees/constraint_class.h"
-
 namespace checker {
-const Refusals& refusals_of(const ReplayedFile& file) {
-    static const Refusals none;
-    if (const auto* content = std::get_if<ClassificationFile>(&file.content))
-        return content->refusals;
-    if (const auto* content = std::get_if<ProblemFile>(&file.content)) return content->refusals;
-    if (const auto* content = std::get_if<DegreeFile>(&file.content)) return content->refusals;
-    if (const auto* content = std::get_if<BoundsFile>(&file.content)) return content->refusals;
-    return none;
-}
-
 std::string_view kind_of(const ReplayedFile& file) {
-    constexpr std::array<std::string_view, 6> kinds{"",        "classification", "problem",
-                                                    "degrees", "bounds",         "digests"};
+    constexpr std::array<std::string_view, 7> kinds{
+        "", "classification", "problem", "degrees", "bounds", "digests", ""};
     static_assert(kinds.size() == std::variant_size_v<FileContent>);
     return kinds[file.content.index()];
-}
-
-/// Compares the files with the digests of a list, where a name may be the end of a path.
-static void compare_digests(Report& report, std::size_t list_number) {
-    const ReplayedFile& list = report.files[list_number];
-    for (const auto& [sha256, name] : std::get<DigestList>(list.content).files) {
-        bool given = false;
-        for (std::size_t i = 0; i < report.files.size(); ++i) {
-            const ReplayedFile& file = report.files[i];
-            if (!("/" + file.name).ends_with("/" + name)) continue;
-            given = true;
-            const bool same = file.sha256 == sha256;
-            Comparison& comparison = report.comparisons[i];
-            comparison.digest = say(same ? "as in " : "not as in ", list.name);
-            if (!same)
-                comparison.objections.push_back(say("its SHA-256 digest is ", file.sha256, ", in ",
-                                                    list.name, " it is ", sha256));
-        }
-        if (!given) report.comparisons[list_number].not_given.push_back(name);
-    }
-}
-
-/// By class number, what classification and problem files prove.
-static Verdicts verdicts_of(const Classification& classes, const std::vector<ReplayedFile>& files) {
-    Verdicts verdicts(classes.representatives.size());
-    for (const ReplayedFile& file : files) {
-        if (const auto* content = std::get_if<ClassificationFile>(&file.content))
-            for (const auto& [number, obstruction] : content->verdicts)
-                verdicts[number] = obstruction;
-        if (const auto* content = std::get_if<ProblemFile>(&file.content))
-            if (const auto& verdict = content->of_class)
-                verdicts[verdict->number] = verdict->obstruction;
-    }
-    return verdicts;
-}
-
-static std::vector<LowerBound> lower_bounds_of(const std::vector<ReplayedFile>& files) {
-    std::vector<LowerBound> bounds;
-    for (const ReplayedFile& file : files)
-        if (const auto* content = std::get_if<DegreeFile>(&file.content))
-            bounds.insert(bounds.end(), content->bounds.begin(), content->bounds.end());
-    return bounds;
-}
-
-static RegistrationBounds upper_bounds_of(const std::vector<ReplayedFile>& files) {
-    RegistrationBounds bounds;
-    for (const ReplayedFile& file : files)
-        if (const auto* content = std::get_if<BoundsFile>(&file.content))
-            for (const auto& [type, bound] : content->bounds)
-                add_bound(bounds, type, bound);
-    return bounds;
 }
 
 static std::vector<UpperBoundCount> count_upper_bounds(const paper::KnownDegrees& known) {
@@ -92,55 +29,155 @@ static std::vector<ExactDegree> exact_degrees(const paper::KnownDegrees& known) 
     for (std::size_t n = 0; n < known.verdicts.size(); ++n) {
         if (!is_minimal(known.verdicts, n)) continue;
         const DegreeBounds bounds = paper::bounds_of(known, n);
-        if (bounds.exact()) exact.push_back({n, bounds.at_least});
+        if (bounds.exact())
+            exact.push_back({n, bounds.at_least, bounds.at_most->by_theorem(),
+                             notation(known.classes.representatives[n])});
     }
     return exact;
 }
 
-/// What follows of degrees, if no bounds contradict each other.
-static void add_degrees(Report& report, const Classification& classes, const Verdicts& verdicts) {
-    const std::vector<LowerBound> lower = lower_bounds_of(report.files);
-    const RegistrationBounds upper = upper_bounds_of(report.files);
-    if (lower.empty() && upper.empty()) return;
-    std::vector<bool> minimal;
-    for (std::size_t n = 0; n < verdicts.size(); ++n)
-        minimal.push_back(is_minimal(verdicts, n));
-    const DegreeTable table = combine(classes, minimal, lower, upper);
-    if (const auto reason = contradiction(table)) { // whichever is wrong, nothing follows
-        for (std::size_t i = 0; i < report.files.size(); ++i) {
-            const FileContent& content = report.files[i].content;
-            if (std::holds_alternative<DegreeFile>(content) ||
-                std::holds_alternative<BoundsFile>(content))
-                report.comparisons[i].objections.push_back("bounds contradict each other: " +
-                                                           *reason);
-        }
-        return;
-    }
-    const auto poses = upper.find(relative_pose);
-    const std::size_t relative_poses = poses == upper.end() ? 0 : poses->second;
-    const paper::KnownDegrees known{classes, verdicts, table, relative_poses};
-    if (!upper.empty()) report.upper_bounds = count_upper_bounds(known);
-    if (lower.empty()) return;
+static void add_degrees(Report& report, const Classification& classes) {
+    const Findings& findings = report.findings;
+    const auto poses = findings.registrations.find(relative_pose);
+    const std::size_t relative_poses = poses == findings.registrations.end() ? 0 : poses->second;
+    const paper::KnownDegrees known{classes, findings.verdicts, findings.degrees, relative_poses};
+    if (!findings.registrations.empty()) report.upper_bounds = count_upper_bounds(known);
+    if (!findings.has_lower_bounds) return;
     report.degrees = paper::compare_degrees(known);
     report.exact = exact_degrees(known);
 }
 
-/// 0 if the file holds, 1 if it or a record of it is refused, 2 if it does not conform.
-static int status_of(const ReplayedFile& file, const Comparison& comparison) {
-    if (std::holds_alternative<Malformed>(file.content)) return 2;
-    return refusals_of(file).count > 0 || !comparison.objections.empty() ? 1 : 0;
+/// Takes the verdicts from the tables: in a run with a file that is refused, no row confirms
+/// anything.
+static void withhold_verdicts(Report& report) {
+    const std::string withheld = "withheld: a file is refused";
+    for (paper::Claim& claim : report.claims)
+        if (claim.certified != "-") claim.verdict = withheld;
+    for (paper::DegreeClaim& claim : report.degrees)
+        claim.verdict = withheld;
 }
 
-Report summarize(const Classification& classes, std::vector<ReplayedFile> files) {
-    Report report{.files = std::move(files)};
-    report.comparisons.resize(report.files.size());
-    for (std::size_t i = 0; i < report.files.size(); ++i)
-        if (std::holds_alternative<DigestList>(report.files[i].content)) compare_digests(report, i);
-    const Verdicts verdicts = verdicts_of(classes, report.files);
-    report.claims = paper::compare_counts(classes, verdicts);
-    add_degrees(report, classes, verdicts);
-    for (std::size_t i = 0; i < report.files.size(); ++i)
-        report.status = std::max(report.status, status_of(report.files[i], report.comparisons[i]));
+/// A number of things, one or more: `1 record`, `2 records`.
+static std::string counted(std::size_t number, std::string_view thing) {
+    return say(number, ' ', thing, number == 1 ? "" : "s");
+}
+
+/// What files prove, each kind in a few words.
+struct Proofs {
+    std::size_t classifications = 0, problems = 0, records = 0, templates = 0;
+    std::string problem{}; // the last one, with its verdict
+    LowerBound bound{};    // the last one
+    std::vector<std::string> files{};
+};
+
+static Proofs proofs_of(const Findings& findings) {
+    Proofs proofs;
+    for (const auto& [name, sha256, content] : findings.files) {
+        if (std::holds_alternative<ClassificationFile>(content)) ++proofs.classifications;
+        if (const auto* file = std::get_if<ProblemFile>(&content)) {
+            ++proofs.problems;
+            proofs.problem = file->problem + " is " + file->verdict;
+        }
+        if (const auto* file = std::get_if<DegreeFile>(&content)) {
+            proofs.records += file->bounds.size();
+            proofs.bound = file->bounds.back();
+        }
+        if (const auto* file = std::get_if<BoundsFile>(&content))
+            proofs.templates += file->templates;
+        if (!std::holds_alternative<DigestList>(content)) proofs.files.push_back(name);
+    }
+    return proofs;
+}
+
+/// The statement of a run without a refusal.
+static std::string statement_of(const Report& report, const Proofs& proofs) {
+    std::vector<std::string> parts;
+    const Verdicts& verdicts = report.findings.verdicts;
+    if (proofs.classifications > 0) {
+        std::size_t minimal = 0;
+        for (std::size_t n = 0; n < verdicts.size(); ++n)
+            minimal += is_minimal(verdicts, n);
+        parts.push_back(say("all ", verdicts.size(), " label classes, ", minimal, " minimal"));
+    }
+    if (proofs.problems == 1) parts.push_back(proofs.problem);
+    if (proofs.problems > 1) parts.push_back(say("the verdicts on ", proofs.problems, " problems"));
+    if (proofs.records == 1)
+        parts.push_back(say("at least ", counted(proofs.bound.solutions, "solution"), " of class ",
+                            proofs.bound.number));
+    if (proofs.records > 1)
+        parts.push_back(say("lower bounds of the degrees of ", proofs.records, " classes"));
+    if (!report.exact.empty())
+        parts.push_back(say("the exact degrees of ", report.exact.size(),
+                            report.exact.size() == 1 ? " label class" : " label classes"));
+    if (proofs.templates > 0) parts.push_back(counted(proofs.templates, "template"));
+    std::string text;
+    for (const std::string& part : parts)
+        text += (text.empty() ? "" : "; ") + part;
+    return text;
+}
+
+/// Why the records of a file prove what they say.
+static std::string_view argument_for(const ReplayedFile& file) {
+    if (std::holds_alternative<ClassificationFile>(file.content))
+        return "each record has a minor that is not 0, or a motion: proofs/classification.md";
+    if (std::holds_alternative<ProblemFile>(file.content))
+        return "it reduces to a class, or has too few or many constraints: proofs/problems.md";
+    if (std::holds_alternative<DegreeFile>(file.content))
+        return "each solution has a box of its own that holds one zero: proofs/degrees.md";
+    if (std::holds_alternative<BoundsFile>(file.content))
+        return "each minor leaves only the basis: proofs/upper_bounds.md";
+    return "its digests are those of the files given";
+}
+
+/// Judges a run in which nothing in particular is expected: every file has to hold, and some file
+/// has to prove something.
+static Judgement judge_all(const Report& report) {
+    const Findings& findings = report.findings;
+    Judgement judgement;
+    if (findings.status == 0) {
+        const Proofs proofs = proofs_of(findings);
+        judgement.verified = !proofs.files.empty();
+        judgement.files = proofs.files;
+        judgement.statement = judgement.verified
+                                  ? statement_of(report, proofs)
+                                  : "no certificate among these files; give one, too";
+        for (const ReplayedFile& file : findings.files)
+            judgement.why.push_back(say(file.name, ": ", argument_for(file)));
+    }
+    return judgement;
+}
+
+/// The judgement of a run in which files are refused.
+static Judgement judge_refused(const Findings& findings, const Expectation& expectation) {
+    Judgement judgement;
+    for (std::size_t i = 0; i < findings.files.size(); ++i)
+        if (status_of(findings, i) > 0) judgement.files.push_back(findings.files[i].name);
+    for (const std::string& file : judgement.files)
+        judgement.why.push_back(file + ": the messages on standard error say what is refused");
+    const std::string expected = in_words(expectation);
+    judgement.statement = say(expected, expected.empty() ? "" : ": ", judgement.files.size(),
+                              " of ", counted(findings.files.size(), "file"),
+                              judgement.files.size() == 1 ? " is refused" : " are refused");
+    return judgement;
+}
+
+Report summarize(const Classification& classes, std::vector<ReplayedFile> files,
+                 const Expectation& expectation) {
+    Report report{.findings = find(classes, std::move(files))};
+    const Findings& findings = report.findings;
+    report.claims = paper::compare_counts(classes, findings.verdicts);
+    add_degrees(report, classes);
+    if (findings.status > 0) {
+        withhold_verdicts(report);
+        report.judgement = judge_refused(findings, expectation);
+    } else if (const auto* problem = std::get_if<ExpectedProblem>(&expectation)) {
+        report.judgement = judge(classes, findings, *problem);
+    } else if (std::holds_alternative<WholeClassification>(expectation)) {
+        report.judgement = judge(classes, findings, WholeClassification{});
+    } else {
+        report.judgement = judge_all(report);
+    }
+    report.status = std::max(findings.status, report.judgement.verified ? 0 : 1);
     return report;
 }
 } // namespace checker

@@ -2,17 +2,10 @@
 // trust a single certificate.
 #pragma once
 
+#include "checker/conclusion/expectation.h"
 #include "checker/paper/claims.h"
-#include "checker/replay.h"
 
 namespace checker {
-/// What the comparison of a file with the others adds.
-struct Comparison {
-    std::string digest{}; // what a list says of the file's digest; empty if none does
-    std::vector<std::string> not_given{};  // of a list: the names of files that were not given
-    std::vector<std::string> objections{}; // why the file is refused, whatever it proves alone
-};
-
 /// How many terminal problems have an upper bound.
 struct UpperBoundCount {
     std::size_t solutions = 0; // at most
@@ -24,29 +17,37 @@ struct UpperBoundCount {
 struct ExactDegree {
     std::size_t number = 0;
     std::size_t degree = 0;
+    bool by_theorem = false; // its upper bound
+    std::string problem{};   // that represents the class
 };
 
 struct Report {
-    std::vector<ReplayedFile> files{};
-    std::vector<Comparison> comparisons{}; // of the files, in the same order
+    Findings findings{};
+    Judgement judgement{}; // of what was expected, or of all files
     std::vector<paper::Claim> claims{};
     std::vector<UpperBoundCount> upper_bounds{}; // none without a file of upper bounds
     std::vector<paper::DegreeClaim> degrees{};   // none without a degree file
     std::vector<ExactDegree> exact{};
-    int status = 0; // of the command: 0 every certificate holds, 1 one is refused, 2 syntax error
+    /// Of the command: that of the findings, and at least 1 if what was expected is not verified.
+    int status = 0;
 };
 
-/// Puts together what the files prove.
-Report summarize(const Classification& classes, std::vector<ReplayedFile> files);
+/// Puts together what the files prove, and judges whether they prove what is expected.
+Report summarize(const Classification& classes, std::vector<ReplayedFile> files,
+                 const Expectation& expectation = {});
 
-/// The refusals of a file's records; none if it has no records, or does not conform.
-const Refusals& refusals_of(const ReplayedFile& file);
-
-/// The file's kind as in its first line, or `digests`; empty if it does not conform.
+/// The file's kind as in its first line, or `digests`; empty if it is no certificate.
 std::string_view kind_of(const ReplayedFile& file);
 
-std::string text(const Report& report);
+// A report in parts, each of whole lines. The first two are told as soon as a file is replayed.
+std::string finding(const ReplayedFile& file);    // what it proves
+std::string complaints(const ReplayedFile& file); // what is refused, a line each
+std::string objections(const Report& report);     // what is refused because of other files
+std::string summary(const Report& report);        // fits a screen
+std::string table(const Report& report);          // all bounds, counts and degrees
 std::string errata(const Report& report); // each count that differs from the paper, with a witness
+std::string why(const Report& report);    // the steps of the judgement
+std::string conclusion(const Report& report); // one line: VERIFIED or NOT VERIFIED, and what
+
 std::string json(const Report& report);
-std::string complaints(const Report& report); // what is refused, a line each
 } // namespace checker

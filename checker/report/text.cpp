@@ -13,143 +13,283 @@ static std::string held(std::size_t number, std::string_view thing, std::size_t 
     return say(counted(number, thing), number == 1 ? " holds, " : " hold, ", refused, " refused");
 }
 
-/// What was found of a file, by its kind: the rest of its line, and lines that begin with "- ".
-static std::string finding(const Malformed&) {
+static std::string in_words(const Malformed&) {
     return "not a certificate file";
 }
 
-static std::string finding(const ClassificationFile& file) {
+static std::string in_words(const Unreadable&) {
+    return "cannot be read";
+}
+
+static std::string in_words(const ClassificationFile& file) {
     return held(file.verdicts.size(), "certificate", file.refusals.count);
 }
 
-static std::string finding(const ProblemFile& file) {
+static std::string in_words(const ProblemFile& file) {
     if (file.verdict.empty()) return "refused";
     const std::string number = file.of_class ? say(", class ", file.of_class->number) : "";
     return say("certified ", file.verdict, number, ": ", file.problem);
 }
 
-static std::string finding(const DegreeFile& file) {
+static std::string in_words(const LowerBound& bound) {
+    return say("\n- class ", bound.number, ": certified to have at least ",
+               counted(bound.solutions, "solution"),
+               "; evidence that there are no more: ", bound.complete ? "yes" : "none");
+}
+
+static std::string in_words(const DegreeFile& file) {
+    constexpr std::size_t most_lines = 3;
     std::string text = held(file.bounds.size(), "degree record", file.refusals.count);
-    constexpr std::size_t most_lines = 20;
     if (file.bounds.size() > most_lines) return text;
-    for (const auto& [number, solutions, complete] : file.bounds)
-        text += say("\n- class ", number, ": certified to have at least ",
-                    counted(solutions, "solution"),
-                    "; evidence that there are no more: ", complete ? "yes" : "none");
+    for (const LowerBound& bound : file.bounds)
+        text += in_words(bound);
     return text;
 }
 
-static std::string finding(const BoundsFile& file) {
+static std::string in_words(const BoundsFile& file) {
     return held(file.templates, "template", file.refusals.count);
 }
 
-static std::string finding(const DigestList& list) {
+static std::string in_words(const DigestList& list) {
     return "a list of " + counted(list.files.size(), "digest");
 }
 
-static std::string text(const ReplayedFile& file, const Comparison& comparison) {
-    const auto find = [](const auto& content) { return finding(content); };
-    std::string text = say(file.name, ": ", std::visit(find, file.content));
-    if (!comparison.digest.empty()) text += "; digest " + comparison.digest;
-    for (const std::string& name : comparison.not_given)
-        text += "\n- not verified, as it was not given: " + name;
-    return text + '\n';
+std::string finding(const ReplayedFile& file) {
+    const auto what = [](const auto& content) { return in_words(content); };
+    return say(file.name, ": ", std::visit(what, file.content), '\n');
 }
 
-static std::string text(const UpperBoundCount& count) {
-    std::string text = say("certified: ", count.by_templates + count.by_theorem,
-                           " terminal problems have at most ", count.solutions, " solutions");
-    if (count.by_theorem > 0) text += say(", ", count.by_theorem, " of them by theorem");
-    return text + '\n';
+std::string complaints(const ReplayedFile& file) {
+    std::string result;
+    if (const auto* unreadable = std::get_if<Unreadable>(&file.content))
+        return say("plcheck: cannot read ", file.name, ": ", unreadable->reason, '\n');
+    if (const auto* malformed = std::get_if<Malformed>(&file.content)) {
+        const auto& [line, reason] = malformed->complaint;
+        return say(file.name, ':', line, ": does not conform to FORMAT.md: ", reason, '\n');
+    }
+    const Refusals& refusals = refusals_of(file);
+    for (const auto& [line, reason] : refusals.first)
+        result += say(file.name, ':', line, ": refused: ", reason, '\n');
+    if (refusals.count > refusals.first.size())
+        result += say(file.name, ": ", refusals.count - refusals.first.size(), " more refused\n");
+    return result;
+}
+
+std::string objections(const Report& report) {
+    std::string result;
+    for (std::size_t i = 0; i < report.findings.files.size(); ++i)
+        for (const std::string& objection : report.findings.comparisons[i].objections)
+            result += say(report.findings.files[i].name, ":0: refused: ", objection, '\n');
+    return result;
+}
+
+/// A line of the summary: what it is about, then what is certified.
+static std::string summary_line(std::string_view about, const std::string& text) {
+    std::ostringstream line;
+    line << std::left << std::setw(10) << about << text << '\n';
+    return line.str();
+}
+
+static std::string summary_of_digests(const Findings& findings) {
+    std::string result;
+    for (std::size_t i = 0; i < findings.files.size(); ++i) {
+        if (!std::holds_alternative<DigestList>(findings.files[i].content)) continue;
+        const Comparison& list = findings.comparisons[i];
+        const std::string rest =
+            list.listed_not_given == 0 ? "" : say("; ", list.listed_not_given, " not given");
+        result += summary_line("digests", say(findings.files[i].name, " lists ",
+                                              counted(list.listed, "given file"), rest));
+    }
+    return result;
+}
+
+static std::string summary_of_classes(const Report& report) {
+    const Verdicts& verdicts = report.findings.verdicts;
+    std::size_t certified = 0, minimal = 0;
+    for (std::size_t n = 0; n < verdicts.size(); ++n) {
+        certified += verdicts[n].has_value();
+        minimal += is_minimal(verdicts, n);
+    }
+    return summary_line("classes", say(certified, " of ", verdicts.size(),
+                                       " label classes certified: ", minimal, " minimal, ",
+                                       certified - minimal, " not minimal"));
+}
+
+static std::string summary_of_upper_bounds(const Report& report) {
+    std::size_t problems = 0, by_theorem = 0;
+    for (const UpperBoundCount& count : report.upper_bounds) {
+        problems += count.by_templates + count.by_theorem;
+        by_theorem += count.by_theorem;
+    }
+    return summary_line("at most", say("upper bounds of ", counted(problems, "terminal problem"),
+                                       ", ", by_theorem, " of them by theorem"));
+}
+
+static std::string in_words(const ExactDegree& exact) {
+    return say(exact.degree, " solutions", exact.by_theorem ? " (by theorem)" : "", ": class ",
+               exact.number, ", ", exact.problem);
+}
+
+static std::string summary_of_exact(const Report& report) {
+    constexpr std::size_t most_lines = 4;
+    const auto is_proved = [](const auto& verdict) { return verdict.has_value(); };
+    if (std::ranges::none_of(report.findings.verdicts, is_proved))
+        return summary_line("exactly", "no degree: upper bounds are for classes certified minimal; "
+                                       "add classification.plc");
+    if (report.exact.empty()) return summary_line("exactly", "no degree: no bounds meet");
+    std::string result;
+    if (report.exact.size() > most_lines)
+        return summary_line("exactly", say(report.exact.size(), " label classes"));
+    for (const ExactDegree& exact : report.exact)
+        result += summary_line("exactly", in_words(exact));
+    return result;
+}
+
+static std::string summary_of_degrees(const Report& report) {
+    std::size_t records = 0;
+    for (const ReplayedFile& file : report.findings.files)
+        if (const auto* degrees = std::get_if<DegreeFile>(&file.content))
+            records += degrees->bounds.size();
+    std::string result =
+        summary_line("at least", say("lower bounds by ", counted(records, "degree record")));
+    result += summary_of_exact(report);
+    for (const paper::DegreeClaim& row : report.degrees)
+        if (row.claim == "terminal, of any degree") {
+            result += summary_line("", say(row.exact, " of ", row.claimed, " terminal problems, ",
+                                           row.by_theorem, " by theorem"));
+            result += summary_line("evidence", say(std::stoul(row.known) - std::stoul(row.exact),
+                                                   " more terminal problems"));
+        }
+    return result;
+}
+
+/// How many rows begin so.
+template <class Row>
+static std::size_t rows_that(const std::vector<Row>& rows, std::string_view verdict) {
+    const auto begins = [&](const Row& row) { return row.verdict.starts_with(verdict); };
+    return static_cast<std::size_t>(std::ranges::count_if(rows, begins));
+}
+
+static std::string summary_of_paper(const Report& report) {
+    std::string text = say(rows_that(report.claims, "confirmed"), " counts confirmed, ",
+                           rows_that(report.claims, "differs"), " differ");
+    if (!report.degrees.empty())
+        text += say("; degrees: ", rows_that(report.degrees, "agrees"), " rows agree, ",
+                    rows_that(report.degrees, "differs"), " differ, ",
+                    rows_that(report.degrees, "open"), " open");
+    return summary_line("paper", text + " (--table, --errata)");
+}
+
+std::string summary(const Report& report) {
+    bool has_classification = false;
+    for (const ReplayedFile& file : report.findings.files)
+        has_classification |= std::holds_alternative<ClassificationFile>(file.content);
+    std::string result = summary_of_digests(report.findings);
+    if (has_classification) result += summary_of_classes(report);
+    if (!report.upper_bounds.empty()) result += summary_of_upper_bounds(report);
+    if (report.findings.has_lower_bounds) result += summary_of_degrees(report);
+    if (has_classification && report.findings.status == 0) result += summary_of_paper(report);
+    return result;
+}
+
+using Row = std::vector<std::string>;
+
+/// Rows of equal length, in columns: the first and the last from the left, numbers from the right.
+static std::string aligned(const std::vector<Row>& rows) {
+    std::vector<std::size_t> widths(rows[0].size());
+    for (const Row& row : rows)
+        for (std::size_t c = 0; c < row.size(); ++c)
+            widths[c] = std::max(widths[c], row[c].size());
+    std::ostringstream lines;
+    for (const Row& row : rows) {
+        lines << std::left << std::setw(static_cast<int>(widths[0])) << row[0] << std::right;
+        for (std::size_t c = 1; c + 1 < row.size(); ++c)
+            lines << "  " << std::setw(static_cast<int>(widths[c])) << row[c];
+        lines << (row.back().empty() ? "" : "  ") << row.back() << '\n';
+    }
+    return lines.str();
+}
+
+static std::string table_of_upper_bounds(const Report& report) {
+    std::string text;
+    for (const auto& [solutions, by_templates, by_theorem] : report.upper_bounds) {
+        text += say("certified: ", by_templates + by_theorem, " terminal problems have at most ",
+                    solutions, " solutions");
+        if (by_theorem > 0) text += say(", ", by_theorem, " of them by theorem");
+        text += '\n';
+    }
+    return text;
 }
 
 static std::string table_of_counts(const Report& report) {
-    std::ostringstream lines;
-    const auto write = [&](const paper::Claim& c) {
-        lines << '\n'
-              << std::left << std::setw(58) << c.claim << std::right << std::setw(8) << c.claimed
-              << std::setw(11) << c.certified << "  " << c.verdict;
-    };
-    write({"claim", "paper", "certified", "verdict", ""});
-    for (const paper::Claim& claim : report.claims)
-        write(claim);
-    return lines.str() + '\n';
+    std::vector<Row> rows{{"claim", "paper", "certified", "verdict"}};
+    for (const paper::Claim& c : report.claims)
+        rows.push_back({c.claim, c.claimed, c.certified, c.verdict});
+    return aligned(rows);
 }
 
 static std::string table_of_degrees(const Report& report) {
-    std::ostringstream lines;
-    const auto write = [&](const paper::DegreeClaim& c) {
-        lines << '\n'
-              << std::left << std::setw(58) << c.claim << std::right << std::setw(8) << c.claimed
-              << std::setw(11) << c.at_least << std::setw(11) << c.exact << std::setw(12)
-              << c.by_theorem << std::setw(9) << c.known << "  " << c.verdict;
-    };
-    write({"camera-degrees", "claimed", "certified", "certified", "of these", "known", "", ""});
-    write({"", "exactly", "at least", "exactly", "by theorem", "exactly", "", ""});
-    for (const paper::DegreeClaim& claim : report.degrees)
-        write(claim);
-    return lines.str() + "\n";
+    std::vector<Row> rows{
+        {"camera-degrees", "claimed", "certified", "certified", "of these", "known", ""},
+        {"", "exactly", "at least", "exactly", "by theorem", "exactly", "verdict"}};
+    for (const paper::DegreeClaim& c : report.degrees)
+        rows.push_back({c.claim, c.claimed, c.at_least, c.exact, c.by_theorem, c.known, c.verdict});
+    return aligned(rows);
 }
 
-std::string text(const Report& report) {
+std::string table(const Report& report) {
     std::string result;
-    bool has_classification = false, has_degrees = false;
-    for (std::size_t i = 0; i < report.files.size(); ++i) {
-        const ReplayedFile& file = report.files[i];
-        result += text(file, report.comparisons[i]);
-        has_classification |= std::holds_alternative<ClassificationFile>(file.content);
-        const auto* degrees = std::get_if<DegreeFile>(&file.content);
-        has_degrees |= degrees && !degrees->bounds.empty();
-    }
-    for (const UpperBoundCount& count : report.upper_bounds)
-        result += text(count);
-    if (has_classification) result += table_of_counts(report);
-    if (!report.degrees.empty())
-        result += table_of_degrees(report);
-    else if (has_degrees)
-        result += "The degrees are not compared with the paper: no class of theirs is certified to "
-                  "be minimal in this run.\n";
-    return result;
+    for (const ReplayedFile& file : report.findings.files)
+        if (const auto* degrees = std::get_if<DegreeFile>(&file.content)) {
+            result += '\n' + file.name + ':';
+            for (const LowerBound& bound : degrees->bounds)
+                result += in_words(bound);
+            result += '\n';
+        }
+    if (!report.upper_bounds.empty()) result += '\n' + table_of_upper_bounds(report);
+    result += '\n' + table_of_counts(report);
+    if (!report.degrees.empty()) result += '\n' + table_of_degrees(report);
+    return result + '\n';
 }
 
 std::string errata(const Report& report) {
     std::string result;
     for (const paper::Claim& c : report.claims) {
         if (!c.verdict.starts_with("differs")) continue;
-        result += say(c.claim, "\n  Paper: ", c.claimed, "; certified: ", c.certified, "; ",
+        result += say('\n', c.claim, "\n  Paper: ", c.claimed, "; certified: ", c.certified, "; ",
                       c.verdict, ".\n");
         if (!c.counted.empty()) result += say("  Counted: ", c.counted, "\n");
-        result += '\n';
     }
     for (const paper::DegreeClaim& c : report.degrees) {
         if (!c.verdict.starts_with("differs")) continue;
-        result += say(c.claim, "\n  Paper: ", c.claimed, "; certified at least: ", c.at_least,
+        result += say('\n', c.claim, "\n  Paper: ", c.claimed, "; certified at least: ", c.at_least,
                       "; certified exactly: ", c.exact, "; known exactly: ", c.known, "; ",
                       c.verdict, ".\n");
         if (!c.witness.empty()) result += say("  Witness: ", c.witness, "\n");
-        result += '\n';
     }
     if (result.empty()) return "no count that these files cover differs from the paper\n";
+    return result + '\n';
+}
+
+std::string why(const Report& report) {
+    std::string result;
+    for (const std::string& step : report.judgement.why)
+        result += "- " + step + '\n';
     return result;
 }
 
-std::string complaints(const Report& report) {
-    std::string result;
-    for (std::size_t i = 0; i < report.files.size(); ++i) {
-        const ReplayedFile& file = report.files[i];
-        if (const auto* malformed = std::get_if<Malformed>(&file.content)) {
-            const auto& [line, reason] = malformed->complaint;
-            result += say(file.name, ':', line, ": does not conform to FORMAT.md: ", reason, '\n');
-        }
-        const Refusals& refusals = refusals_of(file);
-        for (const auto& [line, reason] : refusals.first)
-            result += say(file.name, ':', line, ": refused: ", reason, '\n');
-        if (refusals.count > refusals.first.size())
-            result +=
-                say(file.name, ": ", refusals.count - refusals.first.size(), " more refused\n");
-        for (const std::string& objection : report.comparisons[i].objections)
-            result += say(file.name, ":0: refused: ", objection, '\n');
-    }
-    return result;
+/// The first names, and how many more there are.
+static std::string listed(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 6;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+        text += (i == 0 ? "" : ", ") + names[i];
+    return names.size() > most ? say(text, " and ", names.size() - most, " more") : text;
+}
+
+std::string conclusion(const Report& report) {
+    const auto& [verified, statement, files, steps] = report.judgement;
+    const std::string from = files.empty() ? "" : say(" (", listed(files), ')');
+    return say(verified ? "VERIFIED: " : "NOT VERIFIED: ", statement, from, '\n');
 }
 } // namespace checker

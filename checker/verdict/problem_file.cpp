@@ -137,6 +137,7 @@ ProblemFile replay_problem(Reader& reader, const Classification& classes) {
         reader.take("problem");
         const Problem given = read_problem(reader);
         file.problem = printable(given.notation, 4096);
+        file.canonical = canonical(given);
         const Lifted lifted = lift(reduce(reader, given.features, given.views), given.views);
         const Derived derived = derive(given, lifted, classes);
         reader.take("verdict");

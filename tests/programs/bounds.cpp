@@ -22,15 +22,19 @@ TEST_CASE("plprove bounds writes the committed file, byte by byte") {
 }
 
 TEST_CASE("plcheck tells how many problems are bounded, where they are proved minimal") {
-    const Outcome text = run(plcheck + " " + classification + committed);
+    const Outcome text = run(plcheck + " --table " + classification + committed);
     CHECK(text.status == 0);
     CHECK(text.err.empty());
-    CHECK(text.out.find("89 templates hold, 0 refused\n"
-                        "certified: 13 terminal problems have at most 64 solutions, 13 of them by "
-                        "theorem\n"
-                        "certified: 8 terminal problems have at most 80 solutions\n"
-                        "certified: 548 terminal problems have at most 160 solutions\n") !=
+    CHECK(text.out.find("89 templates hold, 0 refused\n") != std::string::npos);
+    CHECK(text.out.find(
+              "\nat most   upper bounds of 3666 terminal problems, 51 of them by theorem\n") !=
           std::string::npos);
+    CHECK(
+        text.out.find("\ncertified: 13 terminal problems have at most 64 solutions, 13 of them by "
+                      "theorem\n"
+                      "certified: 8 terminal problems have at most 80 solutions\n"
+                      "certified: 548 terminal problems have at most 160 solutions\n") !=
+        std::string::npos);
     const auto json =
         nlohmann::json::parse(run(plcheck + " --json " + classification + committed).out);
     CHECK(json["files"][1]["templates"] == 89);
@@ -50,13 +54,17 @@ TEST_CASE("a file of bounds without a template says nothing of any problem") {
     const TemporaryFolder folder;
     write_file(folder / "empty.plc", "plcert 2 bounds\nmodulus 2305843009213693951\n");
     const Outcome empty = run(plcheck + " " + (folder / "empty.plc").string());
+    CHECK(empty.status == 1);
     CHECK(empty.out.find("certified") == std::string::npos);
+    CHECK(empty.out.find("\nVERIFIED") == std::string::npos);
+    CHECK(empty.err.ends_with("empty.plc:0: refused: it has no record, so it proves nothing\n"));
 }
 
 TEST_CASE("templates alone bound no problem, as none is proved minimal") {
     const Outcome text = run(plcheck + " " + committed);
     CHECK(text.status == 0);
-    CHECK(text.out == committed + ": 89 templates hold, 0 refused\n");
+    CHECK(text.out == committed + ": 89 templates hold, 0 refused\nVERIFIED: 89 templates (" +
+                          committed + ")\n");
     const auto json = nlohmann::json::parse(run(plcheck + " --json " + committed).out);
     CHECK(json["files"][0]["templates"] == 89);
     CHECK(json["terminal_problems"].empty());

@@ -2,7 +2,7 @@
 // their certificates.
 #pragma once
 
-#include "checker/report/report.h"
+#include "tests/support/report.h"
 #include "tests/support/all_classes.h"
 
 /// A classification file that proves these verdicts.

@@ -1,7 +1,7 @@
 // An archive altered in any field that matters is refused, and for the right reason. Most tests
 // alter the certificates of five classes.
-#include "checker/report/report.h"
 #include "tests/support/few_classes.h"
+#include "tests/support/report.h"
 
 using namespace checker;
 

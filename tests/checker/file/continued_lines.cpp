@@ -1,7 +1,7 @@
 // Lines that go on: a line whose last word is a backslash continues in the next one, in every kind
 // of file, with the same result as the line in one piece.
-#include "checker/report/report.h"
 #include "tests/support/few_classes.h"
+#include "tests/support/report.h"
 
 #include <random>
 

@@ -36,8 +36,9 @@ Names members_of_file(Names own) {
 
 /// The only file of a report, after a check of the members that all files have.
 Json only_file(const Json& report, const std::string& kind, const Names& own, int status) {
-    CHECK(names_of(report) == Names{"format", "status", "files", "claims", "terminal_problems",
-                                    "degree_claims", "certified_exactly"});
+    CHECK(names_of(report) == Names{"format", "status", "conclusion", "files", "claims",
+                                    "terminal_problems", "degree_claims", "certified_exactly"});
+    CHECK(report["conclusion"]["verified"] == (status == 0));
     CHECK(report["format"] == 2);
     CHECK(report["status"] == status);
     REQUIRE(report["files"].size() == 1);
@@ -66,7 +67,7 @@ TEST_CASE("JSON of a classification file") {
     CHECK(file["complaints"].empty());
     CHECK(report["claims"].size() == 22 + 3 + 12);
     for (const Json& claim : report["claims"]) {
-        CHECK(names_of(claim) == Names{"claim", "paper", "certified", "verdict"});
+        CHECK(names_of(claim) == Names{"claim", "paper", "certified", "verdict", "counted"});
         CHECK(claim["claim"].is_string());
         CHECK(claim["verdict"].is_string());
         CHECK_FALSE(claim["certified"].is_null());
@@ -129,7 +130,7 @@ TEST_CASE("JSON of a list of digests, which names a file that was not given") {
     CHECK(file["kind"] == "digests");
     CHECK(file["digests"] == 1);
     CHECK(file["not_verified"] == Json::array({"other.plc"}));
-    CHECK(report["status"] == 0);
+    CHECK(report["status"] == 1);
 }
 
 TEST_CASE("JSON of a file that differs from its digest") {
@@ -151,6 +152,17 @@ TEST_CASE("JSON of a file that does not conform") {
     CHECK(file["complaints"][0]["line"] == 1);
 }
 
+TEST_CASE("JSON of a file that cannot be read") {
+    const Json report =
+        report_on({problem_of_class(2394), {.name = "a", .content = Unreadable{"a reason"}}});
+    CHECK(report["status"] == 2);
+    CHECK(report["files"][1]["conforms"] == false);
+    CHECK(report["files"][1]["complaints"] ==
+          Json::array({{{"line", 0}, {"reason", "cannot be read: a reason"}}}));
+    for (const Json& claim : report["claims"])
+        CHECK(claim["verdict"] != "confirmed");
+}
+
 TEST_CASE("JSON of upper bounds and degrees together") {
     const Json report = report_on({whole_classification(), bounds_file({{relative_pose, 20}}),
                                    degree_file({{2394, 312, false}})});
@@ -167,7 +179,7 @@ TEST_CASE("JSON of upper bounds and degrees together") {
     for (const Json& claim : report["degree_claims"])
         CHECK(names_of(claim) == Names{"claim", "claimed_exactly", "certified_at_least",
                                        "certified_exactly", "by_theorem", "known_exactly",
-                                       "verdict"});
+                                       "verdict", "witness"});
     const auto chicago = std::ranges::find_if(report["degree_claims"], [](const Json& claim) {
         return claim["claim"] == "3002_1, class 2394: 2*Pa/Pa/Pa + P/P/P";
     });

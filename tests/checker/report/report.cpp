@@ -78,6 +78,7 @@ TEST_CASE("a count without an explanation that differs is not explained") {
     const std::string list = errata(report);
     CHECK(list.find("Paper: 140616; certified: 140615; differs: not explained.") != list.npos);
     CHECK(report.status == 0); // a difference is a finding, not a refusal
+    CHECK(report.judgement.verified);
 }
 
 TEST_CASE("the errata have each count that differs, and nothing else") {
@@ -95,12 +96,13 @@ TEST_CASE("the errata have each count that differs, and nothing else") {
           "no count that these files cover differs from the paper\n");
 }
 
-TEST_CASE("without certificates only the enumeration is certified, and no table is printed") {
+TEST_CASE("without certificates only the enumeration is certified, and nothing is verified") {
     const Report report = summarize(all_classes(), {});
-    CHECK(report.status == 0);
+    CHECK(report.status == 1);
     for (std::size_t i = 0; i < report.claims.size(); ++i)
         CHECK(report.claims[i].verdict == (i < 3 ? "confirmed" : "not covered by these files"));
-    CHECK(text(report).empty());
+    CHECK(summary(report).empty());
+    CHECK(conclusion(report) == "NOT VERIFIED: no certificate among these files; give one, too\n");
     CHECK(complaints(report).empty());
 }
 
@@ -108,7 +110,10 @@ TEST_CASE("problem files prove what they are about, and together all") {
     const Report one = summarize(all_classes(), {problem_of_class(2394)});
     CHECK(line_on(one, "3002_1, class 2394: 2*Pa/Pa/Pa + P/P/P").verdict == "confirmed");
     CHECK(line_on(one, "label classes, minimal").verdict == "not covered by these files");
-    CHECK(text(one) == "problem.plc: certified minimal, class 2394: 2*Pa/Pa/Pa + P/P/P\n");
+    CHECK(finding(one.findings.files[0]) ==
+          "problem.plc: certified minimal, class 2394: 2*Pa/Pa/Pa + P/P/P\n");
+    CHECK(summary(one).empty());
+    CHECK(conclusion(one) == "VERIFIED: 2*Pa/Pa/Pa + P/P/P is minimal (problem.plc)\n");
     Verdicts others = all_verdicts();
     others[2394].reset();
     const Report both =
@@ -120,6 +125,7 @@ TEST_CASE("the status is that of the worst file") {
     const ReplayedFile good = problem_of_class(2394);
     ReplayedFile refused = degree_file({});
     std::get<DegreeFile>(refused.content).refusals.add(7, "a reason");
+    const ReplayedFile unreadable{.name = "none", .content = Unreadable{"no such file"}};
     const ReplayedFile malformed{.name = "text", .content = Malformed{{3, "another reason"}}};
     const auto status = [](const std::vector<ReplayedFile>& files) {
         return summarize(all_classes(), files).status;
@@ -129,10 +135,37 @@ TEST_CASE("the status is that of the worst file") {
     CHECK(status({refused, good}) == 1);
     CHECK(status({refused, malformed, good}) == 2);
     CHECK(status({malformed, refused}) == 2);
+    CHECK(status({good, unreadable}) == 2);
     const Report report = summarize(all_classes(), {good, refused, malformed});
     CHECK(complaints(report) == "degrees.plc:7: refused: a reason\n"
                                 "text:3: does not conform to FORMAT.md: another reason\n");
     CHECK(text(report).find("text: not a certificate file\n") != std::string::npos);
+}
+
+TEST_CASE("in a run with a file that is refused, no row of a table confirms anything") {
+    const ReplayedFile malformed{.name = "text", .content = Malformed{{1, "a reason"}}};
+    const Report report = summarize(
+        all_classes(), {whole_classification(), degree_file({{2394, 312, false}}), malformed});
+    CHECK(report.status == 2);
+    CHECK(report.claims.size() > 30);
+    for (const paper::Claim& claim : report.claims)
+        CHECK(claim.verdict == "withheld: a file is refused");
+    CHECK(report.degrees.size() > 50);
+    for (const paper::DegreeClaim& claim : report.degrees)
+        CHECK(claim.verdict == "withheld: a file is refused");
+    CHECK(text(report).find("confirmed") == std::string::npos);
+    CHECK(errata(report) == "no count that these files cover differs from the paper\n");
+    CHECK(conclusion(report) == "NOT VERIFIED: 1 of 3 files is refused (text)\n");
+}
+
+TEST_CASE("a degree file or a file of upper bounds without a record is refused") {
+    for (const ReplayedFile& empty : {degree_file({}), bounds_file({})}) {
+        CHECK(summarize(all_classes(), {empty}).status == 1);
+        const Report report = summarize(all_classes(), {problem_of_class(2394), empty});
+        CHECK(report.status == 1);
+        CHECK(complaints(report) ==
+              empty.name + ":0: refused: it has no record, so it proves nothing\n");
+    }
 }
 
 TEST_CASE("of many refusals the first 20 are told, the rest counted") {

@@ -1,0 +1,24 @@
+// What a command line asks for.
+#pragma once
+
+#include "checker/conclusion/expectation.h"
+
+#include <span>
+
+namespace checker {
+struct Options {
+    bool json = false;                               // else text; then the next four do not matter
+    bool quiet = false;                              // the last line only
+    bool table = false, errata = false, why = false; // details
+    Expectation expectation{};
+    std::vector<const char*> paths{};
+};
+
+/// A command line that makes no sense, and what to do.
+struct WrongUsage {
+    std::string reason;
+};
+
+/// Options come before the files; `--` ends them. Throws WrongUsage.
+Options parse_options(std::span<char* const> arguments);
+} // namespace checker

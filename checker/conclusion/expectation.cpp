@@ -1,0 +1,234 @@
+#include "checker/conclusion/expectation.h"
+
+#include "checker/bounds/theorems.h"
+#include "checker/degrees/constraint_class.h"
+
+namespace checker {
+/// The notation without blanks.
+static std::string without_blanks(std::string_view notation) {
+    std::string text;
+    for (const char c : notation)
+        if (c != ' ' && c != '\t' && c != '\n') text += c;
+    return text;
+}
+
+CanonicalProblem parse_problem(std::string_view notation) {
+    const std::string text = without_blanks(notation);
+    Problem problem;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find('+', start), text.size());
+        const std::string line = text.substr(start, end - start) + '\n';
+        start = end + 1;
+        if (line == "\n") throw Malformed{{0, "expected a feature before and after each `+`"}};
+        Reader reader(line);
+        const Problem summand = read_problem(reader);
+        if (problem.views == 0) problem.views = summand.views;
+        if (summand.views != problem.views)
+            throw Malformed{{0, "expected all features in the same number of views"}};
+        problem.features.insert(problem.features.end(), summand.features.begin(),
+                                summand.features.end());
+        if (problem.features.size() > 1000) throw Malformed{{0, "expected at most 1000 features"}};
+    }
+    return canonical(problem);
+}
+
+/// What is proved of a problem beside its degree.
+struct Proved {
+    std::string verdict{}; // empty if none
+    std::string file{};    // that proves it
+    /// The label class that has the same degree: that of the lifted problem.
+    std::optional<std::size_t> number{};
+};
+
+/// The class's record in a classification file; none if it has none.
+static const Verdict* record_of(const ClassificationFile& file, std::size_t number) {
+    const auto place = std::ranges::lower_bound(file.verdicts, number, {}, &Verdict::number);
+    return place != file.verdicts.end() && place->number == number ? &*place : nullptr;
+}
+
+/// By a problem file about the problem, else by the record of its class in a classification.
+static Proved prove(const Classification& classes, const Findings& findings,
+                    const CanonicalProblem& problem) {
+    Proved proved{.number = class_of(classes, problem)};
+    for (std::size_t i = 0; i < findings.files.size(); ++i) {
+        const ReplayedFile& file = findings.files[i];
+        if (!findings.counts(i)) continue;
+        const auto* own = std::get_if<ProblemFile>(&file.content);
+        if (own && !own->verdict.empty() && own->canonical == problem) {
+            proved = {own->verdict, file.name, std::nullopt};
+            if (own->of_class) proved.number = own->of_class->number;
+            return proved;
+        }
+        const auto* all = std::get_if<ClassificationFile>(&file.content);
+        const Verdict* record = all && proved.number ? record_of(*all, *proved.number) : nullptr;
+        if (!record || !proved.verdict.empty()) continue;
+        proved.verdict = record->obstruction.minimal() ? "minimal" : "obstructed";
+        proved.file = file.name;
+    }
+    return proved;
+}
+
+/// Whether a verdict says what is expected, or implies it.
+static bool implies(const std::string& verdict, const std::string& expected) {
+    if (verdict.empty()) return false;
+    if (expected == "not-minimal") return verdict != "minimal";
+    if (expected == "camera-minimal" && verdict == "minimal") return true;
+    return verdict == expected || verdict.starts_with(expected + ' ');
+}
+
+/// Of a constraint class, the files that bound its degree.
+struct BoundFiles {
+    std::vector<std::string> lower{}; // those with a record of the class, or all if none has one:
+                                      // then it attains the bound of another class
+    std::vector<std::string> upper{}; // what an upper bound rests on, other than theorems
+};
+
+static BoundFiles files_of_bounds(const Classification& classes, const Findings& findings,
+                                  const Signature& signature) {
+    const Signature key = constraint_class(signature);
+    const auto is_own = [&](std::size_t number) {
+        return constraint_class(classes.representatives[number]) == key;
+    };
+    BoundFiles files;
+    std::vector<std::string> others;
+    for (std::size_t i = 0; i < findings.files.size(); ++i) {
+        const auto& [name, sha256, content] = findings.files[i];
+        if (!findings.counts(i)) continue;
+        if (const auto* degrees = std::get_if<DegreeFile>(&content)) {
+            const bool own = std::ranges::any_of(degrees->bounds, is_own, &LowerBound::number);
+            (own ? files.lower : others).push_back(name);
+        }
+        const auto* problem = std::get_if<ProblemFile>(&content);
+        const bool own_problem = problem && problem->of_class && is_own(problem->of_class->number);
+        if (own_problem || std::holds_alternative<ClassificationFile>(content) ||
+            std::holds_alternative<BoundsFile>(content))
+            files.upper.push_back(name);
+    }
+    if (files.lower.empty()) files.lower = others;
+    return files;
+}
+
+static std::string in_words(const ExpectedDegree& degree) {
+    return say("has ", degree.exactly ? "exactly " : "at least ", degree.solutions,
+               " camera solutions");
+}
+
+static std::string in_words(const ExpectedProblem& expected) {
+    std::string text = expected.notation;
+    if (!expected.verdict.empty()) text += " is " + expected.verdict;
+    if (!expected.verdict.empty() && expected.degree) text += ", and";
+    if (expected.degree) text += ' ' + in_words(*expected.degree);
+    return text;
+}
+
+std::string in_words(const Expectation& expectation) {
+    if (const auto* problem = std::get_if<ExpectedProblem>(&expectation)) return in_words(*problem);
+    const bool whole = std::holds_alternative<WholeClassification>(expectation);
+    return whole ? "the whole table" : "";
+}
+
+static std::string in_words(const UpperBound& bound) {
+    const auto* theorem = std::get_if<TheoremRow>(&bound.by);
+    if (!theorem)
+        return say("at most ", bound.solutions,
+                   ", by templates of relative pose and "
+                   "registration");
+    return say("at most ", bound.solutions, ", by Theorem ", theorem_bounds[theorem->row].theorem,
+               " of proofs/upper_bounds.md");
+}
+
+static void add_file(Judgement& judgement, const std::string& file) {
+    if (std::ranges::find(judgement.files, file) == judgement.files.end())
+        judgement.files.push_back(file);
+}
+
+/// What the bounds miss of an expected degree; empty if nothing.
+static std::string missing(const DegreeBounds& bounds, const ExpectedDegree& expected) {
+    if (bounds.at_least == 0) return "no file bounds its degree from below; add a degree file";
+    const std::string at_least = say("at least ", bounds.at_least, " solutions are certified");
+    if (bounds.exact() && bounds.at_least != expected.solutions &&
+        (expected.exactly || bounds.at_least < expected.solutions))
+        return say("exactly ", bounds.at_least, " solutions are certified");
+    if (bounds.at_least < expected.solutions) return at_least;
+    if (!expected.exactly || bounds.exact()) return {};
+    if (bounds.at_most) return say(at_least, ", and at most ", bounds.at_most->solutions);
+    return at_least + ", and no upper bound; one may need the classification and bounds.plc";
+}
+
+/// Judges the degree: adds the steps, returns what is missing.
+static std::string judge_degree(Judgement& judgement, const Classification& classes,
+                                const Findings& findings, const Proved& proved,
+                                const ExpectedDegree& expected) {
+    if (!proved.number)
+        return "these files do not say to which class it reduces; add its certificate, which "
+               "plprove problem PROBLEM --certificate FILE writes";
+    const Signature& signature = classes.representatives[*proved.number];
+    const DegreeBounds bounds = bounds_of(findings.degrees, signature);
+    judgement.why.push_back(
+        say("its degree is that of label class ", *proved.number, ", ", notation(signature)));
+    const std::string gap = missing(bounds, expected);
+    if (bounds.at_least > 0)
+        judgement.why.push_back(say("at least ", bounds.at_least, " solutions of its equations"));
+    if (bounds.at_most) judgement.why.push_back(in_words(*bounds.at_most));
+    if (!gap.empty()) return gap;
+    if (!proved.file.empty()) add_file(judgement, proved.file);
+    const BoundFiles files = files_of_bounds(classes, findings, signature);
+    for (const std::string& file : files.lower)
+        add_file(judgement, file);
+    if (expected.exactly)
+        for (const std::string& file : files.upper)
+            add_file(judgement, file);
+    return {};
+}
+
+Judgement judge(const Classification& classes, const Findings& findings,
+                const ExpectedProblem& expected) {
+    Judgement judgement;
+    const Proved proved = prove(classes, findings, expected.problem);
+    std::string gap;
+    if (!proved.verdict.empty())
+        judgement.why.push_back(say("it is ", proved.verdict, ", by ", proved.file));
+    if (!expected.verdict.empty()) {
+        if (proved.verdict.empty())
+            gap = "no file says whether it is; add its certificate, which plprove problem PROBLEM "
+                  "--certificate FILE writes";
+        else if (!implies(proved.verdict, expected.verdict))
+            gap = "it is certified " + proved.verdict;
+        else
+            add_file(judgement, proved.file);
+    }
+    if (gap.empty() && expected.degree)
+        gap = judge_degree(judgement, classes, findings, proved, *expected.degree);
+    judgement.verified = gap.empty();
+    judgement.statement = in_words(expected);
+    if (!gap.empty()) judgement.statement += ": " + gap;
+    return judgement;
+}
+
+Judgement judge(const Classification& classes, const Findings& findings, WholeClassification) {
+    const std::size_t all = classes.representatives.size();
+    std::size_t certified = 0, minimal = 0;
+    for (const auto& verdict : findings.verdicts) {
+        if (!verdict) continue;
+        ++certified;
+        if (verdict->minimal()) ++minimal;
+    }
+    Judgement judgement{.verified = certified == all};
+    if (!judgement.verified) {
+        judgement.statement =
+            say("the whole table: ", all - certified, " of ", all,
+                " label classes have no certificate here; add certs/classification.plc");
+        return judgement;
+    }
+    judgement.statement =
+        say("the whole table: all ", all, " label classes are certified, ", minimal, " minimal");
+    for (std::size_t i = 0; i < findings.files.size(); ++i) {
+        const FileContent& file = findings.files[i].content;
+        const bool has_verdicts = std::holds_alternative<ClassificationFile>(file) ||
+                                  std::holds_alternative<ProblemFile>(file);
+        if (has_verdicts && findings.counts(i)) add_file(judgement, findings.files[i].name);
+    }
+    judgement.why.push_back("each label class has a record that holds; its counts need no more");
+    return judgement;
+}
+} // namespace checker

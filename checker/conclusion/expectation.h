@@ -1,0 +1,51 @@
+// What a user expects the files of a run to prove, and whether they do.
+#pragma once
+
+#include "checker/conclusion/findings.h"
+
+namespace checker {
+/// A number of camera solutions.
+struct ExpectedDegree {
+    bool exactly = true; // else at least
+    std::size_t solutions = 0;
+};
+
+/// The verdict on a problem, or its degree, or both.
+struct ExpectedProblem {
+    std::string notation{}; // printable
+    CanonicalProblem problem{};
+    std::string verdict{}; // a word of `expected_verdicts`, perhaps with a number; empty for any
+    std::optional<ExpectedDegree> degree{};
+};
+
+/// That every label class has a certificate.
+struct WholeClassification {};
+
+/// What is expected; nothing in particular by default.
+using Expectation = std::variant<std::monostate, ExpectedProblem, WholeClassification>;
+
+/// The verdicts that one can expect. All but `not-minimal` are those of FORMAT.md, section 7; a
+/// minimal problem is camera-minimal, too. `not-minimal` is any verdict but `minimal`.
+inline constexpr std::array<std::string_view, 6> expected_verdicts{
+    "minimal",    "camera-minimal",    "not-minimal",
+    "obstructed", "under-constrained", "over-constrained"};
+
+/// The problem of a sum of features as section 1 spells them; blanks do not matter, and equal
+/// features may stand side by side. Throws Malformed.
+CanonicalProblem parse_problem(std::string_view notation);
+
+/// The expectation as a statement; empty if there is none.
+std::string in_words(const Expectation& expectation);
+
+/// What the files prove of an expectation.
+struct Judgement {
+    bool verified = false;
+    std::string statement{};          // what is verified, or what is missing
+    std::vector<std::string> files{}; // that prove it
+    std::vector<std::string> why{};   // the steps, in words
+};
+
+Judgement judge(const Classification& classes, const Findings& findings,
+                const ExpectedProblem& expected);
+Judgement judge(const Classification& classes, const Findings& findings, WholeClassification);
+} // namespace checker

@@ -1,0 +1,16 @@
+// How far the replay of a file is, told while it runs.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace checker {
+struct Progress {
+    std::size_t line = 0;      // of the file
+    std::size_t records = 0;   // begun
+    std::size_t solutions = 0; // proved
+};
+
+/// Is told so after each solution, or each template.
+using Watch = std::function<void(const Progress&)>;
+} // namespace checker

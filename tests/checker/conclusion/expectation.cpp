@@ -1,0 +1,220 @@
+// What a user expects is verified if the files prove just that, and not otherwise.
+#include "prover/classification/problem_certificate.h"
+#include "prover/problem/notation.h"
+#include "tests/support/random_problems.h"
+#include "tests/support/results.h"
+#include "tests/support/text.h"
+
+using namespace checker;
+
+namespace {
+
+const std::string chicago = "2*Pa/Pa/Pa + P/P/P";
+
+ExpectedProblem expect(const std::string& problem, const std::string& verdict,
+                       std::optional<ExpectedDegree> degree = {}) {
+    return {problem, parse_problem(problem), verdict, degree};
+}
+
+constexpr ExpectedDegree exactly(std::size_t solutions) {
+    return {.exactly = true, .solutions = solutions};
+}
+
+constexpr ExpectedDegree at_least(std::size_t solutions) {
+    return {.exactly = false, .solutions = solutions};
+}
+
+/// The certificate of a problem, replayed.
+ReplayedFile certificate_of(const std::string& problem) {
+    const auto certificate = plprove::certify_problem(plprove::parse_problem(problem));
+    return replay(all_classes(), "problem.plc", plprove::write(certificate));
+}
+
+Report report_on(const std::vector<ReplayedFile>& files, const Expectation& expectation) {
+    return summarize(all_classes(), files, expectation);
+}
+
+/// Whether files prove what is expected. The status has to say the same.
+bool verified(const std::vector<ReplayedFile>& files, const Expectation& expectation) {
+    const Report report = report_on(files, expectation);
+    CHECK(report.findings.status == 0);
+    CHECK(report.status == (report.judgement.verified ? 0 : 1));
+    CHECK(conclusion(report).starts_with(report.status == 0 ? "VERIFIED: " : "NOT VERIFIED: "));
+    return report.judgement.verified;
+}
+
+/// A problem with its views in another order.
+plprove::Problem with_views_rotated(plprove::Problem problem) {
+    for (plprove::Feature& feature : problem)
+        std::rotate(feature.sights.begin(), feature.sights.begin() + 1, feature.sights.end());
+    return problem;
+}
+
+} // namespace
+
+TEST_CASE("a problem is the same in another order, with other names of pins, and otherwise not") {
+    plprove::RandomProblems random(7);
+    std::size_t changed = 0; // by an order of the views
+    for (int i = 0; i < 300; ++i) {
+        const plprove::Problem problem = random.around_a_class(2);
+        const CanonicalProblem canonical = parse_problem(plprove::notation(problem));
+        CAPTURE(plprove::notation(problem));
+        CHECK(parse_problem(plprove::notation(random.disguised(problem))) == canonical);
+        plprove::Problem shorter = problem;
+        shorter.pop_back();
+        CHECK_FALSE(parse_problem(plprove::notation(shorter)) == canonical);
+        changed += parse_problem(plprove::notation(with_views_rotated(problem))) != canonical;
+    }
+    CHECK(changed > 200);
+    CHECK(parse_problem("P/P/P(a)") != parse_problem("P/P/P"));
+    CHECK(parse_problem("a/a/a(P)") != parse_problem("a/a/a"));
+    CHECK(parse_problem("a/b/-") != parse_problem("a/a/-"));
+    CHECK(parse_problem("Pab/b/a") == parse_problem("Pab/a/b"));
+    CHECK(parse_problem("5*P/P").views == 2);
+}
+
+TEST_CASE("a problem is read with any blanks, and with equal features side by side") {
+    const CanonicalProblem problem = parse_problem(chicago);
+    CHECK(parse_problem("P/P/P+2 * Pa/Pa/Pa ") == problem);
+    CHECK(parse_problem("Pa/Pa/Pa + P/P/P + Pa/Pa/Pa") == problem);
+    for (const std::string wrong :
+         {"", " ", "+", "P/P/P +", "+ P/P/P", "P/P/P ++ P/P/P", "P", "p/p/p", "P/P + P/P/P",
+          "0*P/P/P", "P/P/P;P/P/P", "P/P/P a/a/a", "1000*P/P/P + P/P/P", "2394"}) {
+        CAPTURE(wrong);
+        CHECK_THROWS_AS(parse_problem(wrong), Malformed);
+    }
+}
+
+TEST_CASE("a balanced problem of the 27 features belongs to a class as it stands") {
+    for (std::size_t n = 0; n < all_classes().representatives.size(); n += 997) {
+        const Signature& representative = all_classes().representatives[n];
+        for (const FeatureMap& map : relabelings) {
+            const CanonicalProblem problem = parse_problem(notation(permuted(representative, map)));
+            CHECK(class_of(all_classes(), problem) == n);
+        }
+    }
+    for (const char* other : {"P/P/P", "5*P/P", "3*P/P/P + P/P/a", "3*P/P/P + a/a/a + P/P/P(a)",
+                              "4*P/P/P", "3*P/P/P + a/a/a + a/a/-"})
+        CHECK_FALSE(class_of(all_classes(), parse_problem(other)));
+}
+
+TEST_CASE("verdicts by a problem file, each for what is expected") {
+    const auto verdicts = [](const std::string& problem) {
+        std::string found;
+        for (const std::string_view verdict : expected_verdicts)
+            if (verified({certificate_of(problem)}, expect(problem, std::string(verdict))))
+                found += std::string(verdict) + ' ';
+        return found;
+    };
+    CHECK(verdicts(chicago) == "minimal camera-minimal ");
+    CHECK(verdicts("3*P/P/P + P/P/a") == "camera-minimal not-minimal ");
+    CHECK(verdicts("Pabcdef/Pabcdef/Pabcdef + a/a/a") == "not-minimal obstructed ");
+    CHECK(verdicts("3*P/P/P") == "not-minimal under-constrained ");
+    CHECK(verdicts("7*P/P/P") == "not-minimal over-constrained ");
+    CHECK(verified({certificate_of("3*P/P/P")}, expect("3*P/P/P", "under-constrained 2")));
+    CHECK_FALSE(verified({certificate_of("3*P/P/P")}, expect("3*P/P/P", "under-constrained 1")));
+}
+
+TEST_CASE("a problem file speaks of its problem, whatever the order and the names") {
+    const std::string problem = "2*Pab/b/a + b/Pab/a + 4*P/P/- + P/-/P + 3*-/P/P";
+    const std::vector files{certificate_of(problem)};
+    CHECK(verified(files,
+                   expect("3*-/P/P + P/-/P + Pab/a/b + 4*P/P/- + Pab/b/a + a/Pab/b", "minimal")));
+    // With the views in another order it is another problem.
+    CHECK_FALSE(
+        verified(files, expect("2*a/Pab/b + a/b/Pab + 4*-/P/P + P/P/- + 3*P/-/P", "minimal")));
+    CHECK_FALSE(verified(files, expect(chicago, "minimal")));
+    const Report other = report_on(files, expect(chicago, "minimal"));
+    CHECK(contains(conclusion(other), chicago + " is minimal: no file says whether it is; add"));
+}
+
+TEST_CASE("a record of a classification speaks of all problems of its class") {
+    const std::vector files{whole_classification()};
+    CHECK(verified(files, expect(chicago, "minimal")));
+    CHECK(verified(files, expect("P/P/P + 3*a/a/a + 2*P/P/-", "minimal"))); // number 8728
+    CHECK(verified(files, expect("Pabcdef/Pabcdef/Pabcdef + a/a/a", "obstructed")));
+    CHECK_FALSE(verified(files, expect("Pabcdef/Pabcdef/Pabcdef + a/a/a", "minimal")));
+    // What reduces to a class is not in it: the files have to prove the reduction.
+    CHECK_FALSE(verified(files, expect("3*P/P/P + P/P/a", "camera-minimal")));
+    CHECK_FALSE(verified(files, expect(chicago + " + a/a/-", "camera-minimal")));
+}
+
+TEST_CASE("degrees, exact and at least, as lower and upper bounds certify them") {
+    const ReplayedFile all = whole_classification();
+    const ReplayedFile degrees = degree_file({{2394, 312, false}});
+    const ReplayedFile fewer = degree_file({{2394, 311, true}});
+    CHECK(verified({all, degrees}, expect(chicago, "minimal", exactly(312))));
+    CHECK(verified({all, degrees}, expect(chicago, "", at_least(312))));
+    CHECK(verified({degrees}, expect(chicago, "", at_least(300))));
+    CHECK(verified({certificate_of(chicago), degrees}, expect(chicago, "minimal", exactly(312))));
+    for (const std::size_t wrong : {311U, 313U})
+        CHECK_FALSE(verified({all, degrees}, expect(chicago, "minimal", exactly(wrong))));
+    CHECK_FALSE(verified({all, degrees}, expect(chicago, "", at_least(313))));
+    CHECK_FALSE(verified({all, degrees}, expect(chicago, "obstructed", exactly(312))));
+    CHECK_FALSE(verified({degrees}, expect(chicago, "", exactly(312)))); // not proved minimal
+    CHECK_FALSE(verified({degrees}, expect(chicago, "minimal", at_least(312))));
+    // Evidence is no certificate.
+    CHECK_FALSE(verified({all, fewer}, expect(chicago, "", exactly(311))));
+    CHECK_FALSE(verified({all, degrees}, expect("3*P/P/P + a/a/a", "", at_least(1))));
+}
+
+TEST_CASE("the degree of a problem that reduces to a class needs a proof of the reduction") {
+    const std::string problem = "P/P/a + 3*P/P/P + a/-/-"; // to class 6723, of degree 272
+    const ReplayedFile all = whole_classification();
+    const ReplayedFile degrees = degree_file({{6723, 272, false}});
+    CHECK(verified({degrees, certificate_of(problem)},
+                   expect(problem, "camera-minimal", exactly(272))));
+    CHECK(verified({degrees, certificate_of(problem)}, expect(problem, "", at_least(272))));
+    const Report without = report_on({all, degrees}, expect(problem, "", at_least(1)));
+    CHECK_FALSE(without.judgement.verified);
+    CHECK(contains(conclusion(without), "these files do not say to which class it reduces"));
+    // A problem file about another problem with the same reduction does not help.
+    CHECK_FALSE(verified({all, degrees, certificate_of("P/P/a + 3*P/P/P")},
+                         expect(problem, "", at_least(1))));
+}
+
+TEST_CASE("a constraint class shares its degree: swaps, exchanges and other orders of the views") {
+    const std::vector files{whole_classification(), degree_file({{6726, 464, false}})};
+    CHECK(notation(all_classes().representatives[6726]) == "3*P/P/P + -/P/P + P/a/a");
+    CHECK(verified(files, expect("3*P/P/P + -/P/P + P/a/a", "minimal", exactly(464))));
+    CHECK(verified(files, expect("3*P/P/P + -/P/P + Pab/b/a", "minimal", exactly(464))));
+    CHECK(verified(files, expect("3*P/P/P + P/-/P + a/P/a", "minimal", exactly(464))));
+}
+
+TEST_CASE("the files that are named are those that prove it") {
+    ReplayedFile other = certificate_of("3*P/P/P + a/a/a");
+    other.name = "other.plc";
+    const Report report =
+        report_on({other, certificate_of(chicago), degree_file({{2394, 312, false}})},
+                  expect(chicago, "minimal", exactly(312)));
+    CHECK(report.judgement.files == std::vector<std::string>{"problem.plc", "degrees.plc"});
+    CHECK(conclusion(report) == "VERIFIED: 2*Pa/Pa/Pa + P/P/P is minimal, and has exactly 312 "
+                                "camera solutions (problem.plc, degrees.plc)\n");
+    CHECK(contains(why(report), "by Theorem U15 of proofs/upper_bounds.md"));
+}
+
+TEST_CASE("the whole classification is verified if no class lacks its record") {
+    CHECK(verified({whole_classification()}, WholeClassification{}));
+    Verdicts verdicts = all_verdicts();
+    verdicts[2394].reset();
+    CHECK_FALSE(verified({classification_with(verdicts)}, WholeClassification{}));
+    CHECK(
+        verified({classification_with(verdicts), certificate_of(chicago)}, WholeClassification{}));
+    CHECK_FALSE(verified({certificate_of(chicago)}, WholeClassification{}));
+}
+
+TEST_CASE("nothing is verified in a run in which a file is refused") {
+    ReplayedFile refused = degree_file({{6722, 216, false}});
+    std::get<DegreeFile>(refused.content).refusals.add(3, "a reason");
+    for (const ReplayedFile& bad :
+         {refused, ReplayedFile{.name = "x", .content = Malformed{{1, "a reason"}}},
+          ReplayedFile{.name = "x", .content = Unreadable{"a reason"}}, degree_file({})})
+        for (const Expectation& expectation :
+             {Expectation{}, Expectation{expect(chicago, "minimal")},
+              Expectation{WholeClassification{}}}) {
+            const Report report = report_on({whole_classification(), bad}, expectation);
+            CHECK(report.status > 0);
+            CHECK(conclusion(report).starts_with("NOT VERIFIED: "));
+            CHECK(conclusion(report).ends_with("1 of 2 files is refused (" + bad.name + ")\n"));
+        }
+}
