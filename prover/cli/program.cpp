@@ -155,27 +155,53 @@ Command problem_command(CLI::App& program) {
             }};
 }
 
+struct ShowRequest {
+    std::string spec;
+    std::string svg;
+    std::string tikz;
+    std::string highlight;
+};
+
+void show(const ShowRequest& request) {
+    const Problem problem = parse_spec(request.spec);
+    Highlight highlight = Highlight::nothing;
+    if (!request.highlight.empty()) {
+        if (!has_five_points(problem))
+            throw BadInput("no two views of " + notation(problem) +
+                           " share exactly five points: leave --highlight out");
+        if (request.svg.empty() && request.tikz.empty())
+            throw BadInput(
+                "the drawing for a terminal is not in colour: add --svg FILE or --tikz FILE");
+        highlight = Highlight::five_points;
+    }
+    if (!request.svg.empty()) deliver(request.svg, draw_svg(problem, highlight));
+    if (!request.tikz.empty()) deliver(request.tikz, draw_tikz(problem, highlight));
+    if (request.svg.empty() && request.tikz.empty()) deliver("-", draw_text(problem));
+}
+
 Command show_command(CLI::App& program) {
-    struct Request {
-        std::string spec;
-        std::string svg;
-    };
-    auto request = std::make_shared<Request>();
+    auto request = std::make_shared<ShowRequest>();
     CLI::App* app =
         program.add_subcommand("show", "Draw a problem: what each view sees, side by side");
     app->add_option("PROBLEM", request->spec, problem_help)->required();
     app->add_option("--svg", request->svg,
                     "write the picture to this file (- for standard output), instead of drawing "
-                    "in the terminal");
-    app->footer("Examples:\n"
-                "  plprove show '2*Pa/Pa/Pa + P/P/P'\n"
-                "  plprove show 2394 --svg chicago.svg  for a paper");
+                    "in the terminal")
+        ->type_name("FILE");
+    app->add_option("--tikz", request->tikz, "write it for LaTeX, likewise")->type_name("FILE");
+    app->add_option("--highlight", request->highlight,
+                    "five-point: in red, five points that two views share, which fix their "
+                    "relative pose")
+        ->type_name("WHAT")
+        ->check(CLI::IsMember({"five-point"}));
+    app->footer(
+        "Examples:\n"
+        "  plprove show '2*Pa/Pa/Pa + P/P/P'\n"
+        "  plprove show Chicago --svg chicago.svg\n"
+        "  plprove show P3P+five-point --highlight five-point --tikz p3p.tex\n"
+        "                                       for LaTeX; the file says how to include it");
     return {app, [request] {
-                const Problem problem = parse_spec(request->spec);
-                if (request->svg.empty())
-                    deliver("-", draw_text(problem));
-                else
-                    deliver(request->svg, draw_svg(problem));
+                show(*request);
                 return 0;
             }};
 }

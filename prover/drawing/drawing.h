@@ -2,7 +2,7 @@
 // same place in every panel, points as dots, pins as lines through their point, free lines, and
 // what a view does not see faint.
 //
-// A picture depends on the problem alone, byte for byte. Both functions take any problem: two or
+// A picture depends on the problem alone, byte for byte. The functions take any problem: two or
 // three views, up to 26 pins a point, reduced or not.
 #pragma once
 
@@ -17,9 +17,21 @@ namespace plprove {
 /// columns wide; features that do not fit side by side go to further rows.
 std::string draw_text(const Problem& problem);
 
-/// The picture for a paper: a standalone SVG 1.1 document with the notation as its caption, black
+/// What a picture shows in red: nothing, or five points that two views share and that fix their
+/// relative pose, in these two views.
+enum class Highlight { nothing, five_points };
+
+/// Whether two views share exactly five points.
+bool has_five_points(const Problem& problem);
+
+/// The picture for a page: a standalone SVG 1.1 document with the notation as its caption, black
 /// for what a view sees and grey for what it does not. Every element of the drawing is one `circle`
-/// or `line` of class `seen` or `unseen`, in the group `view-1`, `view-2`, ... of its view.
-std::string draw_svg(const Problem& problem);
+/// or `line` of class `seen` or `unseen`, or a `text` of class `letter` beside a line that the view
+/// sees, in the group `view-1`, `view-2`, ... of its view.
+std::string draw_svg(const Problem& problem, Highlight highlight = Highlight::nothing);
+
+/// The same picture, without its caption, as a `tikzpicture` for LaTeX. Its styles are `seen`,
+/// `unseen`, `five point`, `frame` and `letter`.
+std::string draw_tikz(const Problem& problem, Highlight highlight = Highlight::nothing);
 
 } // namespace plprove

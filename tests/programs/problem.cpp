@@ -187,8 +187,3 @@ TEST_CASE("what is no problem is refused with the column") {
     CHECK(run(plprove + " show 'P/P'/").status == 2);
     CHECK(run(plprove + " export --julia 'P//P'").status == 2);
 }
-
-TEST_CASE("a problem is drawn in the terminal and as a picture") {
-    CHECK(contains(run(plprove + " show 2394").out, "view 3"));
-    CHECK(run(plprove + " show 2394 --svg -").out.starts_with("<?xml"));
-}

@@ -1,15 +1,10 @@
 // plprove where people call it otherwise than it expects.
 #include "tests/support/program.h"
-
-#include <doctest/doctest.h>
+#include "tests/support/text.h"
 
 namespace {
 
 const std::string plprove = PLPROVE;
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 } // namespace
 
