@@ -112,7 +112,7 @@ TEST_CASE("the workflow of docs/ci.md checks a certificate, and fails for a bad 
     const Outcome good = run_action(inputs, runner);
     CAPTURE(good.err);
     CHECK(good.status == 0);
-    CHECK(good.out.find("certified minimal, class 2394") != std::string::npos);
+    CHECK(good.out.find("\nVERIFIED: 2*Pa/Pa/Pa + P/P/P is minimal") != std::string::npos);
     const std::string asked_of_root = read_file(runner / "sudo");
     for (const char* package : {"g++", "cmake", "libgmp-dev", "libflint-dev"})
         CHECK(asked_of_root.find(package) != std::string::npos);
@@ -122,14 +122,27 @@ TEST_CASE("the workflow of docs/ci.md checks a certificate, and fails for a bad 
     REQUIRE(run(in_workspace + "mkdir more && "
                                "cp mine.plc more/one.plc && cp mine.plc more/two.plc")
                 .status == 0);
+    const auto status_of = [&](const Inputs& given) {
+        return run_step(check, complete(given), runner).status;
+    };
     const Outcome several =
         run_step(check, complete({{"files", "mine.plc\nmore/*.plc\n"}}), runner);
     CHECK(several.status == 0);
     for (const char* file :
          {"mine.plc: certified", "more/one.plc: certified", "more/two.plc: certified"})
         CHECK(several.out.find(file) != std::string::npos);
-    CHECK(run_step(check, complete({{"files", "missing/*.plc"}}), runner).status != 0);
-    CHECK(run_step(check, complete({{"files", ""}}), runner).status != 0);
+    CHECK(status_of({{"files", "missing/*.plc"}}) == 2);
+    CHECK(status_of({{"files", ""}}) == 3);
+
+    const std::string chicago = "2*Pa/Pa/Pa + P/P/P";
+    const std::string all = SOURCE_DIR "/certs/classification.plc";
+    CHECK(status_of({{"files", "mine.plc"}, {"expect", chicago}, {"verdict", "not-minimal"}}) == 1);
+    CHECK(status_of({{"files", "mine.plc"}, {"expect", chicago}, {"degree", "312"}}) == 1);
+    CHECK(status_of(
+              {{"files", "mine.plc"}, {"expect", "3*P/P/P + a/a/a"}, {"verdict", "minimal"}}) == 1);
+    CHECK(status_of({{"files", "mine.plc"}, {"verdict", "minimal"}}) == 3);
+    CHECK(status_of({{"files", "mine.plc"}, {"classification", "true"}}) == 1);
+    CHECK(status_of({{"files", all}, {"classification", "true"}}) == 0);
 
     REQUIRE(run(in_workspace + "sed -i '$ s/[0-9]*$/1/' mine.plc").status == 0);
     CHECK(run_step(check, complete(inputs), runner).status == 1);

@@ -91,6 +91,7 @@ void check_completion(const char* shell, Complete complete) {
     CHECK(complete("plprove list --format ") == Words{"csv", "notation", "number"});
     CHECK(complete("plprove list --degree-bound a") == Words{"at-least"});
     CHECK(complete("plcheck --err") == Words{"--errata"});
+    CHECK(complete("plcheck --verdict not") == Words{"not-minimal"});
     CHECK(complete("plcheck mi") == Words{"mine.plc"});
     CHECK(complete("plprove certify 2394 -o mi") == Words{"mine.plc"});
     CHECK(complete("plprove problem mi").empty()); // a problem is no file
