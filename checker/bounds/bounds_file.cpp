@@ -75,12 +75,13 @@ static Columns columns_outside(const Numbers& basis, const std::vector<Exponents
 
 using Matrix = std::vector<std::vector<Residue>>;
 
-/// The row of an equation times a monomial. All its monomials must be of degree at most `most`.
-static std::vector<Residue> row_of(const RotationEquation& equation, const Exponents& monomial,
+/// The row of an equation's polynomial times a monomial. All its monomials must be of degree at
+/// most `most`.
+static std::vector<Residue> row_of(const Polynomial& polynomial, const Exponents& monomial,
                                    const RotationRing& ring, const Bidegree& most,
                                    const Columns& columns) {
     Polynomial product;
-    ring.add_product(product, equation.polynomial, {{monomial, {1}}}, {1});
+    ring.add_product(product, polynomial, {{monomial, {1}}}, {1});
     std::vector<Residue> row(columns.size());
     for (const auto& [exponents, coefficient] : product) {
         const bool in_degree = fits(ring.degree(exponents), {}, most);
@@ -92,10 +93,12 @@ static std::vector<Residue> row_of(const RotationEquation& equation, const Expon
     return row;
 }
 
-static Matrix matrix_of(const Template& given, const std::vector<RotationEquation>& equations,
-                        const std::vector<Exponents>& monomials, const RotationRing& ring,
-                        const Columns& columns) {
-    Matrix matrix;
+/// Throws Refused unless the rows name equations and monomials that exist, are of degrees that fit,
+/// and are as many as the columns. No polynomial is needed to see that.
+static void check_rows(const Template& given, const std::vector<RotationEquation>& equations,
+                       const std::vector<Exponents>& monomials, const RotationRing& ring,
+                       std::size_t columns) {
+    std::size_t rows = 0;
     for (const auto& [number, factors] : given.rows) {
         if (std::cmp_greater(number, equations.size()))
             throw Refused("there are only ", equations.size(), " equations");
@@ -103,17 +106,30 @@ static Matrix matrix_of(const Template& given, const std::vector<RotationEquatio
         for (const int factor : factors) {
             if (std::cmp_greater(factor, monomials.size()))
                 throw Refused("there are only ", monomials.size(), " monomials");
-            if (matrix.size() == columns.size())
-                throw Refused("there are more rows than the ", columns.size(), " columns");
+            if (rows == columns)
+                throw Refused("there are more rows than the ", columns, " columns");
             const Exponents& monomial = monomials[static_cast<std::size_t>(factor - 1)];
             if (!fits(equation.degree, ring.degree(monomial), given.most))
                 throw Refused("equation ", number, " times monomial ", factor,
                               " is of too large a degree");
-            matrix.push_back(row_of(equation, monomial, ring, given.most, columns));
+            ++rows;
         }
     }
-    if (matrix.size() != columns.size())
-        throw Refused("there are ", matrix.size(), " rows for ", columns.size(), " columns");
+    if (rows != columns) throw Refused("there are ", rows, " rows for ", columns, " columns");
+}
+
+/// The square matrix of rows that check_rows accepts.
+static Matrix matrix_of(const Template& given, const std::vector<RotationEquation>& equations,
+                        const std::vector<Exponents>& monomials, const RotationRing& ring,
+                        const Columns& columns) {
+    Matrix matrix;
+    for (const auto& [number, factors] : given.rows) {
+        const Polynomial polynomial = equations[static_cast<std::size_t>(number - 1)].polynomial();
+        for (const int factor : factors) {
+            const Exponents& monomial = monomials[static_cast<std::size_t>(factor - 1)];
+            matrix.push_back(row_of(polynomial, monomial, ring, given.most, columns));
+        }
+    }
     return matrix;
 }
 
@@ -125,9 +141,9 @@ static void check_template(const Template& given) {
     const RotationRing& ring = rotations.ring;
     const std::vector<Exponents> monomials = ring.monomials(given.most);
     const Columns columns = columns_outside(given.basis, monomials, ring, given.most);
-    const std::vector<RotationEquation> equations =
-        template_equations(given.constraints, rotations);
-    const Residue minor = determinant(matrix_of(given, equations, monomials, ring, columns));
+    const TemplateEquations equations(given.constraints, rotations);
+    check_rows(given, equations.all(), monomials, ring, columns.size());
+    const Residue minor = determinant(matrix_of(given, equations.all(), monomials, ring, columns));
     if (minor != given.minor) throw Refused("the minor is ", minor.value, " modulo q");
 }
 
@@ -142,6 +158,9 @@ BoundsFile replay_bounds(Reader& reader, const Watch& watch) {
         progress.line = line;
         watch(progress);
         try {
+            if (file.refusals.count >= most_refusals)
+                throw Refused("not replayed, as ", most_refusals,
+                              " templates are refused before it");
             check_template(given);
             ++file.templates;
             add_bound(file.bounds, type_of(given.constraints), given.basis.size());

@@ -99,7 +99,8 @@ std::vector<RotationEquation> Determinants::all(int size, std::size_t first,
     std::vector<RotationEquation> equations;
     // Numbers put sets of bits of one size into colexicographic order.
     for (unsigned set = 0; set < 1U << end; set += 1U << first)
-        if (std::popcount(set) == size) equations.push_back({of(set), degree(set)});
+        if (std::popcount(set) == size)
+            equations.push_back({[this, set] { return of(set); }, degree(set)});
     return equations;
 }
 } // namespace checker

@@ -5,6 +5,7 @@
 #include "checker/bounds/constraints.h"
 #include "checker/bounds/rotation_ring.h"
 
+#include <functional>
 #include <optional>
 
 namespace checker {
@@ -15,9 +16,10 @@ struct Condition {
     std::array<Polynomial, 4> row{}; // the coefficients at t, then the free term
 };
 
-/// A polynomial that vanishes at the solutions, and its degree for arbitrary data.
+/// A polynomial that vanishes at the solutions, and its degree for arbitrary data. The polynomial
+/// is computed when it is asked for: most templates use few of their equations.
 struct RotationEquation {
-    Polynomial polynomial{};
+    std::function<Polynomial()> polynomial{};
     Bidegree degree{};
 };
 
@@ -81,7 +83,7 @@ public:
     Bidegree degree(unsigned set) const;
 
     /// The determinants of so many conditions among those from `first` up to `end`, in
-    /// colexicographic order.
+    /// colexicographic order. They need this object.
     std::vector<RotationEquation> all(int size, std::size_t first, std::size_t end) const;
 
 private:

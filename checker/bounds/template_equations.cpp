@@ -51,8 +51,8 @@ void check_frame(const Constraints& constraints) {
 
 /// In the frame `line`: the first line, through this point, determines the depths of two stars, so
 /// their distance. With the heights a, b of their images x, y: a b R (Y - X) = w.
-static RotationEquation distance_equation(const Constraints& constraints,
-                                          const FrameRotations& rotations) {
+static Polynomial distance_polynomial(const Constraints& constraints,
+                                      const FrameRotations& rotations) {
     const IntegerVector& point = constraints.lines[0].point;
     const Star& first = constraints.stars[0];
     const Star& second = constraints.stars[1];
@@ -68,14 +68,14 @@ static RotationEquation distance_equation(const Constraints& constraints,
         const mpz_class distance = a * b * second.point[i];
         rotations.ring.add(sum, constant(residue(distance * distance)), -Residue{1});
     }
-    return {sum, {0, 2}};
+    return sum;
 }
 
 /// In the frame `lines`: a multiple of the determinant of the four conditions, of a smaller degree.
 /// The letters are those of FORMAT.md.
-static RotationEquation reduced_determinant(const Constraints& constraints,
-                                            const std::vector<Condition>& conditions,
-                                            const FrameRotations& rotations) {
+static Polynomial reduced_determinant(const Constraints& constraints,
+                                      const std::vector<Condition>& conditions,
+                                      const FrameRotations& rotations) {
     std::vector<Ray> rays;
     for (const Group& group : constraints.groups)
         rays.insert(rays.end(), group.rays.begin(), group.rays.end());
@@ -101,41 +101,54 @@ static RotationEquation reduced_determinant(const Constraints& constraints,
                      -residue(b * y[2]));
     ring.add_product(sum, conditions[2].row[3], determinants.of(0b1011), -residue(b));
     ring.add_product(sum, conditions[3].row[3], determinants.of(0b0111), residue(b));
-    return {sum, {2, 2}};
+    return sum;
 }
 
-std::vector<RotationEquation> template_equations(const Constraints& constraints,
-                                                 const FrameRotations& rotations) {
-    const Frame frame = constraints.frame;
-    const Bidegree unit = rotations.ring.unit();
-    const std::vector<Condition> conditions = conditions_of(constraints, rotations);
-    const Determinants determinants(rotations.ring, conditions);
-    std::vector<RotationEquation> equations;
-    const auto add_all = [&](const std::vector<RotationEquation>& more) {
-        equations.insert(equations.end(), more.begin(), more.end());
-    };
-    for (const auto& [point, image, pins] : constraints.stars)
-        for (const KnownPin& pin : pins)
-            equations.push_back({rotations.rotated(cross(image, pin.toward), pin.direction), unit});
+void TemplateEquations::add(const std::vector<RotationEquation>& more) {
+    equations_.insert(equations_.end(), more.begin(), more.end());
+}
+
+/// The equations of single constraints, and of groups.
+void TemplateEquations::add_constraints_alone() {
+    const Frame frame = constraints_.frame;
+    const Bidegree unit = rotations_.ring.unit();
+    for (const Star& star : constraints_.stars)
+        for (const KnownPin& pin : star.pins)
+            equations_.push_back({[this, &star, &pin] {
+                                      const IntegerVector line = cross(star.image, pin.toward);
+                                      return rotations_.rotated(line, pin.direction);
+                                  },
+                                  unit});
     const bool first_is_axis = frame == Frame::line || frame == Frame::lines;
-    for (std::size_t i = 0; i < constraints.lines.size(); ++i) {
-        const KnownLine& line = constraints.lines[i];
+    for (std::size_t i = 0; i < constraints_.lines.size(); ++i) {
+        const KnownLine& line = constraints_.lines[i];
         if (i > 0 || !first_is_axis)
-            equations.push_back({rotations.rotated(line.image, line.direction), unit});
-        else if (frame == Frame::line && constraints.stars.size() >= 2)
-            equations.push_back(distance_equation(constraints, rotations));
+            equations_.push_back(
+                {[this, &line] { return rotations_.rotated(line.image, line.direction); }, unit});
+        else if (frame == Frame::line && constraints_.stars.size() >= 2)
+            equations_.push_back(
+                {[this] { return distance_polynomial(constraints_, rotations_); }, {0, 2}});
     }
-    std::size_t end = conditions.size(); // of the conditions of a group
-    for (const Group& group : constraints.groups)
+    std::size_t end = conditions_.size(); // of the conditions of a group
+    for (const Group& group : constraints_.groups)
         end -= group.rays.size();
-    for (const Group& group : constraints.groups) {
+    for (const Group& group : constraints_.groups) {
         const std::size_t first = end;
         end += group.rays.size();
-        add_all(determinants.all(3, first, end));
+        add(determinants_.all(3, first, end));
     }
-    if (frame == Frame::lines)
-        equations.push_back(reduced_determinant(constraints, conditions, rotations));
-    add_all(determinants.all(4, 0, conditions.size()));
-    return equations;
+}
+
+TemplateEquations::TemplateEquations(const Constraints& constraints,
+                                     const FrameRotations& rotations)
+    : constraints_(constraints), rotations_(rotations),
+      conditions_(conditions_of(constraints, rotations)),
+      determinants_(rotations.ring, conditions_) {
+    add_constraints_alone();
+    if (constraints.frame == Frame::lines)
+        equations_.push_back(
+            {[this] { return reduced_determinant(constraints_, conditions_, rotations_); },
+             {2, 2}});
+    add(determinants_.all(4, 0, conditions_.size()));
 }
 } // namespace checker

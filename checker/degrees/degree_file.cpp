@@ -165,6 +165,8 @@ public:
         ++progress_.records;
         std::size_t line = record.line; // at fault, if one is
         try {
+            if (file_.refusals.count >= most_refusals)
+                throw Refused("not replayed, as ", most_refusals, " records are refused before it");
             const CameraSystem system = system_of(record, classes);
             ProvedSolutions proved(system);
             do {

@@ -314,3 +314,62 @@ TEST_CASE("what is quoted from hostile files and names keeps JSON valid") {
     CHECK(complaints.size() == 1);
     CHECK(complaints.at(0).at("line") == 2);
 }
+
+TEST_CASE("a solution that comes again is refused at once, not after all have been replayed") {
+    const std::string format = read_file(SOURCE_DIR "/certs/FORMAT.md");
+    const std::size_t start = format.find("\nplcert 2 degrees\n") + 1;
+    const std::string example = format.substr(start, format.find("```", start) - start);
+    // A start from which Newton's method is slow: coordinates of 2^-10 only.
+    const std::string rough = "real 10 512 1024 -768 1024 -768 -1024 3072 4096 -2560 2048 2560\n";
+    std::string record = example.substr(0, example.rfind("real "));
+    for (int i = 0; i < 100'000; ++i)
+        record += rough;
+    const std::size_t first = static_cast<std::size_t>(std::ranges::count(example, '\n'));
+    refused_bytes(record, 1,
+                  std::to_string(first + 1) +
+                      ": refused: class 2394: this may be the solution of "
+                      "line " +
+                      std::to_string(first));
+}
+
+TEST_CASE("a record of a million solutions needs no more memory than one of few") {
+    const std::string record =
+        "printf 'plcert 2 degrees\\ndegree 2394 evidence none\\n"
+        "image P/P/P view point 1 2 3 view point 1 2 4 view point 1 2 5\\n'; ";
+    const std::string solutions = "yes 'real 0 0 0 0 0 0 0 0 0 0 0 0' | head -n 2000000";
+    refused_pipe(record + solutions, 1, "/dev/stdin:2: refused: class 2394: the images must be");
+}
+
+TEST_CASE("many flawed templates or records of degrees are refused soon") {
+    const std::string rays = [] {
+        std::string lines;
+        for (int i = 1; i <= 6; ++i)
+            lines += "transversals point " + std::to_string(7 * i) + " 3 11 direction 2 " +
+                     std::to_string(i) + " 5 image 9 " + std::to_string(2 * i) + " 7\n";
+        return lines;
+    }();
+    const std::string start = "plcert 2 bounds\nmodulus 2305843009213693951\n";
+    std::string templates;
+    for (int i = 0; i < 20'000; ++i)
+        templates += "template general degree 6\n" + rays + "basis 1\nrows 1 1\nminor 1\n";
+    refused_bytes(start + templates, 1, "3: refused: there are 1 rows for 454 columns");
+    std::string records = "plcert 2 degrees\n";
+    for (int number = 4; number < 20'000; ++number)
+        records +=
+            "degree " + std::to_string(number) +
+            " evidence none\nimage P/P/P view point 1 2 3 view point 1 2 4 view point 1 2 5\n"
+            "real 0 0 0 0 0 0 0 0 0 0 0 0\n";
+    refused_bytes(records, 1, "2: refused: class 4: the images must be");
+}
+
+TEST_CASE("many small files, and lists of a million digests, stay within the memory") {
+    const TemporaryFolder folder;
+    write_file(folder / "bounds.plc", "plcert 2 bounds\nmodulus 2305843009213693951\n");
+    std::string files;
+    for (int i = 0; i < 60; ++i)
+        files += ' ' + (folder / "bounds.plc").string();
+    refused(plcheck + files, 1, "bounds.plc:0: refused: it has no record");
+    refused_pipe("yes " + std::string(64, '0') + "'  a' | head -n 980000", 1,
+                 "/dev/stdin:0: refused: it lists none of the files given");
+    refused_pipe("yes " + std::string(64, '0') + "'  a'", 2, "/dev/stdin:0: ");
+}
