@@ -49,5 +49,7 @@ std::string errata(const Report& report); // each count that differs from the pa
 std::string why(const Report& report);    // the steps of the judgement
 std::string conclusion(const Report& report); // one line: VERIFIED or NOT VERIFIED, and what
 
+std::string text(const Report& report);       // all that plcheck prints without options
+std::string complaints(const Report& report); // all that is refused
 std::string json(const Report& report);
 } // namespace checker

@@ -292,4 +292,18 @@ std::string conclusion(const Report& report) {
     const std::string from = files.empty() ? "" : say(" (", listed(files), ')');
     return say(verified ? "VERIFIED: " : "NOT VERIFIED: ", statement, from, '\n');
 }
+
+std::string text(const Report& report) {
+    std::string result;
+    for (const ReplayedFile& file : report.findings.files)
+        result += finding(file);
+    return result + summary(report) + conclusion(report);
+}
+
+std::string complaints(const Report& report) {
+    std::string result;
+    for (const ReplayedFile& file : report.findings.files)
+        result += complaints(file);
+    return result + objections(report);
+}
 } // namespace checker

@@ -1,8 +1,8 @@
 // Fuzzed: the checker's core, from the bytes of a file to the printed report. Whatever the bytes,
 // it returns a report with complaints fit for a terminal, and every complaint names a line.
-#include "tests/support/report.h"
 #include "tests/fuzz/require.h"
 #include "tests/mutation/short_archive.h"
+#include "tests/support/report.h"
 
 #include <iterator>
 
@@ -59,7 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (problem) return 0; // a summary looks at all classes: some 10 ms
     const Report report = summarize(few, std::move(files));
     require(report.status >= 0 && report.status <= 2, "a status that the help does not have");
-    require(printable_ascii(text(report) + json(report) + errata(report) + complaints(report)),
+    require(printable_ascii(detailed(report) + json(report) + errata(report) + complaints(report)),
             "a report unfit for a terminal");
     return 0;
 }

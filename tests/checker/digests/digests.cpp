@@ -69,7 +69,7 @@ TEST_CASE("a file with the digest that is listed, however its name is spelled") 
         CHECK(good.findings.comparisons[0].digest == "as in " + list);
         CHECK(good.findings.comparisons[1].listed == 1);
         CHECK(contains(json(good), "\"digest\": \"as in " + list + "\""));
-        CHECK(contains(text(good), "lists 1 given file\n"));
+        CHECK(contains(detailed(good), "lists 1 given file\n"));
         const Report bad = report_of(wrong + "  " + name + "\n", path, list);
         CHECK(bad.status == 1);
         CHECK(bad.findings.comparisons[0].digest == "not as in " + list);
@@ -126,7 +126,7 @@ TEST_CASE("of many names that are not given the first 20 are told, the rest coun
     const Report report = report_of(list, "seven.plc");
     CHECK(report.status == 0);
     CHECK(report.findings.comparisons[1].not_given.size() == 20);
-    CHECK(contains(text(report), "SHA256SUMS lists 1 given file; 25 not given\n"));
+    CHECK(contains(detailed(report), "SHA256SUMS lists 1 given file; 25 not given\n"));
 }
 
 TEST_CASE("a list of digests is read to the letter") {

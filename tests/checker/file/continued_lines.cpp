@@ -54,7 +54,7 @@ std::string told(const Classification& classes, const std::string& bytes) {
     ReplayedFile replayed = replay(classes, "file", bytes);
     replayed.sha256.clear();
     const Report report = summarize(classes, {replayed});
-    return text(report) + json(report) + complaints(report);
+    return detailed(report) + json(report) + complaints(report);
 }
 
 /// The text with each line in one piece.

@@ -106,7 +106,7 @@ ClassNumbers terminal_problems_like(std::size_t number) {
 TEST_CASE("without degree files nothing is said of degrees") {
     const Report none = report_on({});
     CHECK(none.degrees.empty());
-    CHECK_FALSE(contains(text(none), "camera-degrees"));
+    CHECK_FALSE(contains(detailed(none), "camera-degrees"));
 }
 
 TEST_CASE("a degree speaks for its constraint class; certified, evidence and claimed are apart") {
@@ -128,8 +128,9 @@ TEST_CASE("a degree speaks for its constraint class; certified, evidence and cla
     CHECK(claim_on(report, "3010_0, class 6722").verdict == "no claim in the paper");
     CHECK(claim_on(report, "PL0P, class 6722").verdict == "not covered by these files");
 
-    CHECK(contains(text(report), "- class 2394: certified to have at least 312 solutions; evidence "
-                                 "that there are no more: none\n"));
+    CHECK(contains(detailed(report),
+                   "- class 2394: certified to have at least 312 solutions; evidence "
+                   "that there are no more: none\n"));
     CHECK(contains(json(report), "\"certified_at_least\": 312, \"evidence_complete\": false"));
 }
 
@@ -147,7 +148,7 @@ TEST_CASE("the largest certified bound of a constraint class counts") {
 TEST_CASE("degrees of classes that are not certified to be minimal do not count") {
     const Report report = summarize(all_classes(), {degree_file({{chicago, 312, true}})});
     CHECK(report.degrees.empty());
-    CHECK(contains(text(report), "no degree: upper bounds are for classes certified minimal"));
+    CHECK(contains(detailed(report), "no degree: upper bounds are for classes certified minimal"));
 }
 
 TEST_CASE("counts by degree that differ from the paper's, certified or by evidence") {

@@ -139,7 +139,7 @@ TEST_CASE("the status is that of the worst file") {
     const Report report = summarize(all_classes(), {good, refused, malformed});
     CHECK(complaints(report) == "degrees.plc:7: refused: a reason\n"
                                 "text:3: does not conform to FORMAT.md: another reason\n");
-    CHECK(text(report).find("text: not a certificate file\n") != std::string::npos);
+    CHECK(detailed(report).find("text: not a certificate file\n") != std::string::npos);
 }
 
 TEST_CASE("in a run with a file that is refused, no row of a table confirms anything") {
@@ -153,7 +153,7 @@ TEST_CASE("in a run with a file that is refused, no row of a table confirms anyt
     CHECK(report.degrees.size() > 50);
     for (const paper::DegreeClaim& claim : report.degrees)
         CHECK(claim.verdict == "withheld: a file is refused");
-    CHECK(text(report).find("confirmed") == std::string::npos);
+    CHECK(detailed(report).find("confirmed") == std::string::npos);
     CHECK(errata(report) == "no count that these files cover differs from the paper\n");
     CHECK(conclusion(report) == "NOT VERIFIED: 1 of 3 files is refused (text)\n");
 }

@@ -50,8 +50,9 @@ TEST_CASE("a file without templates certifies no bound") {
         CHECK(report.upper_bounds.empty());
         CHECK(report.exact.empty());
         CHECK(report.degrees.empty());
-        CHECK(text(report).find("at most ") == text(report).find("at most one pin a point"));
-        CHECK(text(report).find("solutions") == std::string::npos);
+        CHECK(detailed(report).find("at most ") ==
+              detailed(report).find("at most one pin a point"));
+        CHECK(detailed(report).find("solutions") == std::string::npos);
     }
     CHECK(finding(empty) == "bounds.plc: 0 templates hold, 0 refused\n");
 }
@@ -152,7 +153,7 @@ TEST_CASE("where a theorem and a degree file contradict each other, nothing foll
     CHECK(report.findings.comparisons[2].objections == std::vector{reason});
     CHECK(complaints(report) ==
           say("degrees.plc:0: refused: ", reason, "\nbounds.plc:0: refused: ", reason, "\n"));
-    CHECK(text(report).find("camera-degrees") == std::string::npos);
+    CHECK(detailed(report).find("camera-degrees") == std::string::npos);
     // What the classification proves stays.
     for (const paper::Claim& claim : report.claims)
         CHECK(claim.verdict != "not covered by these files");
