@@ -28,7 +28,7 @@ struct Selection {
 const Selection bundle_selections[] = {
     {"certs", {".plc", ".md", ".csv", "SHA256SUMS"}},
     {"checker", {".cpp", ".h", "CMakeLists.txt"}},
-    {"docs", {".md", ".svg"}, false},
+    {"docs", {".md", ".svg", ".json"}, false},
     {"proofs", {".md", ".v", ".awk", ".expected", "Makefile", ".cpp", ".h"}},
 };
 
@@ -40,9 +40,9 @@ const Selection checker_selections[] = {
     {"packaging", {".awk", ".cmake", ".in", "CMakeLists.txt"}},
 };
 
-constexpr const char* checker_files[] = {"CITATION.cff",   "CMakeLists.txt",  "CMakePresets.json",
-                                         "LICENSE",        "certs/FORMAT.md", "docs/ci.md",
-                                         "docs/install.md"};
+constexpr const char* checker_files[] = {
+    "CITATION.cff",    "CMakeLists.txt", "CMakePresets.json", "LICENSE",
+    "certs/FORMAT.md", "docs/ci.md",     "docs/install.md",   "docs/report.schema.json"};
 
 constexpr const char* landmarks[] = {"certs/FORMAT.md", "certs/SHA256SUMS", "checker/main.cpp"};
 
