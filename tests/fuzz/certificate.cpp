@@ -56,6 +56,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool problem = bytes.starts_with("plcert 2 problem");
     std::vector<ReplayedFile> files{replay(problem ? all : few, "fuzzed", bytes)};
     require_sense(files.front(), bytes);
+    try { // the same bytes as the problem of --expect
+        parse_problem(bytes);
+    } catch (const Malformed& malformed) {
+        require_fit(malformed.complaint, 1);
+    }
     if (problem) return 0; // a summary looks at all classes: some 10 ms
     const Report report = summarize(few, std::move(files));
     require(report.status >= 0 && report.status <= 2, "a status that the help does not have");
