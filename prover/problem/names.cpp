@@ -31,8 +31,10 @@ constexpr NamedProblem table[] = {
 
 std::string plain(std::string_view name) {
     std::string result;
-    for (const unsigned char c : name)
-        if (std::isspace(c) == 0) result += static_cast<char>(std::tolower(c));
+    for (const char c : name) {
+        const auto code = static_cast<unsigned char>(c);
+        if (std::isspace(code) == 0) result += static_cast<char>(std::tolower(code));
+    }
     return result;
 }
 

@@ -96,8 +96,9 @@ TEST_CASE("a problem contains what is among its features in some order of the vi
 }
 
 TEST_CASE("a problem is contained where all its features are, in some order of the views") {
-    for (const std::string spec : {"3*P/P/P + 2*a/a/a + 5*P/P/a", "2*a/a/a + 9*P/a/a + 9*a/a/P",
-                                   "2*P/P/a + 2*P/a/P + a/P/P + 2*P/P/P + a/a/a", "11*-/P/P + 5*P/-/P"}) {
+    for (const std::string spec :
+         {"3*P/P/P + 2*a/a/a + 5*P/P/a", "2*a/a/a + 9*P/a/a + 9*a/a/P",
+          "2*P/P/a + 2*P/a/P + a/P/P + 2*P/P/P + a/a/a", "11*-/P/P + 5*P/-/P"}) {
         CAPTURE(spec);
         const Problem problem = parse_problem(spec);
         const std::vector<Part> parts = parse_part(spec);
