@@ -1,8 +1,7 @@
 #include "prover/degree/degree.h"
 
+#include "prover/degree/completeness.h"
 #include "prover/degree/integer_images.h"
-#include "prover/degree/subproblems.h"
-#include "prover/degree/trace_test.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,65 +10,8 @@ namespace plprove {
 
 namespace {
 
-constexpr int first_edges = 3;
-/// Beside the trace test, so many edges are to match all solutions: what two permute, loops
-/// permute.
-constexpr int agreeing_edges = 2;
-/// Where the trace test says nothing, or not enough, more edges must have agreed.
-constexpr int untested_edges = 6;
-constexpr int most_edges = 12;
-/// What the trace test leaves of its terms where no solution is missing is rounding, 1e-9 at the
-/// very worst; where one of a thousand is missing, 1e-4 to 1e-6.
-constexpr double vanishing = 1e-8;
 constexpr int most_integer_images = 3;
 constexpr std::size_t most_attempts = 3;
-
-/// The smallest exponent with residual < 10^exponent.
-int exponent_above(double residual) {
-    int exponent = -1;
-    for (double power = 0.01; residual < power && exponent > -99; power /= 10)
-        --exponent;
-    return exponent;
-}
-
-/// Follows solutions along more and more edges, at least `edges`, until nothing speaks against
-/// their being all, or there are `target` of them.
-std::optional<CompletenessEvidence> complete(const CameraSystem& system, Monodromy& monodromy,
-                                             int edges, int target, Random& random,
-                                             std::vector<std::string>& notes) {
-    const Subproblems parts = subproblems(system);
-    for (edges = std::max(edges, parts.tested ? first_edges : untested_edges); edges <= most_edges;
-         ++edges) {
-        monodromy.run(edges, target);
-        const std::vector<CameraPoint>& solutions = monodromy.solutions().points();
-        if (target > 0 && std::ssize(solutions) >= target) return std::nullopt;
-        const auto residual = trace_residual(system, monodromy.chart(), monodromy.constants(),
-                                             monodromy.images(), solutions, random);
-        if (!has_all_poses(parts, monodromy.chart(), solutions)) continue;
-        const CompletenessEvidence evidence{monodromy.bijective_edges(), std::nullopt};
-        // A degenerate end of a path that is taken for a solution spoils all edges; another attempt
-        // is of more use then.
-        const bool agree = evidence.edges >= agreeing_edges || edges >= untested_edges;
-        if (residual && *residual < vanishing && agree)
-            return CompletenessEvidence{evidence.edges, exponent_above(*residual)};
-        if (!residual && evidence.edges >= untested_edges) return evidence;
-    }
-    notes.push_back(std::to_string(most_edges) +
-                    " edges gave no evidence that no solution is missing");
-    return std::nullopt;
-}
-
-/// The same evidence, or nothing and a note if some of the solutions are spurious zeros.
-std::optional<CompletenessEvidence> without_spurious(std::optional<CompletenessEvidence> evidence,
-                                                     const Monodromy& monodromy,
-                                                     std::vector<std::string>& notes) {
-    if (!evidence) return evidence;
-    const int spurious = monodromy.spurious_solutions();
-    if (spurious == 0) return evidence;
-    notes.push_back(std::to_string(spurious) +
-                    " solutions depend on the auxiliary lines and points: they are none");
-    return std::nullopt;
-}
 
 /// Tries other integer images until all solutions arrive there, or `wanted` do.
 DegreeCertificate certify(const CameraSystem& system, Monodromy& monodromy, int wanted,
@@ -88,9 +30,7 @@ DegreeCertificate certify(const CameraSystem& system, Monodromy& monodromy, int 
 void find_all(const CameraSystem& system, Monodromy& monodromy, const DegreeOptions& options,
               Random& random, DegreeRun& run) {
     for (int edges = first_edges; edges <= most_edges; edges = monodromy.edges() + 1) {
-        run.evidence =
-            without_spurious(complete(system, monodromy, edges, options.target, random, run.notes),
-                             monodromy, run.notes);
+        run.evidence = complete(system, monodromy, edges, options.target, random, run.notes);
         if (!options.certificate) return;
         const int found = monodromy.solutions().size();
         const bool all = run.evidence || options.target == 0;

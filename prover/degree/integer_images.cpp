@@ -1,6 +1,5 @@
 #include "prover/degree/integer_images.h"
 
-#include "prover/degree/integer_vectors.h"
 #include "prover/degree/scene.h"
 
 #include <algorithm>
@@ -216,6 +215,17 @@ private:
     std::vector<Found> found_;
 };
 
+DegreeCertificate certificate_of(const CameraSystem& system,
+                                 const std::vector<IntegerVector>& vectors,
+                                 const std::vector<CameraPoint>& zeros, const Demands& demands) {
+    Arrivals arrivals(system, unit_images(vectors), demands);
+    arrivals.add(zeros);
+    DegreeCertificate certificate;
+    certificate.images = feature_images(system, vectors);
+    certificate.solutions = arrivals.written();
+    return certificate;
+}
+
 } // namespace
 
 LowerBound find_for_integer_images(const CameraSystem& system, const DegreeOptions& options,
@@ -228,13 +238,16 @@ LowerBound find_for_integer_images(const CameraSystem& system, const DegreeOptio
     });
     monodromy.report_to(options.progress);
     monodromy.find(options.at_least, most_edges);
-    std::vector<CameraPoint> solutions;
+    std::vector<CameraPoint> zeros;
     for (const CameraPoint& point : monodromy.solutions().points())
-        solutions.push_back(standard_chart().point(monodromy.chart().cameras(point)));
-    Arrivals arrivals(system, monodromy.images(), all);
-    arrivals.add(solutions);
-    return {{0, std::nullopt, feature_images(system, vectors), arrivals.written()},
-            monodromy.follower().counts()};
+        zeros.push_back(standard_chart().point(monodromy.chart().cameras(point)));
+    return {certificate_of(system, vectors, zeros, all), monodromy.follower().counts()};
+}
+
+DegreeCertificate certify_zeros(const CameraSystem& system,
+                                const std::vector<IntegerVector>& vectors,
+                                const std::vector<CameraPoint>& zeros) {
+    return certificate_of(system, vectors, zeros, usual);
 }
 
 DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, int most,

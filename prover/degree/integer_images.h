@@ -3,6 +3,7 @@
 #pragma once
 
 #include "prover/degree/degree.h"
+#include "prover/degree/integer_vectors.h"
 #include "prover/degree/monodromy.h"
 
 namespace plprove {
@@ -16,6 +17,13 @@ struct LowerBound {
 };
 LowerBound find_for_integer_images(const CameraSystem& system, const DegreeOptions& options,
                                    std::uint64_t stream);
+
+/// The certificate for these images, one vector for each free vector of the system, with those of
+/// the zeros, approximations in the standard chart, that are solutions; each real solution and pair
+/// once, ordered by their coordinates. What the chart or 18 digits do not reach is left out.
+DegreeCertificate certify_zeros(const CameraSystem& system,
+                                const std::vector<IntegerVector>& vectors,
+                                const std::vector<CameraPoint>& zeros);
 
 /// Follows the first `most` solutions that `monodromy` has found to random integer images, on
 /// another path again if fewer than `wanted` arrive. The certificate shows all that arrive, each

@@ -117,8 +117,9 @@ std::vector<IntegerVector> vectors_near(const CameraSystem& system, const Images
 Images unit_images(const std::vector<IntegerVector>& vectors) {
     Images result;
     for (const auto& [x, y, z] : vectors) {
-        const double scale = 1 / std::sqrt(static_cast<double>(x * x + y * y + z * z));
-        result.push_back({x * scale, y * scale, z * scale});
+        const double a = x, b = y, c = z;
+        const double scale = 1 / std::sqrt(a * a + b * b + c * c);
+        result.push_back({a * scale, b * scale, c * scale});
     }
     return result;
 }
