@@ -33,9 +33,9 @@ const std::map<std::string, Folders> other_claims{
     {"conclusion", {"verdict", "degrees", "bounds", "counts", "digests", ""}}};
 
 /// The folders of prover/, from the bottom to the top.
-const Folders layers{"system",  "format", "problem",   "geometry",     "classification",
-                     "bounds",  "degree", "catalogue", "degree_sweep", "drawing",
-                     "scripts", "bundle", "cli"};
+const Folders layers{"system",  "format",  "problem",   "geometry",     "classification",
+                     "bounds",  "degree",  "catalogue", "degree_sweep", "solver",
+                     "drawing", "scripts", "bundle",    "cli"};
 
 /// A line `#include "to"` in the file `from`; both are paths in the project.
 struct Arrow {

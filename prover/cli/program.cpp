@@ -12,6 +12,7 @@
 #include "prover/cli/degrees_command.h"
 #include "prover/cli/describe.h"
 #include "prover/cli/problem_report.h"
+#include "prover/cli/solve_command.h"
 #include "prover/drawing/drawing.h"
 #include "prover/format/version.h"
 #include "prover/problem/names.h"
@@ -306,6 +307,8 @@ std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
             add_bounds_command(program, deliver),
             add_degree_command(program, deliver, compute),
             add_degrees_command(program, compute),
+            add_solve_command(program, deliver),
+            add_start_command(program, deliver),
             export_command(program),
             bundle_command(program)};
 }

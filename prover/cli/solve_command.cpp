@@ -1,0 +1,167 @@
+#include "prover/cli/solve_command.h"
+
+#include "prover/cli/solve_report.h"
+#include "prover/degree_sweep/write.h"
+#include "prover/problem/spec.h"
+#include "prover/solver/certificate.h"
+#include "prover/solver/images_file.h"
+#include "prover/solver/synthetic.h"
+#include "prover/system/exit.h"
+#include "prover/system/progress.h"
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+namespace plprove {
+
+namespace {
+
+constexpr const char* solve_examples =
+    "IMAGES is a JSON file; docs/solve.md describes it. The answer has every solution: cameras,\n"
+    "features in space, residuals. The first run for a problem makes its start, and keeps it in "
+    "the\ncache ($XDG_CACHE_HOME/pointline).\n\n"
+    "Examples:\n"
+    "  plprove solve --example Chicago -o images.json\n"
+    "                                       images of a synthetic scene to try\n"
+    "  plprove solve 2394 images.json       its cameras\n"
+    "  plprove solve 2394 images.json --json -o answer.json\n"
+    "                                       every solution, for machines\n"
+    "  plprove solve 2394 images.json --certify mine.plc\n"
+    "  plcheck mine.plc                     proves that each solution exists";
+
+std::string content_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(file), {});
+    if (!file) throw BadInput("cannot read " + path + ": does it exist?");
+    return text;
+}
+
+/// The problem of an example by its name in the literature, or in any notation.
+Problem example_problem(const std::string& name) {
+    if (name == "Chicago") return parse_problem("2*Pa/Pa/Pa + P/P/P");
+    if (name == "Cleveland") return parse_problem("3*P/P/P + a/a/a");
+    if (name == "five-point") return parse_problem("5*P/P");
+    return parse_spec(name);
+}
+
+struct SolveRequest {
+    std::string spec;
+    std::string images;
+    std::string path = "-";
+    std::string start;
+    std::string certificate;
+    std::string example;
+    bool json = false;
+};
+
+Solver solver_for(const SolveRequest& request, const Problem& problem) {
+    if (request.start.empty()) return make_solver(problem);
+    return {plan(problem), read_start(content_of(request.start), request.start)};
+}
+
+/// Solves the images in integers and writes the certificate.
+Answer solve_and_certify(const SolveRequest& request, const Solver& solver,
+                         const ConsistentImages& consistent, const Deliver& deliver,
+                         SolveReport& report) {
+    if (!solver.plan().number)
+        throw BadInput("certificates are for problems in three views: solve without --certify");
+    const IntegerImages integers = integer_images(solver.plan(), solver.system(), consistent);
+    Answer answer =
+        solver.solve(rounded(report.images, consistent), unit_vectors(integers), SolveOptions{});
+    const DegreeCertificate certificate =
+        certify_images(solver.start(), solver.system(), integers, answer.zeros);
+    if (certificate.solutions.empty())
+        throw std::runtime_error("no solution was found that could be certified: solve without "
+                                 "--certify to see what was found");
+    report.certificate = {request.certificate, certificate.degree(), integers.exact,
+                          integers.moved};
+    deliver(request.certificate, write_degree_file(std::span(&certificate, 1)));
+    return answer;
+}
+
+int solve_images(const SolveRequest& request, const Deliver& deliver) {
+    const Problem problem = parse_spec(request.spec);
+    SolveReport report;
+    report.images = read_images(content_of(request.images), request.images, problem);
+    const ConsistentImages images = consistent(report.images);
+    report.moved = images.moved;
+    refuse_degenerate(report.images);
+    const Solver solver = solver_for(request, problem);
+    report.number = solver.plan().number;
+    if (request.certificate.empty())
+        report.answer = solver.solve(rounded(report.images, images), SolveOptions{});
+    else
+        report.answer = solve_and_certify(request, solver, images, deliver, report);
+    deliver(request.path, request.json ? json_report(report) : text_report(report));
+    return report.answer.found > 0 ? 0 : exit_failure;
+}
+
+int run_solve(const SolveRequest& request, const Deliver& deliver) {
+    if (!request.example.empty()) {
+        const Problem problem = example_problem(request.example);
+        plan(problem); // refuses what cannot be solved
+        deliver(request.path, images_file(synthetic_scene(problem, 1)));
+        return 0;
+    }
+    if (request.images.empty()) {
+        std::cerr << "plprove: solve needs a problem and a file of images: see `plprove solve "
+                     "--help`\n";
+        return exit_usage;
+    }
+    return solve_images(request, deliver);
+}
+
+} // namespace
+
+Command add_solve_command(CLI::App& program, const Deliver& deliver) {
+    const auto request = std::make_shared<SolveRequest>();
+    CLI::App* app =
+        program.add_subcommand("solve", "Find the cameras, all of them, that explain given images");
+    app->add_option("PROBLEM", request->spec, "the problem, as for `plprove problem`");
+    app->add_option("IMAGES", request->images, "the file with the images");
+    app->add_option("-o,--output", request->path, "the file to write, - for standard output")
+        ->capture_default_str();
+    app->add_flag("--json", request->json, "print JSON");
+    app->add_option("--certify", request->certificate,
+                    "also write a degree file for these images: plcheck replays it")
+        ->type_name("FILE");
+    app->add_option("--start", request->start, "the start to use, instead of the one in the cache")
+        ->type_name("FILE");
+    app->add_option("--example", request->example,
+                    "write images of a synthetic scene: Chicago, Cleveland, five-point, or any "
+                    "problem")
+        ->type_name("NAME");
+    app->footer(solve_examples);
+    return {app, [request, deliver] { return run_solve(*request, deliver); }};
+}
+
+Command add_start_command(CLI::App& program, const Deliver& deliver) {
+    struct Request {
+        std::string spec;
+        std::string path;
+        std::uint64_t seed = 0;
+    };
+    const auto request = std::make_shared<Request>();
+    CLI::App* app = program.add_subcommand(
+        "start", "Write the start of a problem: images with all solutions, for `plprove solve`");
+    app->add_option("PROBLEM", request->spec, "the problem, as for `plprove problem`")->required();
+    app->add_option("-o,--output", request->path, "the file to write, - for standard output")
+        ->required();
+    app->add_option("--seed", request->seed, "draw other random images")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    app->footer("Examples:\n"
+                "  plprove start 2394 -o chicago.start\n"
+                "  plprove solve 2394 images.json --start chicago.start");
+    return {app, [request, deliver] {
+                const SolvePlan how = plan(parse_spec(request->spec));
+                if (!how.number)
+                    throw BadInput("problems in two views need no start: `plprove solve` "
+                                   "solves them without");
+                deliver(request->path, write_start(find_start(*how.number, request->seed)));
+                return 0;
+            }};
+}
+
+} // namespace plprove

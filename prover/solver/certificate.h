@@ -1,0 +1,33 @@
+// Certificates that given images have the solutions found (certs/FORMAT.md, section 9).
+#pragma once
+
+#include "prover/degree/degree.h"
+#include "prover/degree/integer_images.h"
+#include "prover/solver/images.h"
+#include "prover/solver/plan.h"
+#include "prover/solver/start.h"
+
+namespace plprove {
+
+/// Images of the class in integers of at most six digits, as a degree file has them.
+struct IntegerImages {
+    std::vector<IntegerVector> vectors; ///< one for each free vector of the system
+    bool exact = true;                  ///< whether they are the given images
+    double moved = 0;                   ///< if not: the largest angle to a given one, in radians
+};
+
+/// The integer vectors that are proportional to the images, where six digits are enough; elsewhere
+/// those nearest to them, which are off by some 1e-9.
+IntegerImages integer_images(const SolvePlan& plan, const CameraSystem& system,
+                             const ConsistentImages& images);
+
+/// The same as unit vectors, as the solver takes them.
+std::vector<Eigen::Vector3d> unit_vectors(const IntegerImages& images);
+
+/// The certificate that these images have these solutions, approximate zeros in the standard chart.
+/// If it shows as many solutions as the start has, it has the evidence of the start.
+DegreeCertificate certify_images(const Start& start, const CameraSystem& system,
+                                 const IntegerImages& images,
+                                 const std::vector<CameraPoint>& zeros);
+
+} // namespace plprove

@@ -1,0 +1,90 @@
+#include "prover/solver/poses.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+namespace plprove {
+
+namespace {
+
+/// The rotation that is a multiple of the matrix of this quaternion, as FORMAT.md has it.
+Eigen::Matrix3cd rotation(const std::array<Complex, 4>& quaternion) {
+    const auto& [a, b, c, d] = quaternion;
+    Eigen::Matrix3cd matrix;
+    matrix << a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d), 2.0 * (b * d + a * c), //
+        2.0 * (b * c + a * d), a * a - b * b + c * c - d * d, 2.0 * (c * d - a * b),       //
+        2.0 * (b * d - a * c), 2.0 * (c * d + a * b), a * a - b * b - c * c + d * d;
+    return matrix / (a * a + b * b + c * c + d * d);
+}
+
+Eigen::Vector3cd centre(const ComplexPose& pose) {
+    return -pose.R.transpose() * pose.t;
+}
+
+} // namespace
+
+void fix_scale(std::vector<ComplexPose>& poses) {
+    const Eigen::Vector3cd second = centre(poses[1]);
+    Eigen::Index largest = 0;
+    second.cwiseAbs().maxCoeff(&largest);
+    const Complex phase = second[largest] / std::abs(second[largest]);
+    for (ComplexPose& pose : poses)
+        pose.t /= second.norm() * phase;
+}
+
+std::vector<ComplexPose> poses_of(const QuaternionCameras& cameras) {
+    std::vector<ComplexPose> poses(3);
+    for (std::size_t v = 0; v < 2; ++v) {
+        const Complex3& c = cameras.centre[v];
+        poses[v + 1].R = rotation(cameras.quaternion[v]);
+        poses[v + 1].t = -poses[v + 1].R * Eigen::Vector3cd(c[0], c[1], c[2]);
+    }
+    fix_scale(poses);
+    return poses;
+}
+
+bool are_real(const std::vector<ComplexPose>& poses) {
+    constexpr double rounding = 1e-7;
+    double imaginary = 0, size = 1;
+    for (const ComplexPose& pose : poses) {
+        imaginary = std::max(
+            {imaginary, pose.R.imag().cwiseAbs().maxCoeff(), pose.t.imag().cwiseAbs().maxCoeff()});
+        size = std::max({size, pose.R.cwiseAbs().maxCoeff(), pose.t.cwiseAbs().maxCoeff()});
+    }
+    return imaginary < rounding * size;
+}
+
+std::vector<Pose<double>> real_poses(const std::vector<ComplexPose>& poses) {
+    std::vector<Pose<double>> result;
+    for (const ComplexPose& pose : poses) {
+        const Eigen::Matrix3d near = pose.R.real();
+        const Eigen::Quaterniond quaternion(near);
+        result.push_back({quaternion.normalized().toRotationMatrix(), pose.t.real()});
+    }
+    return result;
+}
+
+std::vector<ComplexPose> complex_poses(const std::vector<Pose<double>>& poses) {
+    std::vector<ComplexPose> result;
+    for (const Pose<double>& pose : poses)
+        result.push_back({pose.R.cast<Complex>(), pose.t.cast<Complex>()});
+    return result;
+}
+
+std::vector<ComplexPose> in_problem_order(const std::vector<ComplexPose>& poses,
+                                          const std::array<int, 3>& view_of) {
+    std::vector<ComplexPose> ordered(poses.size());
+    for (std::size_t v = 0; v < poses.size(); ++v)
+        ordered[static_cast<std::size_t>(view_of[v])] = poses[v];
+    // The frame of the first camera: X = R_1^T (Y - t_1).
+    const ComplexPose first = ordered[0];
+    for (ComplexPose& pose : ordered) {
+        pose.R = (pose.R * first.R.transpose()).eval();
+        pose.t = (pose.t - pose.R * first.t).eval();
+    }
+    ordered[0] = {};
+    fix_scale(ordered);
+    return ordered;
+}
+
+} // namespace plprove

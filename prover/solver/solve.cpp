@@ -1,0 +1,141 @@
+#include "prover/solver/solve.h"
+
+#include "prover/catalogue/degrees.h"
+#include "prover/solver/condition.h"
+#include "prover/solver/five_points.h"
+#include "prover/solver/poses.h"
+#include "prover/system/exit.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace plprove {
+
+std::string_view name(Completeness completeness) {
+    switch (completeness) {
+    case Completeness::certified:
+        return "certified";
+    case Completeness::evidence:
+        return "evidence";
+    case Completeness::unknown:
+        return "unknown";
+    }
+    return {};
+}
+
+namespace {
+
+/// Whether the degree of the class is certified on file, and is this one.
+bool degree_is_certified(std::size_t number, int degree) {
+    const Signature& signature = label_classes()[number];
+    const std::size_t constraint =
+        class_number(label_classes(), constraint_representative(signature));
+    const auto records =
+        degrees_of_class(parse_degrees(degree_lines()), label_classes(), number, constraint);
+    return std::ranges::any_of(records, [&](const DegreeRecord& record) {
+        return record.degree == degree && record.bound == DegreeBound::exact &&
+               record.status == DegreeStatus::certified;
+    });
+}
+
+/// Real solutions before others, and those with more points in front of the cameras before those
+/// with fewer; then by the second camera, so that equal images have answers in the same order.
+void sort(std::vector<Solution>& solutions) {
+    const auto key = [](const Solution& solution) {
+        const Eigen::Matrix3cd& R = solution.cameras[1].R;
+        return std::tuple(!solution.real, -solution.in_front, R(0, 0).real(), R(0, 0).imag(),
+                          R(0, 1).real(), R(0, 1).imag());
+    };
+    std::ranges::stable_sort(solutions, {}, key);
+}
+
+} // namespace
+
+Solver::Solver(SolvePlan plan, Start start) : plan_(std::move(plan)) {
+    if (!plan_.number) throw BadInput("problems in two views need no start");
+    if (*plan_.number != start.number)
+        throw BadInput("the start is of class " + std::to_string(start.number) +
+                       ", and the problem of class " + std::to_string(*plan_.number) +
+                       ": make one with `plprove start " + std::to_string(*plan_.number) + "`");
+    certified_degree_ = degree_is_certified(start.number, start.degree());
+    cameras_.emplace(std::move(start));
+}
+
+Solver::Solver(SolvePlan plan) : plan_(std::move(plan)) {
+    if (plan_.number)
+        throw BadInput("problems in three views need a start: make one with `plprove start " +
+                       std::to_string(*plan_.number) + "`");
+}
+
+Answer Solver::solve(const SeenImages& images, const SolveOptions& options) const {
+    if (!plan_.number) return solve_two_views(images, options);
+    return solve(images, class_images(plan_, cameras_->system(), images.observation), options);
+}
+
+Answer Solver::solve(const SeenImages& images, const std::vector<Eigen::Vector3d>& class_images,
+                     const SolveOptions& options) const {
+    const FoundZeros found = cameras_->solve(class_images, options.effort);
+    const CameraChart& chart = cameras_->start().chart;
+    Answer answer;
+    answer.degree = cameras_->start().degree();
+    answer.found = static_cast<int>(found.zeros.size());
+    answer.lost = found.lost;
+    if (found.lost == 0 && certified_degree_)
+        answer.complete = Completeness::certified;
+    else if (found.lost == 0 && cameras_->start().evidence)
+        answer.complete = Completeness::evidence;
+    for (const CameraPoint& zero : found.zeros) {
+        const std::vector<ComplexPose> poses = poses_of(chart.cameras(zero));
+        answer.zeros.push_back(standard_chart().point(chart.cameras(zero)));
+        const std::vector<ComplexPose> ordered = in_problem_order(poses, plan_.view_of);
+        if (are_real(poses)) {
+            Solution& solution =
+                answer.solutions.emplace_back(real_solution(images, real_poses(ordered)));
+            if (options.conditions)
+                solution.condition = condition(cameras_->system(), class_images, real_poses(poses));
+        } else if (options.complex) {
+            answer.solutions.push_back(complex_solution(images, ordered));
+        }
+    }
+    sort(answer.solutions);
+    return answer;
+}
+
+Answer Solver::solve_two_views(const SeenImages& images, const SolveOptions& options) const {
+    constexpr int degree = 20; // certs/bounds.plc has a template that bounds it
+    std::array<Eigen::Vector3d, 5> first, second;
+    for (std::size_t k = 0; k < 5; ++k) {
+        const FeatureSightings& sightings = images.observation[plan_.sources[k].feature];
+        first[k] = sightings[0].point->normalized();
+        second[k] = sightings[1].point->normalized();
+    }
+    Answer answer;
+    for (const ComplexPose& pose : five_point_poses(first, second)) {
+        ++answer.found;
+        std::vector<ComplexPose> poses{{}, pose};
+        fix_scale(poses);
+        if (are_real(poses)) {
+            const auto real = real_poses(poses);
+            Solution& solution = answer.solutions.emplace_back(real_solution(images, real));
+            if (options.conditions)
+                solution.condition = condition({first.begin(), first.end()},
+                                               {second.begin(), second.end()}, real[1]);
+        } else if (options.complex) {
+            answer.solutions.push_back(complex_solution(images, poses));
+        }
+    }
+    answer.degree = degree;
+    answer.lost = degree - answer.found;
+    if (answer.lost == 0) answer.complete = Completeness::certified;
+    sort(answer.solutions);
+    return answer;
+}
+
+Solver make_solver(const Problem& problem) {
+    SolvePlan how = plan(problem);
+    if (!how.number) return Solver(std::move(how));
+    const std::size_t number = *how.number;
+    return {std::move(how), cached_start(number)};
+}
+
+} // namespace plprove

@@ -1,0 +1,189 @@
+// `plprove solve` and `plprove start` as their users run them; plcheck replays the certificates.
+#include "tests/support/program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string plcheck = PLCHECK;
+
+/// Runs plprove in a folder, with a cache for starts there.
+class Session {
+public:
+    Outcome plprove(const std::string& arguments) const {
+        return run("cd " + folder_.path().string() +
+                   " && XDG_CACHE_HOME=cache-is-not-absolute HOME=" + folder_.path().string() +
+                   " " PLPROVE " " + arguments);
+    }
+    std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
+    Json json(const std::string& name) const { return Json::parse(read_file(folder_ / name)); }
+
+private:
+    TemporaryFolder folder_;
+};
+
+/// Images of the Chicago problem with few digits, which a degree file holds exactly.
+std::string integer_images() {
+    const auto feature = [](const std::string& a, const std::string& b, const std::string& c) {
+        return R"({"views": [)" + a + ", " + b + ", " + c + "]}";
+    };
+    const auto pin = [](const std::string& x, const std::string& y) {
+        return R"({"point": )" + x + R"(, "lines": {"a": [)" + x + ", " + y + "]}}";
+    };
+    const auto point = [](const std::string& x) { return R"({"point": )" + x + "}"; };
+    return R"({"problem": "2*Pa/Pa/Pa + P/P/P", "features": [)" +
+           feature(pin("[0.25, 0.5]", "[1, 3]"), pin("[\"1/3\", -0.5]", "[2, 1]"),
+                   pin("[-0.2, 0.1]", "[1, 1]")) +
+           ", " +
+           feature(pin("[-0.7, 0.3]", "[0, 1]"), pin("[0.9, 0.4]", "[3, 2]"),
+                   pin("[0.6, -0.8]", "[1.5, 2]")) +
+           ", " + feature(point("[0.11, -0.6]"), point("[-0.4, 0.7]"), point("[0.3, 0.9]")) + "]}";
+}
+
+} // namespace
+
+TEST_CASE("the examples have all solutions, and the starts are kept") {
+    const Session session;
+    for (const char* name : {"Chicago", "Cleveland", "five-point"}) {
+        CAPTURE(name);
+        REQUIRE(
+            session.plprove(std::string("solve --example ") + name + " -o images.json").status ==
+            0);
+        const std::string problem = session.json("images.json")["problem"];
+        const Outcome outcome =
+            session.plprove("solve '" + problem + "' images.json --json -o answer.json");
+        CHECK(outcome.status == 0);
+        CHECK(outcome.out.empty());
+        const Json answer = session.json("answer.json");
+        CHECK(answer["found"] == answer["degree"]);
+        CHECK(answer["complete"] == "certified");
+        CHECK(answer["lost"] == 0);
+        CHECK(answer["moved"] == 0);
+        const Outcome table = session.plprove("solve '" + problem + "' images.json");
+        CHECK(table.out.starts_with("problem     " + problem + "\nsolutions   " +
+                                    std::to_string(answer["found"].get<int>()) + " of "));
+        CHECK(table.out == session.plprove("solve '" + problem + "' images.json").out);
+    }
+    CHECK(std::filesystem::exists(session / ".cache/pointline/2394.start"));
+    CHECK(std::filesystem::exists(session / ".cache/pointline/6722.start"));
+}
+
+TEST_CASE("real solutions come first, then those with fewer points in front") {
+    const Session session;
+    session.plprove("solve --example Chicago -o images.json");
+    session.plprove("solve 2394 images.json --json -o answer.json");
+    const Json solutions = session.json("answer.json")["solutions"];
+    for (std::size_t i = 1; i < solutions.size(); ++i) {
+        const Json &before = solutions[i - 1], &after = solutions[i];
+        CHECK((before["real"] || !after["real"]));
+        if (after["real"]) CHECK(before["in_front"] >= after["in_front"]);
+    }
+    for (const Json& solution : solutions) {
+        if (!solution["real"]) continue;
+        CHECK(solution["cameras"][0]["R"] == Json({1, 0, 0, 0, 1, 0, 0, 0, 1}));
+        double square = 0; // the first camera sees the second centre at distance 1
+        for (const double t : solution["cameras"][1]["t"])
+            square += t * t;
+        CHECK(square == doctest::Approx(1));
+    }
+}
+
+TEST_CASE("a certificate for exactly the given images is replayed by plcheck") {
+    const Session session;
+    write_file(session / "images.json", integer_images());
+    const Outcome outcome = session.plprove("solve 2394 images.json --certify mine.plc");
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out.find("certificate of 312 solutions for exactly these images") !=
+          std::string::npos);
+    const std::string file = read_file(session / "mine.plc");
+    // The first point is (1/4, 1/2), in integers (1, 2, 4).
+    CHECK(file.find("image Pa/Pa/Pa view point 1 2 4 toward") != std::string::npos);
+    const Outcome replayed = run(plcheck + " " + (session / "mine.plc").string());
+    CHECK(replayed.status == 0);
+    CHECK(replayed.out.find("at least 312 solutions; evidence that there are no more: yes") !=
+          std::string::npos);
+}
+
+TEST_CASE("a certificate for images in pixels says how far its images are from them") {
+    const Session session;
+    session.plprove("solve --example Cleveland -o images.json");
+    const Outcome outcome =
+        session.plprove("solve '3*P/P/P + a/a/a' images.json --certify mine.plc --json");
+    CHECK(outcome.status == 0);
+    const Json certificate = Json::parse(outcome.out)["certificate"];
+    CHECK(certificate["exact"] == false);
+    CHECK(certificate["moved"] < 1e-8);
+    CHECK(certificate["moved"] > 0);
+    CHECK(run(plcheck + " " + (session / "mine.plc").string()).status == 0);
+}
+
+TEST_CASE("pins that miss their points are moved, and the answer says how far") {
+    const Session session;
+    session.plprove("solve --example Chicago -o images.json");
+    Json images = session.json("images.json");
+    Json& line = images["features"][0]["views"][0]["lines"]["a"];
+    line[0][0] = line[0][0].get<double>() + 0.5;
+    write_file(session / "noisy.json", images.dump());
+    const Outcome outcome = session.plprove("solve 2394 noisy.json --json");
+    CHECK(outcome.status == 0);
+    const Json answer = Json::parse(outcome.out);
+    CHECK(answer["moved"] > 0.01);
+    CHECK(answer["moved"] < 0.5);
+}
+
+TEST_CASE("a start is a file that solve takes, and that is refused when damaged") {
+    const Session session;
+    CHECK(session.plprove("start 2394 -o chicago.start --seed 5").status == 0);
+    session.plprove("solve --example Chicago -o images.json");
+    const std::string solve = "solve 2394 images.json --start chicago.start --json";
+    const Outcome outcome = session.plprove(solve);
+    CHECK(outcome.status == 0);
+    CHECK(Json::parse(outcome.out)["found"] == 312);
+    CHECK(!std::filesystem::exists(session / ".cache"));
+    std::string text = read_file(session / "chicago.start");
+    text[text.size() / 2] = text[text.size() / 2] == '1' ? '2' : '1';
+    write_file(session / "chicago.start", text);
+    const Outcome damaged = session.plprove(solve);
+    CHECK(damaged.status == 2);
+    CHECK(damaged.out.empty());
+    CHECK(damaged.err.find("chicago.start") != std::string::npos);
+    CHECK(session.plprove("start '5*P/P' -o five.start").status == 2);
+    CHECK(!std::filesystem::exists(session / "five.start"));
+}
+
+TEST_CASE("bad input is refused with status 2, says where, and writes nothing") {
+    const Session session;
+    session.plprove("solve --example Chicago -o images.json");
+    write_file(session / "broken.json", read_file(session / "images.json").substr(0, 100));
+    Json equal = session.json("images.json");
+    equal["features"][1]["views"][2]["point"] = equal["features"][0]["views"][2]["point"];
+    write_file(session / "equal.json", equal.dump());
+    const std::vector<std::pair<std::string, std::string>> bad{
+        {"2394 missing.json", "cannot read missing.json"},
+        {"2394 broken.json", "broken.json: this is no JSON: parse error at line"},
+        {"'3*P/P/P + a/a/a' images.json", "images.json: problem: expected images of 3*P/P/P"},
+        {"'4*P/P' images.json", "images.json: problem: expected"},
+        {"2394 equal.json", "view 3 sees feature 1 (Pa/Pa/Pa) and feature 2 (Pa/Pa/Pa) at the same "
+                            "point"}};
+    for (const auto& [arguments, expected] : bad) {
+        CAPTURE(arguments);
+        const Outcome outcome =
+            session.plprove("solve " + arguments + " --json -o answer.json --certify mine.plc");
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        CHECK(outcome.err.find(expected) != std::string::npos);
+        CHECK(!std::filesystem::exists(session / "answer.json"));
+        CHECK(!std::filesystem::exists(session / "mine.plc"));
+    }
+    CHECK(session.plprove("solve --example 4*P/P").status == 2);
+    CHECK(session.plprove("solve").status == 3);
+    CHECK(session.plprove("solve 2394").status == 3);
+    session.plprove("solve --example five-point -o five.json");
+    CHECK(session.plprove("solve '5*P/P' five.json --certify mine.plc").status == 2);
+    CHECK(!std::filesystem::exists(session / "mine.plc"));
+}
