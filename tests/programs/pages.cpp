@@ -102,8 +102,9 @@ TEST_CASE("the commands that a page shows print what it shows") {
         fs::create_directory_symlink(source / "certs", folder / "certs");
         const std::string path = fs::path(PLCHECK).parent_path().string() + ':' +
                                  fs::path(PLPROVE).parent_path().string();
-        const std::string start =
-            "cd " + folder.path().string() + " && PATH=" + path + ":$PATH && ";
+        const std::string start = "cd " + folder.path().string() +
+                                  " && export XDG_CACHE_HOME=$PWD/cache && PATH=" + path +
+                                  ":$PATH && ";
         for (const Command& command : commands_of(read_file(page))) {
             CAPTURE(page.string());
             CAPTURE(command.line);
