@@ -77,7 +77,7 @@ Answer Solver::solve(const SeenImages& images, const std::vector<Eigen::Vector3d
     const FoundZeros found = cameras_->solve(class_images, options.effort);
     const CameraChart& chart = cameras_->start().chart;
     Answer answer;
-    answer.degree = cameras_->start().degree();
+    answer.degree = degree();
     answer.found = static_cast<int>(found.zeros.size());
     answer.lost = found.lost;
     if (found.lost == 0 && certified_degree_)
@@ -102,7 +102,6 @@ Answer Solver::solve(const SeenImages& images, const std::vector<Eigen::Vector3d
 }
 
 Answer Solver::solve_two_views(const SeenImages& images, const SolveOptions& options) const {
-    constexpr int degree = 20; // certs/bounds.plc has a template that bounds it
     std::array<Eigen::Vector3d, 5> first, second;
     for (std::size_t k = 0; k < 5; ++k) {
         const FeatureSightings& sightings = images.observation[plan_.sources[k].feature];
@@ -124,8 +123,8 @@ Answer Solver::solve_two_views(const SeenImages& images, const SolveOptions& opt
             answer.solutions.push_back(complex_solution(images, poses));
         }
     }
-    answer.degree = degree;
-    answer.lost = degree - answer.found;
+    answer.degree = degree();
+    answer.lost = answer.degree - answer.found;
     if (answer.lost == 0) answer.complete = Completeness::certified;
     sort(answer.solutions);
     return answer;

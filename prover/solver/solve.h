@@ -37,12 +37,17 @@ struct SolveOptions {
 /// once.
 class Solver {
 public:
+    /// certs/bounds.plc has a template that proves that there are no more.
+    static constexpr int poses_of_five_points = 20;
+
     /// For three views: `start` must be of the label class of the plan. Throws BadInput if not.
     Solver(SolvePlan plan, Start start);
     /// For two views.
     explicit Solver(SolvePlan plan);
 
     const SolvePlan& plan() const { return plan_; }
+    /// How many solutions generic images have, as far as is known.
+    int degree() const { return cameras_ ? start().degree() : poses_of_five_points; }
     // In three views:
     const CameraSystem& system() const { return cameras_->system(); }
     const Start& start() const { return cameras_->start(); }

@@ -1,0 +1,141 @@
+#include "prover/library/seen_images.h"
+
+#include "prover/solver/consistency.h"
+#include "prover/system/exit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace plprove {
+
+namespace {
+
+template <class Numbers>
+void require_finite(const Numbers& numbers, const std::string& place) {
+    if (!std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }))
+        throw BadInput(place + ": give finite numbers");
+}
+
+Eigen::Matrix3d matrix(const pointline::Intrinsics& intrinsics, std::size_t view) {
+    const std::string place = "camera " + std::to_string(view + 1);
+    const auto& [fx, fy, cx, cy] = intrinsics;
+    require_finite(std::array{fx, fy, cx, cy}, place);
+    if (fx <= 0 || fy <= 0) throw BadInput(place + ": give positive focal lengths");
+    Eigen::Matrix3d K;
+    K << fx, 0, cx, 0, fy, cy, 0, 0, 1;
+    return K;
+}
+
+/// Refuses what the view does not see by the problem, or does not have to be seen.
+void require_seen(const Feature& feature, int view, const pointline::Sighting& sighting,
+                  const std::string& place) {
+    const auto expect = [&](bool sees, bool given, const std::string& what) {
+        if (sees && !given) throw BadInput(place + ": give " + what);
+        if (!sees && given) throw BadInput(place + ": leave " + what + " out");
+    };
+    expect(feature.sees_point(view), sighting.point.has_value(), "the point");
+    for (int line = 0; line < feature.lines; ++line) {
+        const char letter = static_cast<char>('a' + line);
+        expect(feature.sees_line(view, line), sighting.lines.contains(letter),
+               std::string("line ") + letter);
+    }
+    for (const auto& [letter, line] : sighting.lines) {
+        if (letter < 'a' || letter >= 'a' + feature.lines)
+            throw BadInput(place + ": there is no line " + letter + ": leave it out");
+        require_finite(line.coefficients, place);
+        if (line.coefficients[0] == 0 && line.coefficients[1] == 0)
+            throw BadInput(place + ": line " + letter + " is none: give other coefficients");
+        for (const pointline::Point& point : line.points)
+            require_finite(point, place);
+    }
+    if (sighting.point) require_finite(*sighting.point, place);
+}
+
+PixelLine pixel_line(const pointline::Line& line) {
+    PixelLine result{Eigen::Map<const Eigen::Vector3d>(line.coefficients.data()), {}};
+    for (const pointline::Point& point : line.points)
+        result.points.emplace_back(point[0], point[1]);
+    return result;
+}
+
+/// Whether the point is on all lines, to rounding.
+bool meet(const Eigen::Vector2d& point, const std::vector<PixelLine>& lines) {
+    constexpr double rounding = 1e-12;
+    return std::ranges::all_of(lines, [&](const PixelLine& line) {
+        const Eigen::Vector3d x = point.homogeneous();
+        return std::abs(line.coefficients.dot(x)) <= rounding * line.coefficients.norm() * x.norm();
+    });
+}
+
+/// The sighting in normalised coordinates. Adds to `moved`.
+Sighting normalised(const pointline::Sighting& given, const Eigen::Matrix3d& K, int lines,
+                    double& moved) {
+    Sighting result;
+    result.lines.resize(static_cast<std::size_t>(lines));
+    std::vector<PixelLine> pixel_lines;
+    for (const auto& [letter, line] : given.lines)
+        pixel_lines.push_back(pixel_line(line));
+    if (given.point) {
+        Eigen::Vector2d point((*given.point)[0], (*given.point)[1]);
+        if (!meet(point, pixel_lines)) {
+            const PixelStar star = nearest_star(point, pixel_lines);
+            moved = std::max(moved, star.moved);
+            point = star.point;
+            for (std::size_t i = 0; i < pixel_lines.size(); ++i)
+                pixel_lines[i].coefficients = star.lines[i];
+        }
+        result.point =
+            Eigen::Vector3d((point[0] - K(0, 2)) / K(0, 0), (point[1] - K(1, 2)) / K(1, 1), 1);
+    }
+    auto line = pixel_lines.begin();
+    for (const auto& [letter, unused] : given.lines)
+        result.lines[static_cast<std::size_t>(letter - 'a')] =
+            (K.transpose() * (line++)->coefficients).normalized();
+    return result;
+}
+
+/// Refuses views with two points at the same place.
+void require_different(const SeenImages& images) {
+    for (std::size_t v = 0; v < images.calibration.size(); ++v)
+        for (std::size_t f = 0; f < images.observation.size(); ++f)
+            for (std::size_t g = 0; g < f; ++g) {
+                const auto &x = images.observation[f][v].point, &y = images.observation[g][v].point;
+                if (x && y && *x == *y)
+                    throw BadInput("view " + std::to_string(v + 1) + " sees features " +
+                                   std::to_string(g + 1) + " and " + std::to_string(f + 1) +
+                                   " at the same point: give images with different ones");
+            }
+}
+
+} // namespace
+
+MovedImages seen_images(const Problem& problem, const pointline::Images& images) {
+    const auto views = static_cast<std::size_t>(problem.front().views());
+    if (!images.cameras.empty() && images.cameras.size() != views)
+        throw BadInput("give intrinsics of " + std::to_string(views) + " cameras, or of none");
+    if (images.features.size() != problem.size())
+        throw BadInput("give " + std::to_string(problem.size()) + " features: these are " +
+                       std::to_string(images.features.size()));
+    MovedImages result;
+    for (std::size_t v = 0; v < views; ++v)
+        result.images.calibration.push_back(
+            matrix(images.cameras.empty() ? pointline::Intrinsics{} : images.cameras[v], v));
+    for (std::size_t f = 0; f < problem.size(); ++f) {
+        const std::string name = "feature " + std::to_string(f + 1);
+        if (images.features[f].size() != views)
+            throw BadInput(name + ": give what " + std::to_string(views) + " views see");
+        auto& sightings = result.images.observation.emplace_back();
+        for (std::size_t v = 0; v < views; ++v) {
+            const pointline::Sighting& given = images.features[f][v];
+            require_seen(problem[f], static_cast<int>(v), given,
+                         name + ", view " + std::to_string(v + 1));
+            sightings.push_back(
+                normalised(given, result.images.calibration[v], problem[f].lines, result.moved));
+        }
+    }
+    require_different(result.images);
+    return result;
+}
+
+} // namespace plprove

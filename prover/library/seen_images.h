@@ -1,0 +1,19 @@
+// From the images of the library to those of the solver.
+#pragma once
+
+#include "prover/library/pointline/solver.h"
+#include "prover/problem/notation.h"
+#include "prover/solver/reconstruction.h"
+
+namespace plprove {
+
+struct MovedImages {
+    SeenImages images;
+    double moved = 0; ///< pixels, to make lines meet their points
+};
+
+/// The images in normalised coordinates, with lines that meet their points. Throws BadInput where
+/// they are not what the problem says that the views see.
+MovedImages seen_images(const Problem& problem, const pointline::Images& images);
+
+} // namespace plprove

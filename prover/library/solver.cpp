@@ -1,0 +1,149 @@
+#include "prover/library/pointline/solver.h"
+
+#include "prover/library/guarded.h"
+#include "prover/library/seen_images.h"
+#include "prover/problem/spec.h"
+#include "prover/solver/solve.h"
+
+#include <atomic>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <thread>
+
+namespace pointline {
+
+struct Solver::Content {
+    std::string problem;
+    plprove::Solver solver;
+};
+
+namespace {
+
+Camera camera(const plprove::ComplexPose& pose) {
+    Camera result;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            result.R[static_cast<std::size_t>(3 * i + j)] = pose.R(i, j).real();
+        result.t[static_cast<std::size_t>(i)] = pose.t[i].real();
+    }
+    return result;
+}
+
+std::array<double, 3> vector(const Eigen::Vector3cd& x) {
+    return {x[0].real(), x[1].real(), x[2].real()};
+}
+
+Solution solution(const plprove::Solution& found) {
+    Solution result;
+    for (const plprove::ComplexPose& pose : found.cameras)
+        result.cameras.push_back(camera(pose));
+    for (const plprove::SpaceFeature& feature : found.features) {
+        result.points.emplace_back();
+        if (feature.point) result.points.back() = vector(*feature.point);
+        auto& lines = result.lines.emplace_back();
+        for (std::size_t line = 0; line < feature.lines.size(); ++line) {
+            auto& entry = lines[static_cast<char>('a' + line)];
+            if (const auto& in_space = feature.lines[line])
+                entry = SpaceLine{vector(in_space->point), vector(in_space->direction)};
+        }
+    }
+    result.in_front = found.in_front;
+    result.residual = found.residual;
+    result.condition = found.condition.value_or(0);
+    return result;
+}
+
+Complete complete(plprove::Completeness completeness) {
+    switch (completeness) {
+    case plprove::Completeness::certified:
+        return Complete::certified;
+    case plprove::Completeness::evidence:
+        return Complete::evidence;
+    case plprove::Completeness::unknown:
+        return Complete::unknown;
+    }
+    return Complete::unknown;
+}
+
+std::string content_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(file), {});
+    if (!file) throw std::runtime_error("cannot read " + path + ": does it exist?");
+    return text;
+}
+
+} // namespace
+
+Line line_through(const Point& p, const Point& q) {
+    return {{p[1] - q[1], q[0] - p[0], p[0] * q[1] - p[1] * q[0]}, {p, q}};
+}
+
+Solver::Solver(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+Result<Solver> Solver::make(std::string_view problem) noexcept {
+    return guarded<Solver>(Failure::bad_problem, [&] {
+        const plprove::Problem parsed = plprove::parse_spec(problem);
+        return Solver(std::make_shared<const Content>(
+            Content{plprove::notation(parsed), plprove::make_solver(parsed)}));
+    });
+}
+
+Result<Solver> Solver::load(std::string_view problem, const std::string& start) noexcept {
+    auto plan = guarded<plprove::SolvePlan>(
+        Failure::bad_problem, [&] { return plprove::plan(plprove::parse_spec(problem)); });
+    if (!plan) return plan.error();
+    return guarded<Solver>(Failure::bad_start, [&] {
+        return Solver(std::make_shared<const Content>(
+            Content{plprove::notation(plan->problem),
+                    plprove::Solver(*plan, plprove::read_start(content_of(start), start))}));
+    });
+}
+
+Result<Answer> Solver::solve(const Images& images, const Options& options) const noexcept {
+    return guarded<Answer>(Failure::bad_images, [&] {
+        const plprove::MovedImages moved =
+            plprove::seen_images(content_->solver.plan().problem, images);
+        plprove::SolveOptions how;
+        how.effort = options.quick ? plprove::Effort::once : plprove::Effort::thorough;
+        how.complex = false;
+        how.conditions = options.conditions;
+        const plprove::Answer found = content_->solver.solve(moved.images, how);
+        Answer answer{found.degree, found.found, complete(found.complete), moved.moved, {}};
+        for (const plprove::Solution& one : found.solutions)
+            answer.solutions.push_back(solution(one));
+        return answer;
+    });
+}
+
+std::vector<Result<Answer>> Solver::solve(std::span<const Images> images, const Options& options,
+                                          unsigned threads) const noexcept try {
+    std::vector<Result<Answer>> answers(images.size(), Error{});
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < images.size(); i = next++)
+            answers[i] = solve(images[i], options);
+    };
+    std::vector<std::jthread> workers;
+    try {
+        for (unsigned k = 1; k < threads; ++k)
+            workers.emplace_back(work);
+    } catch (const std::system_error&) {
+        // Those that there are do it, too.
+    }
+    work();
+    workers.clear();
+    return answers;
+} catch (const std::exception&) {
+    return {};
+}
+
+const std::string& Solver::problem() const {
+    return content_->problem;
+}
+
+int Solver::degree() const {
+    return content_->solver.degree();
+}
+
+} // namespace pointline
