@@ -1,0 +1,133 @@
+"""The module against scenes whose cameras are known."""
+
+import threading
+
+import numpy as np
+import pytest
+
+import pointline
+
+K = np.array([[800.0, 0, 320], [0, 780, 240], [0, 0, 1]])
+
+
+def rotation(vector):
+    """The rotation about the vector by its length (Rodrigues)."""
+    angle = np.linalg.norm(vector)
+    if angle == 0:
+        return np.eye(3)
+    x, y, z = vector / angle
+    skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + np.sin(angle) * skew + (1 - np.cos(angle)) * skew @ skew
+
+
+def scene_cameras(views, seed):
+    """R and t; the distance from camera 1 to camera 2 is 1."""
+    random = np.random.default_rng(seed)
+    R = [np.eye(3)] + [rotation(0.2 * random.standard_normal(3)) for _ in range(views - 1)]
+    centres = [np.zeros(3)] + [random.standard_normal(3) for _ in range(views - 1)]
+    centres = [c / np.linalg.norm(centres[1]) for c in centres]
+    return np.array(R), np.array([-r @ c for r, c in zip(R, centres)])
+
+
+def project(points, R, t):
+    """(N, V, 2) pixels of (N, 3) points."""
+    x = np.einsum("vij,nj->nvi", R, points) + t
+    x = x @ K.T
+    return x[..., :2] / x[..., 2:]
+
+
+def nearest(answer, R, t):
+    errors = np.abs(answer.R - R).max((1, 2, 3)) + np.abs(answer.t - t).max((1, 2))
+    return int(errors.argmin()), errors.min()
+
+
+def random_points(count, seed):
+    return np.random.default_rng(seed).uniform(-1.5, 1.5, (count, 3)) + [0, 0, 6]
+
+
+def test_five_points():
+    solver = pointline.problem("5*P/P").solver()
+    assert solver.degree == 20
+    for seed in range(10):
+        R, t = scene_cameras(2, seed)
+        X = random_points(5, seed)
+        answer = solver.solve(points=project(X, R, t), K=K, conditions=True)
+        index, error = nearest(answer, R, t)
+        assert error < 1e-7
+        assert answer.found == 20 and answer.complete == "certified"
+        assert answer.in_front[index] == 5
+        np.testing.assert_allclose(answer.points[index], X, atol=1e-5)
+        assert np.all(answer.conditions > 0) and np.all(answer.residuals < 1e-4)
+
+
+def test_chicago_with_two_points_a_line():
+    chicago = pointline.problem("2*Pa/Pa/Pa + P/P/P")
+    assert (chicago.verdict, chicago.degree, chicago.views) == ("minimal", 312, 3)
+    assert chicago.picture.startswith("<?xml") or "<svg" in chicago.picture
+    solver = chicago.solver()
+    R, t = scene_cameras(3, 3)
+    X, Y = random_points(3, 4), random_points(2, 5)
+    points = project(X, R, t)
+    lines = np.stack([points[:2], project(Y, R, t)], axis=2)
+    answer = solver.solve(points=points, lines=lines, K=K)
+    index, error = nearest(answer, R, t)
+    assert error < 1e-8
+    np.testing.assert_allclose(answer.line_points[index], X[:2], atol=1e-6)
+    directions = (Y - X[:2]) / np.linalg.norm(Y - X[:2], axis=1, keepdims=True)
+    assert np.abs(np.cross(answer.line_directions[index], directions)).max() < 1e-6
+    quick = solver.solve(points=points, lines=lines, K=K, quick=True)
+    assert nearest(quick, R, t)[1] < 1e-8
+    # The same lines by coefficients.
+    homogeneous = np.concatenate([lines, np.ones(lines.shape[:3] + (1,))], axis=3)
+    coefficients = np.cross(homogeneous[..., 0, :], homogeneous[..., 1, :])
+    again = solver.solve(points=points, lines=coefficients, K=K)
+    assert nearest(again, R, t)[1] < 1e-8
+
+
+def test_threads_share_a_solver():
+    solver = pointline.problem("5*P/P").solver()
+    scenes = [(*scene_cameras(2, seed), random_points(5, seed)) for seed in range(8)]
+    errors = [None] * len(scenes)
+
+    def work(i):
+        R, t, X = scenes[i]
+        errors[i] = nearest(solver.solve(points=project(X, R, t), K=K), R, t)[1]
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(len(scenes))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert max(errors) < 1e-7
+
+
+def test_what_is_wrong_is_a_value_error():
+    with pytest.raises(ValueError, match="expected"):
+        pointline.problem("Chicago?")
+    with pytest.raises(ValueError, match="minimal"):
+        pointline.problem("4*P/P").solver()
+    solver = pointline.problem("5*P/P").solver()
+    points = project(random_points(5, 0), *scene_cameras(2, 0))
+    with pytest.raises(ValueError, match="shape"):
+        solver.solve(points=points[:4])
+    with pytest.raises(ValueError, match="feature 3, view 2: give the point"):
+        unseen = points.copy()
+        unseen[2, 1] = np.nan
+        solver.solve(points=unseen)
+    with pytest.raises(ValueError, match="finite"):
+        infinite = points.copy()
+        infinite[2, 1] = np.inf
+        solver.solve(points=infinite)
+    with pytest.raises(ValueError, match="shape"):
+        solver.solve(points=points, lines=np.zeros((1, 2, 3)))
+    with pytest.raises(ValueError, match="K must be"):
+        solver.solve(points=points, K=np.ones((3, 3)))
+
+
+def test_the_problem_and_its_representation():
+    cleveland = pointline.problem("3*P/P/P + a/a/a")
+    assert repr(cleveland) == "pointline.problem('3*P/P/P + a/a/a')"
+    assert cleveland._repr_svg_() == cleveland.picture
+    assert pointline.problem(2394).notation == "2*Pa/Pa/Pa + P/P/P"
+    assert pointline.problem("P/P/P").degree is None
+    assert len(pointline.problem("P/P/P").reasons) > 0
