@@ -2,6 +2,7 @@
 
 #include "prover/degree/completeness.h"
 #include "prover/degree/integer_images.h"
+#include "prover/degree/subproblems.h"
 
 #include <algorithm>
 #include <utility>

@@ -30,8 +30,9 @@ bool degree_is_certified(std::size_t number, int degree) {
     const Signature& signature = label_classes()[number];
     const std::size_t constraint =
         class_number(label_classes(), constraint_representative(signature));
-    const auto records =
-        degrees_of_class(parse_degrees(degree_lines()), label_classes(), number, constraint);
+    const DegreeTable table = degrees_of_classes(parse_degrees(degree_lines()), label_classes(),
+                                                 std::span(&constraint, 1));
+    const auto records = table.find(number, constraint);
     return std::ranges::any_of(records, [&](const DegreeRecord& record) {
         return record.degree == degree && record.bound == DegreeBound::exact &&
                record.status == DegreeStatus::certified;
