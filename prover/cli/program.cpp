@@ -11,11 +11,9 @@
 #include "prover/cli/degree_commands.h"
 #include "prover/cli/degrees_command.h"
 #include "prover/cli/describe.h"
-#include "prover/cli/problem_report.h"
+#include "prover/cli/problem_commands.h"
 #include "prover/cli/solve_command.h"
-#include "prover/drawing/drawing.h"
 #include "prover/format/version.h"
-#include "prover/problem/names.h"
 #include "prover/problem/spec.h"
 #include "prover/scripts/scripts.h"
 #include "prover/system/atomic_file.h"
@@ -23,13 +21,11 @@
 #include "prover/system/progress.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -38,41 +34,6 @@
 namespace plprove {
 
 namespace {
-
-constexpr const char* problem_help =
-    "a problem: notation ('2*Pa/Pa/Pa + P/P/P'), the authors' number (2394), a name (Chicago), a "
-    "signature of 27 numbers, or the authors' Macaulay2 encoding";
-
-const std::string problem_examples =
-    "Examples:\n"
-    "  plprove problem '2*Pa/Pa/Pa + P/P/P'  notation: what views 1/2/3 see of each feature\n"
-    "  plprove problem '-/P/P + 3*P/P/P + P/-/P'\n"
-    "                                        P a point, a b c lines, - nothing\n"
-    "  plprove problem 2394                  the authors' number\n"
-    "  plprove problem Chicago               a name; all names are listed below\n"
-    "  plprove problem '0 0 0 0 0 0 2 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0'\n"
-    "                                        a signature\n"
-    "  plprove problem '{{0,1},{{{1,1},{1,1,1}},{{1,1},{1,1,1}},{{1,1},{1,1,1}}}}'\n"
-    "                                        Macaulay2: lines 0 and 1 pass through points 0 and\n"
-    "                                        1; each view sees lines {1,1} and points {1,1,1}\n"
-    "  plprove problem '3*P/P/P + P/P/a' --certificate mine.plc\n"
-    "  plcheck mine.plc\n\n"
-    "Names: ";
-
-/// In lines of at most 80 characters.
-std::string wrapped(const std::string& text) {
-    constexpr std::size_t columns = 80;
-    std::string result;
-    std::size_t column = 0;
-    std::istringstream words(text);
-    for (std::string word; words >> word; column += word.size() + 1) {
-        const bool fits = column + word.size() <= columns;
-        if (!result.empty()) result += fits ? ' ' : '\n';
-        if (!fits) column = 0;
-        result += word;
-    }
-    return result;
-}
 
 /// To the file, or to standard output for the name "-".
 void deliver(const std::string& path, const std::string& text) {
@@ -104,105 +65,6 @@ Command classification_command(CLI::App& program) {
                 "  plcheck all.plc                      replays every certificate");
     return {app, [path] {
                 prove_classification(*path);
-                return 0;
-            }};
-}
-
-Command certify_command(CLI::App& program) {
-    struct Request {
-        std::string spec;
-        std::string path = "-";
-    };
-    auto request = std::make_shared<Request>();
-    CLI::App* app =
-        program.add_subcommand("certify", "Write a certificate of the verdict on one problem");
-    app->add_option("PROBLEM", request->spec, problem_help)->required();
-    app->add_option("-o,--output", request->path, "the file to write, - for standard output")
-        ->capture_default_str();
-    app->footer("Examples:\n"
-                "  plprove certify 2394 -o chicago.plc\n"
-                "  plprove certify '3*P/P/P + P/P/a' | plcheck /dev/stdin");
-    return {app, [request] {
-                deliver(request->path, write(certify_problem(parse_spec(request->spec))));
-                return 0;
-            }};
-}
-
-void decide_problem(const std::string& spec, bool json, const std::string& certificate) {
-    const Problem problem = parse_spec(spec);
-    const ProblemReport report = report_on(problem);
-    // The certificate first: where it fails, nothing is said that it was to prove.
-    if (!certificate.empty()) deliver(certificate, write(certify_problem(problem)));
-    deliver("-", json ? json_report(report) : text_report(report));
-}
-
-Command problem_command(CLI::App& program) {
-    struct Request {
-        std::string spec;
-        std::string certificate;
-        bool json = false;
-    };
-    auto request = std::make_shared<Request>();
-    CLI::App* app = program.add_subcommand(
-        "problem", "Say whether a problem is minimal, why, and what is known of it");
-    app->add_option("PROBLEM", request->spec, problem_help)->required();
-    app->add_flag("--json", request->json, "print JSON");
-    app->add_option("--certificate", request->certificate,
-                    "also write a certificate of the verdict to this file");
-    app->footer(problem_examples + wrapped(list_of_names()));
-    return {app, [request] {
-                decide_problem(request->spec, request->json, request->certificate);
-                return 0;
-            }};
-}
-
-struct ShowRequest {
-    std::string spec;
-    std::string svg;
-    std::string tikz;
-    std::string highlight;
-};
-
-void show(const ShowRequest& request) {
-    const Problem problem = parse_spec(request.spec);
-    Highlight highlight = Highlight::nothing;
-    if (!request.highlight.empty()) {
-        if (!has_five_points(problem))
-            throw BadInput("no two views of " + notation(problem) +
-                           " share exactly five points: leave --highlight out");
-        if (request.svg.empty() && request.tikz.empty())
-            throw BadInput(
-                "the drawing for a terminal is not in colour: add --svg FILE or --tikz FILE");
-        highlight = Highlight::five_points;
-    }
-    if (!request.svg.empty()) deliver(request.svg, draw_svg(problem, highlight));
-    if (!request.tikz.empty()) deliver(request.tikz, draw_tikz(problem, highlight));
-    if (request.svg.empty() && request.tikz.empty()) deliver("-", draw_text(problem));
-}
-
-Command show_command(CLI::App& program) {
-    auto request = std::make_shared<ShowRequest>();
-    CLI::App* app =
-        program.add_subcommand("show", "Draw a problem: what each view sees, side by side");
-    app->add_option("PROBLEM", request->spec, problem_help)->required();
-    app->add_option("--svg", request->svg,
-                    "write the picture to this file (- for standard output), instead of drawing "
-                    "in the terminal")
-        ->type_name("FILE");
-    app->add_option("--tikz", request->tikz, "write it for LaTeX, likewise")->type_name("FILE");
-    app->add_option("--highlight", request->highlight,
-                    "five-point: in red, five points that two views share, which fix their "
-                    "relative pose")
-        ->type_name("WHAT")
-        ->check(CLI::IsMember({"five-point"}));
-    app->footer(
-        "Examples:\n"
-        "  plprove show '2*Pa/Pa/Pa + P/P/P'\n"
-        "  plprove show Chicago --svg chicago.svg\n"
-        "  plprove show P3P+five-point --highlight five-point --tikz p3p.tex\n"
-        "                                       for LaTeX; the file says how to include it");
-    return {app, [request] {
-                show(*request);
                 return 0;
             }};
 }
@@ -299,10 +161,10 @@ std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
                    "Exit status: 0 done, 1 failed, 2 bad input, 3 wrong use.");
     program.set_version_flag("--version", version_text());
     program.require_subcommand(1);
-    return {problem_command(program),
-            show_command(program),
+    return {add_problem_command(program, deliver),
+            add_show_command(program, deliver),
             add_list_command(program, deliver),
-            certify_command(program),
+            add_certify_command(program, deliver),
             classification_command(program),
             add_bounds_command(program, deliver),
             add_degree_command(program, deliver, compute),
