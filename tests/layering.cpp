@@ -35,7 +35,7 @@ const std::map<std::string, Folders> other_claims{
 /// The folders of prover/, from the bottom to the top.
 const Folders layers{"system",  "format",  "problem",   "geometry",     "classification",
                      "bounds",  "degree",  "catalogue", "degree_sweep", "solver",
-                     "library", "drawing", "scripts",   "bundle",       "cli"};
+                     "drawing", "library", "scripts",   "bundle",       "cli"};
 
 /// A line `#include "to"` in the file `from`; both are paths in the project.
 struct Arrow {
