@@ -1,6 +1,8 @@
-// Fuzzed: the ways to name a problem (notation, number, signature, the authors' Macaulay2
-// encoding). What is accepted obeys the laws below; what is not is refused with a message.
-#include "prover/classification/decision.h"
+// Fuzzed: the ways to name a problem (notation, name, number, signature, the authors' Macaulay2
+// encoding), hints, and parts of problems. What is accepted obeys the laws below; what is not is
+// refused with a message.
+#include "prover/catalogue/part.h"
+#include "prover/classification/hints.h"
 #include "prover/problem/spec.h"
 #include "tests/fuzz/require.h"
 
@@ -54,6 +56,37 @@ void check(const Problem& problem) {
             "a relabeled problem has another swap&label class");
 }
 
+/// What hints lead to is minimal, and one feature away.
+void check_hints(const Problem& problem) {
+    const Decision decision = decide(problem);
+    const auto size = static_cast<std::ptrdiff_t>(problem.size());
+    for (const Hint& hint : hints(decision)) {
+        const Problem& changed = hint.decision.problem;
+        const std::ptrdiff_t expected = size + hint.added.has_value() - hint.dropped.has_value();
+        require(std::ssize(changed) == expected, "a hint of more than one feature");
+        const Verdict verdict = decide(changed).verdict;
+        require(verdict == Verdict::minimal || verdict == Verdict::camera_minimal,
+                "a hint that does not help");
+    }
+}
+
+/// A problem contains its own features, and they contain it.
+void check_part(const Problem& problem) {
+    std::vector<Part> parts;
+    try {
+        parts = parse_part(notation(problem));
+    } catch (const NotationError&) {
+        return;
+    }
+    Problem fixed;
+    for (const Feature& feature : problem)
+        fixed.push_back(lifted(feature));
+    const auto signature = signature_of(fixed);
+    require(signature.has_value(), "a part of other features than the 27");
+    require(contains(*signature, parts.front()), "a problem lacks its own features");
+    require(is_contained(*signature, parts.front()), "a problem has more than its own features");
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -62,11 +95,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         problem = parse_spec({reinterpret_cast<const char*>(data), size});
     } catch (const NotationError& error) {
         const std::string_view reason = error.what();
-        require(reason.starts_with("column ") && reason.size() < 1000, "a message without a place");
+        const bool has_place = reason.starts_with("column ");
+        const bool is_name = reason.find(" is no name of a problem") != std::string_view::npos;
+        require(has_place || is_name, "a message without a place");
+        require(reason.size() < 1000, "a long message");
         require(std::ranges::all_of(reason, [](char c) { return c >= ' ' && c <= '~'; }),
                 "a message unfit for a terminal");
         return 0;
     }
     check(problem);
+    check_hints(problem);
+    check_part(problem);
     return 0;
 }
