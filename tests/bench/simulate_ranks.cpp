@@ -4,10 +4,10 @@
 //
 // RUNS are files with a JSON object a line that has the number of a class, its degree, and the
 // seconds that one core took: runs.jsonl of a sweep. A class that none of them has is taken to need
-// as long per solution as those that they have do together. The simulated sweep does what plprove
-// degrees does under mpirun: rank 0 gives the classes out by their degrees on file, largest first,
-// and a rank that is done waits for the next message. The program also says how smallest first
-// would do.
+// as long per solution as the one that they have whose degree is nearest. The simulated sweep does
+// what plprove degrees does under mpirun: rank 0 gives the classes out by their degrees on file,
+// largest first, and a rank that is done waits for the next message. The program also says how
+// smallest first would do.
 #include "prover/catalogue/degrees.h"
 #include "prover/degree_sweep/classes.h"
 
@@ -16,6 +16,7 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -36,13 +37,19 @@ struct Class {
     double seconds = 0;
 };
 
-/// The seconds of the classes that were measured, by number, and those of a solution.
+/// The classes that were measured, by number, and the seconds a solution of each, by degree.
 struct Measurement {
-    std::map<std::size_t, double> seconds;
-    double sum = 0;
-    double solutions = 0;
+    std::map<std::size_t, Class> classes;
+    std::multimap<int, double> rates;
 
-    double of_a_solution() const { return sum / solutions; }
+    /// As long per solution as the class whose degree is nearest.
+    double estimate(int degree) const {
+        auto above = rates.lower_bound(degree);
+        if (above == rates.end()) above = std::prev(above);
+        const auto below = above == rates.begin() ? above : std::prev(above);
+        const bool above_is_nearer = above->first - degree < degree - below->first;
+        return degree * (above_is_nearer ? above : below)->second;
+    }
 };
 
 void add(const char* path, Measurement& measurement) {
@@ -50,11 +57,10 @@ void add(const char* path, Measurement& measurement) {
     if (!file) throw std::runtime_error(std::string("cannot read ") + path);
     for (std::string line; std::getline(file, line);) {
         const nlohmann::json run = nlohmann::json::parse(line);
-        const auto number = run.at("number").get<std::size_t>();
-        const auto seconds = run.at("seconds").get<double>();
-        if (!measurement.seconds.emplace(number, seconds).second) continue;
-        measurement.sum += seconds;
-        measurement.solutions += run.at("degree").get<double>();
+        const Class one{run.at("degree").get<int>(), run.at("seconds").get<double>()};
+        if (one.degree == 0) continue;
+        if (measurement.classes.emplace(run.at("number").get<std::size_t>(), one).second)
+            measurement.rates.emplace(one.degree, one.seconds / one.degree);
     }
 }
 
@@ -66,10 +72,9 @@ std::vector<Class> classes_with(const Measurement& measurement) {
         Class one;
         for (const DegreeRecord& record : on_file.find(number, number))
             one.degree = std::max(one.degree, record.degree);
-        const auto measured = measurement.seconds.find(number);
-        one.seconds = measured == measurement.seconds.end()
-                          ? one.degree * measurement.of_a_solution()
-                          : measured->second;
+        const auto measured = measurement.classes.find(number);
+        one.seconds = measured == measurement.classes.end() ? measurement.estimate(one.degree)
+                                                            : measured->second.seconds;
         classes.push_back(one);
     }
     std::ranges::sort(classes, std::greater<>(), &Class::degree);
@@ -121,10 +126,9 @@ int main(int argc, char** argv) {
         Measurement measurement;
         for (int i = 1; i < argc; ++i)
             add(argv[i], measurement);
-        if (measurement.solutions == 0)
+        if (measurement.classes.empty())
             throw std::runtime_error("usage: simulate_ranks RUNS..., the runs.jsonl of sweeps");
-        std::cout << measurement.seconds.size() << " classes measured, "
-                  << 1000 * measurement.of_a_solution() << " ms a solution\n";
+        std::cout << measurement.classes.size() << " classes measured\n";
         print_table(classes_with(measurement));
         return 0;
     } catch (const std::exception& error) {
