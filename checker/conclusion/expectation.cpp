@@ -155,28 +155,60 @@ static std::string missing(const DegreeBounds& bounds, const ExpectedDegree& exp
     return at_least + ", and no upper bound; one may need the classification and bounds.plc";
 }
 
+/// The bounds of the number of relative poses of two views, which a camera-minimal problem in two
+/// views has as its degree: exact if some class attains a product of which it is a factor
+/// (proofs/upper_bounds.md, section 6).
+static DegreeBounds bounds_of_poses(const Findings& findings) {
+    DegreeBounds bounds;
+    const auto poses = findings.registrations.find(relative_pose);
+    if (poses == findings.registrations.end()) return bounds;
+    bounds.at_most = UpperBound{poses->second, relative_pose};
+    const auto is_attained = [](const auto& entry) {
+        const DegreeBounds& known = entry.second;
+        return known.exact() && !known.at_most->by_theorem();
+    };
+    if (std::ranges::any_of(findings.degrees, is_attained)) bounds.at_least = poses->second;
+    return bounds;
+}
+
+/// What is known of a degree, and by which files.
+struct KnownDegree {
+    DegreeBounds bounds{};
+    BoundFiles files{};
+    std::string source{}; // in words, whose degree it is; empty if the files do not say
+};
+
+static KnownDegree degree_of(const Classification& classes, const Findings& findings,
+                             const Proved& proved, unsigned views) {
+    if (views == 2 && proved.verdict.ends_with("minimal")) {
+        BoundFiles files = files_of_bounds(classes, findings, Signature{});
+        files.lower.insert(files.lower.end(), files.upper.begin(), files.upper.end());
+        return {bounds_of_poses(findings), files,
+                "its degree is the number of relative poses of two views"};
+    }
+    if (!proved.number) return {};
+    const Signature& signature = classes.representatives[*proved.number];
+    return {bounds_of(findings.degrees, signature), files_of_bounds(classes, findings, signature),
+            say("its degree is that of label class ", *proved.number, ", ", notation(signature))};
+}
+
 /// Judges the degree: adds the steps, returns what is missing.
-static std::string judge_degree(Judgement& judgement, const Classification& classes,
-                                const Findings& findings, const Proved& proved,
+static std::string judge_degree(Judgement& judgement, const KnownDegree& known,
                                 const ExpectedDegree& expected) {
-    if (!proved.number)
+    if (known.source.empty())
         return "these files do not say to which class it reduces; add its certificate, which "
                "plprove problem PROBLEM --certificate FILE writes";
-    const Signature& signature = classes.representatives[*proved.number];
-    const DegreeBounds bounds = bounds_of(findings.degrees, signature);
-    judgement.why.push_back(
-        say("its degree is that of label class ", *proved.number, ", ", notation(signature)));
-    const std::string gap = missing(bounds, expected);
+    const DegreeBounds& bounds = known.bounds;
+    judgement.why.push_back(known.source);
     if (bounds.at_least > 0)
         judgement.why.push_back(say("at least ", bounds.at_least, " solutions of its equations"));
     if (bounds.at_most) judgement.why.push_back(in_words(*bounds.at_most));
+    const std::string gap = missing(bounds, expected);
     if (!gap.empty()) return gap;
-    if (!proved.file.empty()) add_file(judgement, proved.file);
-    const BoundFiles files = files_of_bounds(classes, findings, signature);
-    for (const std::string& file : files.lower)
+    for (const std::string& file : known.files.lower)
         add_file(judgement, file);
     if (expected.exactly)
-        for (const std::string& file : files.upper)
+        for (const std::string& file : known.files.upper)
             add_file(judgement, file);
     return {};
 }
@@ -197,8 +229,11 @@ Judgement judge(const Classification& classes, const Findings& findings,
         else
             add_file(judgement, proved.file);
     }
-    if (gap.empty() && expected.degree)
-        gap = judge_degree(judgement, classes, findings, proved, *expected.degree);
+    const bool judges_degree = gap.empty() && expected.degree;
+    if (judges_degree && !proved.file.empty()) add_file(judgement, proved.file);
+    if (judges_degree)
+        gap = judge_degree(judgement, degree_of(classes, findings, proved, expected.problem.views),
+                           *expected.degree);
     judgement.verified = gap.empty();
     judgement.statement = in_words(expected);
     if (!gap.empty()) judgement.statement += ": " + gap;

@@ -1,4 +1,5 @@
 // What a user expects is verified if the files prove just that, and not otherwise.
+#include "checker/bounds/registration.h"
 #include "prover/classification/problem_certificate.h"
 #include "prover/problem/notation.h"
 #include "tests/support/random_problems.h"
@@ -179,6 +180,31 @@ TEST_CASE("a constraint class shares its degree: swaps, exchanges and other orde
     CHECK(verified(files, expect("3*P/P/P + -/P/P + P/a/a", "minimal", exactly(464))));
     CHECK(verified(files, expect("3*P/P/P + -/P/P + Pab/b/a", "minimal", exactly(464))));
     CHECK(verified(files, expect("3*P/P/P + P/-/P + a/P/a", "minimal", exactly(464))));
+}
+
+TEST_CASE("in two views the degree is the number of relative poses, if a class attains its bound") {
+    const Signature extension = all_classes().representatives[6779]; // of degree 80 = 20 * 4
+    const Registration type = registration(extension, 0b110);
+    CHECK(shared_points(extension, 0b110) == 5);
+    const ReplayedFile all = whole_classification();
+    const ReplayedFile bounds = bounds_file({{relative_pose, 20}, {type, 4}});
+    const ReplayedFile attained = degree_file({{6779, 80, false}});
+    const ReplayedFile fewer = degree_file({{6779, 76, true}});
+    for (const std::string problem : {"5*P/P", "4*P/P + Pa/P + P/- + a/a"}) {
+        const ReplayedFile own = certificate_of(problem);
+        CHECK(verified({all, bounds, attained, own}, expect(problem, "", exactly(20))));
+        CHECK(verified({all, bounds, attained, own}, expect(problem, "", at_least(20))));
+        CHECK_FALSE(verified({all, bounds, attained, own}, expect(problem, "", exactly(10))));
+        CHECK_FALSE(verified({all, bounds, fewer, own}, expect(problem, "", exactly(20))));
+        CHECK_FALSE(verified({all, bounds, fewer, own}, expect(problem, "", at_least(1))));
+        CHECK_FALSE(verified({bounds, attained, own}, expect(problem, "", exactly(20))));
+        CHECK_FALSE(verified({all, bounds, attained}, expect(problem, "", exactly(20))));
+        // Bounds by theorem say nothing of relative poses.
+        CHECK_FALSE(verified({all, bounds, degree_file({{2394, 312, false}}), own},
+                             expect(problem, "", at_least(1))));
+    }
+    const ReplayedFile six = certificate_of("6*P/P");
+    CHECK_FALSE(verified({all, bounds, attained, six}, expect("6*P/P", "", at_least(1))));
 }
 
 TEST_CASE("the files that are named are those that prove it") {
