@@ -1,6 +1,7 @@
 #include "prover/solver/camera_solver.h"
 
 #include "prover/degree/scene.h"
+#include "prover/solver/alignment.h"
 #include "prover/solver/zero_set.h"
 
 namespace plprove {
@@ -94,36 +95,22 @@ PathFollower::Ends CameraSolver::polished(const Images& images,
     return result;
 }
 
-PathFollower::Ends CameraSolver::follow(PathFollower& follower, const Images& images, Effort effort,
-                                        Random& random) const {
-    const Images to = rephased(images, Phases::near_one, random);
-    const auto moving = [&](const Images& a, const Images& b) {
-        return moving_images(system_, start_.constants, a, b);
-    };
-    const auto detour = [&]() -> std::array<TrackedImages, 2> {
-        const Images middle = detour_midpoint(start_.images, to, random);
-        return {moving(start_.images, middle), moving(middle, to)};
-    };
-    const TrackedImages straight = moving(start_.images, to);
+PathFollower::Ends CameraSolver::follow(PathFollower& follower, const Images& to,
+                                        const Images& images, Effort effort) const {
+    const TrackedImages straight = moving_images(system_, start_.constants, start_.images, to);
     auto ends = polished(images, follower.follow_quickly(straight, start_.solutions));
     drop_equal(ends);
     if (effort == Effort::once) return ends;
     fill(ends, start_.solutions, [&](const auto& open) {
         return polished(images, follower.follow_double_double(straight, open));
     });
-    fill(ends, start_.solutions, [&](const auto& open) {
-        return polished(images, follower.follow_triple_double(straight, open));
-    });
-    fill(ends, start_.solutions, [&](const auto& open) {
-        if (open.empty()) return PathFollower::Ends{};
-        return polished(images, follower.follow_detours({detour(), detour}, open));
-    });
     return ends;
 }
 
-FoundZeros CameraSolver::solve(const std::vector<Eigen::Vector3d>& images, Effort effort) const {
+FoundCameras CameraSolver::solve(const std::vector<Eigen::Vector3d>& images, Effort effort) const {
     const int most_ways = effort == Effort::thorough ? 3 : 1;
-    const Images target = complex_images(images);
+    const Alignment alignment = align(system_, start_.images, images);
+    const Images target = complex_images(alignment.turned);
     const std::vector<Complex3> vectors = image_vectors(system_, start_.constants, target);
     Random random(0, start_.number);
     PathFollower follower(tracked_);
@@ -136,7 +123,9 @@ FoundZeros CameraSolver::solve(const std::vector<Eigen::Vector3d>& images, Effor
     for (int way = 0; way < most_ways && found.size() < start_.degree() && found.size() != before;
          ++way) {
         before = found.size();
-        const PathFollower::Ends ends = follow(follower, target, effort, random);
+        const Images to =
+            way == 0 ? alignment.nearest : rephased(alignment.nearest, Phases::near_one, random);
+        const PathFollower::Ends ends = follow(follower, to, target, effort);
         for (const auto& end : ends)
             if (end) add(*end);
         // Conjugates of solutions are solutions, too: some paths need not have arrived.
@@ -147,7 +136,10 @@ FoundZeros CameraSolver::solve(const std::vector<Eigen::Vector3d>& images, Effor
         for (const auto& end : polished(target, conjugates))
             if (end) add(*end);
     }
-    return {found.zeros(), start_.degree() - found.size(), follower.counts().steps};
+    FoundCameras result{{}, start_.degree() - found.size(), follower.counts().steps};
+    for (const CameraPoint& zero : found.zeros())
+        result.cameras.push_back(turned_back(alignment, start_.chart.cameras(zero)));
+    return result;
 }
 
 } // namespace plprove

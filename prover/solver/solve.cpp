@@ -75,19 +75,18 @@ Answer Solver::solve(const SeenImages& images, const SolveOptions& options) cons
 
 Answer Solver::solve(const SeenImages& images, const std::vector<Eigen::Vector3d>& class_images,
                      const SolveOptions& options) const {
-    const FoundZeros found = cameras_->solve(class_images, options.effort);
-    const CameraChart& chart = cameras_->start().chart;
+    const FoundCameras found = cameras_->solve(class_images, options.effort);
     Answer answer;
     answer.degree = degree();
-    answer.found = static_cast<int>(found.zeros.size());
+    answer.found = static_cast<int>(found.cameras.size());
     answer.lost = found.lost;
     if (found.lost == 0 && certified_degree_)
         answer.complete = Completeness::certified;
     else if (found.lost == 0 && cameras_->start().evidence)
         answer.complete = Completeness::evidence;
-    for (const CameraPoint& zero : found.zeros) {
-        const std::vector<ComplexPose> poses = poses_of(chart.cameras(zero));
-        answer.zeros.push_back(standard_chart().point(chart.cameras(zero)));
+    for (const QuaternionCameras& cameras : found.cameras) {
+        const std::vector<ComplexPose> poses = poses_of(cameras);
+        answer.zeros.push_back(standard_chart().point(cameras));
         const std::vector<ComplexPose> ordered = in_problem_order(poses, plan_.view_of);
         if (are_real(poses)) {
             Solution& solution =
