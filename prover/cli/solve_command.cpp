@@ -37,14 +37,6 @@ std::string content_of(const std::string& path) {
     return text;
 }
 
-/// The problem of an example by its name in the literature, or in any notation.
-Problem example_problem(const std::string& name) {
-    if (name == "Chicago") return parse_problem("2*Pa/Pa/Pa + P/P/P");
-    if (name == "Cleveland") return parse_problem("3*P/P/P + a/a/a");
-    if (name == "five-point") return parse_problem("5*P/P");
-    return parse_spec(name);
-}
-
 struct SolveRequest {
     std::string spec;
     std::string images;
@@ -99,7 +91,7 @@ int solve_images(const SolveRequest& request, const Deliver& deliver) {
 
 int run_solve(const SolveRequest& request, const Deliver& deliver) {
     if (!request.example.empty()) {
-        const Problem problem = example_problem(request.example);
+        const Problem problem = parse_spec(request.example);
         plan(problem); // refuses what cannot be solved
         deliver(request.path, images_file(synthetic_scene(problem, 1)));
         return 0;
