@@ -340,7 +340,7 @@ TEST_CASE("what is no minimal problem, or no command, is refused") {
     refused("degree 0", 2, "only minimal and camera-minimal problems have a degree");
     refused("degree '4*P/P/P'", 2, "over-constrained");
     refused("degree P/P/P -o file", 2, "under-constrained");
-    refused("degree '5*P/P' --target 3", 2, "leave --target out");
+    refused("degree '5*P/P' --target 3", 2, "leave --target and --at-least out");
     refused("degree '6*P/P'", 2, "over-constrained");
     refused("degree nonsense", 2, "not a problem");
     refused("degree 143494", 2, "not a problem");
