@@ -102,7 +102,7 @@ def test_threads_share_a_solver():
 
 
 def test_what_is_wrong_is_a_value_error():
-    with pytest.raises(ValueError, match="expected"):
+    with pytest.raises(ValueError, match="did you mean Chicago"):
         pointline.problem("Chicago?")
     with pytest.raises(ValueError, match="minimal"):
         pointline.problem("4*P/P").solver()
