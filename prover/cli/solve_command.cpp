@@ -24,10 +24,10 @@ constexpr const char* solve_examples =
     "Examples:\n"
     "  plprove solve --example Chicago -o images.json\n"
     "                                       images of a synthetic scene to try\n"
-    "  plprove solve 2394 images.json       its cameras\n"
-    "  plprove solve 2394 images.json --json -o answer.json\n"
+    "  plprove solve Chicago images.json    its cameras\n"
+    "  plprove solve Chicago images.json --json -o answer.json\n"
     "                                       every solution, for machines\n"
-    "  plprove solve 2394 images.json --certify mine.plc\n"
+    "  plprove solve Chicago images.json --certify mine.plc\n"
     "  plcheck mine.plc                     proves that each solution exists";
 
 std::string content_of(const std::string& path) {
@@ -144,8 +144,8 @@ Command add_start_command(CLI::App& program, const Deliver& deliver) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app->footer("Examples:\n"
-                "  plprove start 2394 -o chicago.start\n"
-                "  plprove solve 2394 images.json --start chicago.start");
+                "  plprove start Chicago -o chicago.start\n"
+                "  plprove solve Chicago images.json --start chicago.start");
     return {app, [request, deliver] {
                 const SolvePlan how = plan(parse_spec(request->spec));
                 if (!how.number)

@@ -2,7 +2,7 @@
 
     import pointline
 
-    chicago = pointline.problem("2*Pa/Pa/Pa + P/P/P")
+    chicago = pointline.problem("Chicago")  # 2*Pa/Pa/Pa + P/P/P
     solver = chicago.solver()
     answer = solver.solve(points=points, lines=lines, K=K)
     for R, t in zip(answer.R, answer.t):
@@ -96,7 +96,7 @@ class Problem:
 
 
 def problem(text):
-    """Reads and decides a problem: notation, or the authors' number. Raises ValueError."""
+    """Reads and decides a problem: notation, a name, or the authors' number. Raises ValueError."""
     return Problem(text)
 
 

@@ -25,7 +25,7 @@ struct Problem {
     std::vector<std::string> lines;
 };
 
-/// Reads and decides a problem: notation, or the authors' number. Fails where it is none.
+/// Reads and decides a problem: notation, a name, or the authors' number. Fails where it is none.
 Result<Problem> problem(std::string_view text) noexcept;
 
 } // namespace pointline

@@ -95,7 +95,7 @@ struct Options {
 
 class Solver {
 public:
-    /// The solver of a problem in notation, or by the authors' number, with the start from the
+    /// The solver of a problem (notation, a name, or the authors' number) with the start from the
     /// cache; in three views the start is made if it is not there, which may take long.
     static Result<Solver> make(std::string_view problem) noexcept;
     /// The same with the start in a file that `plprove start` wrote.
