@@ -5,7 +5,7 @@
 From Coq Require List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
-From PL1P Require Import Statement Walk System.
+From PL1P Require Import Statement Rigid Walk System.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -4,7 +4,7 @@
     unknowns (dX, then dD of each pin, without the coordinates that the gauge fixes) and the 11 of the cameras. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
-From PL1P Require Import Statement.
+From PL1P Require Import Statement Rigid.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

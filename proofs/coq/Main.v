@@ -2,17 +2,10 @@
 From Coq Require Import NArith ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
-From PL1P Require Import Statement Walk Predicates Orbits Census Regular Obstructed.
+From PL1P Require Import Statement Rigid Walk Predicates Orbits Census Regular Obstructed Minimal.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
-
-Theorem minimal_iff s : balanced s -> minimal s <-> ~~ obstructed s.
-Proof.
-move=> bs; split; last exact: regular_minimal.
-case=> C [scene [sh ad rg]]; apply/negP => ob.
-exact: (obstructed_not_rigid sh ad bs ob rg).
-Qed.
 
 (** ** The flags of the census, by the stated predicates *)
 Section Flags.
@@ -93,13 +86,6 @@ move=> qP pq; apply: (classesP merge_orbit_size merge_nonempty merge_orbit_same)
 - exact: (stable merge_orbit_size portrait_swap pq).
 Qed.
 
-Lemma minP s : balanced s -> reflect (minimal s) (~~ obstructed s).
-Proof. by move=> bs; apply: (iffP idP) => /(minimal_iff bs). Qed.
-Lemma notminP s : balanced s -> reflect (~ minimal s) (obstructed s).
-Proof.
-move=> bs; apply: (iffP idP) => [ob /(minimal_iff bs)|h]; first by rewrite ob.
-by apply/negPn/negP => /(minimal_iff bs).
-Qed.
 Lemma and_reflect (A B : Prop) a b : reflect A a -> reflect B b -> reflect (A /\ B) (a && b).
 Proof. by move=> ra rb; apply: (iffP andP) => -[/ra ? /rb ?]. Qed.
 
@@ -141,9 +127,43 @@ move=> e; split=> [s bs|s t bs bt /(e _ _ bs bt) h|s t u bs bt bu /(e _ _ bs bt)
 - by apply/(e _ _ bs bu) => w; rewrite h1.
 Qed.
 
-Theorem main_theorem : classification.
+(** ** Over a field F of characteristic 0 *)
+Section Over.
+Variable F : fieldType.
+Hypothesis char0 : [char F]%R =i pred0.
+
+Lemma minP s : balanced s -> reflect (minimal F s) (~~ obstructed s).
+Proof. by move=> bs; apply: (iffP idP) => /(minimal_iff char0 bs). Qed.
+Lemma notminP s : balanced s -> reflect (~ minimal F s) (obstructed s).
+Proof.
+move=> bs; apply: (iffP idP) => [ob /(minimal_iff char0 bs)|h]; first by rewrite ob.
+by apply/negPn/negP => /(minimal_iff char0 bs).
+Qed.
+
+Lemma classified : classification_over F.
 Proof.
 have andA (A B D : Prop) : A /\ (B /\ D) <-> (A /\ B) /\ D by tauto.
+split.
+- by move=> s bs; exact: minimal_iff char0 bs.
+- split.
+  + exact: (label_classes minP pp_min (@counted 2 isT)).
+  + exact: (label_classes notminP pp_obs (@counted 3 isT)).
+  + exact: (swap_classes minP pp_min (@counted 4 isT)).
+  + exact: (swap_classes notminP pp_obs (@counted 5 isT)).
+- split.
+  + apply: (classes_iff (fun s => andA _ _ _)); apply: (label_classes _ pp_pl0p); last exact: (@counted 6 isT).
+    by move=> s bs; exact: and_reflect (minP bs) (pl0p_byE s).
+  + apply: (classes_iff (fun s => andA _ _ _)); apply: (swap_classes _ pp_one); last exact: (@counted 7 isT).
+    by move=> s bs; exact: and_reflect (minP bs) (one_pin_byE s).
+  + apply: (classes_iff (fun s => andA _ _ _)); apply: (label_classes _ pp_five); last exact: (@counted 8 isT).
+    by move=> s bs; exact: and_reflect (minP bs) (five_byE s).
+  + apply: (classes_iff (fun s => andA _ _ _)); apply: (swap_classes _ pp_five); last exact: (@counted 9 isT).
+    by move=> s bs; exact: and_reflect (minP bs) (five_byE s).
+Qed.
+End Over.
+
+Theorem main_theorem : classification.
+Proof.
 have true_iff s : balanced s /\ True <-> balanced s by tauto.
 have rT s : balanced s -> reflect True true by move=> _; constructor.
 split.
@@ -159,20 +179,14 @@ split.
     apply: etrans (@counted 0 isT); apply: (congr1 N.of_nat); by apply: eq_count => s; rewrite andbT.
   + apply: (classes_iff true_iff); apply: (swap_classes rT pp_true).
     apply: etrans (@counted 1 isT); apply: (congr1 N.of_nat); by apply: eq_count => s; rewrite andbT.
-- split; first exact: minimal_iff.
-  by move=> R C scene s sh bs ob ad; exact: (obstructed_not_rigid sh ad bs ob).
-- split.
-  + exact: (label_classes minP pp_min (@counted 2 isT)).
-  + exact: (label_classes notminP pp_obs (@counted 3 isT)).
-  + exact: (swap_classes minP pp_min (@counted 4 isT)).
-  + exact: (swap_classes notminP pp_obs (@counted 5 isT)).
-- split.
-  + apply: (classes_iff (fun s => andA _ _ _)); apply: (label_classes _ pp_pl0p); last exact: (@counted 6 isT).
-    by move=> s bs; exact: and_reflect (minP bs) (pl0p_byE s).
-  + apply: (classes_iff (fun s => andA _ _ _)); apply: (swap_classes _ pp_one); last exact: (@counted 7 isT).
-    by move=> s bs; exact: and_reflect (minP bs) (one_pin_byE s).
-  + apply: (classes_iff (fun s => andA _ _ _)); apply: (label_classes _ pp_five); last exact: (@counted 8 isT).
-    by move=> s bs; exact: and_reflect (minP bs) (five_byE s).
-  + apply: (classes_iff (fun s => andA _ _ _)); apply: (swap_classes _ pp_five); last exact: (@counted 9 isT).
-    by move=> s bs; exact: and_reflect (minP bs) (five_byE s).
+- exact: classified.
+Qed.
+
+Theorem rigidity_theorem : rigidity.
+Proof.
+have only_if (R : idomainType) (C : view -> camera R) scene s : shape scene s -> balanced s -> obstructed s ->
+    admissible C scene -> ~ rigid C scene.
+  by move=> sh bs ob ad; exact: (obstructed_not_rigid sh ad bs ob).
+split=> // F char0 s bs; apply: (iff_trans (minimal_iff char0 bs)); split; first exact: regular_rigid.
+by case=> C [scene [sh ad rg]]; apply/negP => ob; exact: only_if sh bs ob ad rg.
 Qed.

@@ -1,11 +1,11 @@
-(** * Not obstructed implies minimal: from the walk to rigid integer configurations
+(** * Not obstructed implies rigid: from the walk to rigid integer configurations
 
     A full state says that p divides the camera part of every integer motion that changes no image; the pivots of
     the blocks say that p divides the rest; dividing by p again and again, the motion is zero. *)
 From Coq Require Import ZArith Uint63 List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
-From PL1P Require Import Statement Walk Elimination Forms Pool Tree.
+From PL1P Require Import Statement Rigid Walk Elimination Forms Pool Tree.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -296,7 +296,7 @@ move=> /andP[/and4P[/andP[a1 b1] /andP[a2 b2] /andP[a3 b3] _] /allP hd]; split.
 - by move=> j jk; apply/eqP/hd; rewrite mem_iota.
 Qed.
 
-Theorem regular_minimal s : balanced s -> ~~ obstructed s -> minimal s.
+Theorem regular_rigid s : balanced s -> ~~ obstructed s -> rigid_somewhere s.
 Proof.
 move=> bs us; exists cams, (scene_of s); split.
 - by apply: shape_scene; case/andP: bs => /eqP.

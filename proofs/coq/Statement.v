@@ -6,6 +6,7 @@
 From Coq Require Import NArith ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.   (* Z, Coq's integers, as an integral domain *)
+From SsrMultinomials Require Import mpoly. (* {mpoly F[n]}, polynomials in n unknowns 'X_i over F *)
 Set Implicit Arguments.
 Import GRing.Theory.
 
@@ -76,7 +77,7 @@ Inductive swap_equiv : signature -> signature -> Prop :=
   | sw_sym s t : swap_equiv s t -> swap_equiv t s
   | sw_trans s t u : swap_equiv s t -> swap_equiv t u -> swap_equiv s u.
 
-(** ** Cameras, scenes and their motions, over an integral domain R *)
+(** ** Cameras and scenes, over an integral domain R *)
 Section Geometry.
 Variable R : idomainType.
 Local Open Scope ring_scope.
@@ -90,8 +91,6 @@ Definition cross u w :=
 (** A camera [R~ | t]: [rot q] is R~, the rotation of the quaternion q = qa + qb i + qc j + qd k
     times its norm. *)
 Record quat := Quat { qa : R; qb : R; qc : R; qd : R }.
-Definition conj q := Quat (qa q) (- qb q) (- qc q) (- qd q).
-Definition norm q := qa q ^+ 2 + qb q ^+ 2 + qc q ^+ 2 + qd q ^+ 2.
 Definition rot q u := let: Quat a b c d := q in Vec
   (dot (Vec (a^+2 + b^+2 - c^+2 - d^+2) ((b*c - a*d) *+ 2) ((b*d + a*c) *+ 2)) u)
   (dot (Vec ((b*c + a*d) *+ 2) (a^+2 - b^+2 + c^+2 - d^+2) ((c*d - a*b) *+ 2)) u)
@@ -99,60 +98,62 @@ Definition rot q u := let: Quat a b c d := q in Vec
 Record camera := Camera { quat_of : quat; trans : vec }.
 Definition turn C u := rot (quat_of C) u.
 Definition project C X := add (turn C X) (trans C).
-Definition centre C := rot (conj (quat_of C)) (trans C).   (* up to the factor -1/norm^2 *)
 (** A placed feature: which of the 27, its point, the directions of its pins 0, 1, ... *)
 Record placed := Placed { kind : nat; point : vec; dir : nat -> vec }.
 (** The image of pin j. *)
 Definition line C p j := cross (project C (point p)) (turn C (dir p j)).
-(** First-order motions: R~ moves by omega x R~, t by dt, points by dX, directions by dD. *)
-Record twist := Twist { omega : vec; dt : vec }.
-Record motion := Motion { dX : vec; dD : nat -> vec }.
-Definition d_turn C T D dD := add (cross (omega T) (turn C D)) (turn C dD).
-Definition d_project C T X dX := add (d_turn C T X dX) (dt T).
-Definition d_line C T p m j := dot (line C p j) (d_turn C T (dir p j) (dD m j)).
-(** The change of the image of p in a view that sees the look l, linear in (T, m). *)
-Definition image_change C T p m (l : look) : seq R :=
-  let x := project C (point p) in let dx := d_project C T (point p) (dX m) in
-  (if l.1 then [:: dot (Vec 0 (x3 x) (- x2 x)) dx; dot (Vec (- x3 x) 0 (x1 x)) dx] else [::]) ++
-  flatten [seq
-    d_line C T p m j :: (if l.1 then [::] else [:: dot (line C p j) dx]) | j <- l.2].
-(** Normalisations that leave 11 parameters to the cameras and [dim3] to a feature. *)
-Definition gauge (T : view -> twist) := T V1 = Twist vec0 vec0 /\ x1 (dt (T V2)) = 0.
-Definition feature_gauge p m :=
-  (forall j, (j < pins (ft (kind p)))%N -> x3 (dD m j) = 0) /\
-  (free (ft (kind p)) -> x3 (dX m) = 0).
-Definition p0 := Placed 0 vec0 (fun _ => vec0).
-(** Rigid: only the zero motion changes no image. *)
-Definition rigid (C : view -> camera) (scene : seq placed) :=
-  forall (T : view -> twist) (m : nat -> motion),
-  gauge T ->
-  (forall n, (n < size scene)%N -> let p := nth p0 scene n in feature_gauge p (m n) /\
-     forall v, all (pred1 0) (image_change (C v) (T v) p (m n) (looks (ft (kind p)) v))) ->
-  (forall v, T v = Twist vec0 vec0) /\
-  (forall n, n < size scene -> dX (m n) = vec0 /\
-     forall j, j < pins (ft (kind (nth p0 scene n))) -> dD (m n) j = vec0)%N.
-Definition shape (scene : seq placed) (s : signature) :=
-  all (fun p => kind p < 27)%N scene /\
-  s = [seq count (fun p => kind p == i) scene | i <- iota 0 27].
-(** Admissible: camera 1 is [1 | 0]; no quaternion has norm zero; the first coordinate of the
-    translation of camera 2 is not zero; *the three centres are distinct*; and of each feature, the
-    third coordinate of a seen point, the image of a seen line and the third coordinate of a
-    direction are not zero. *)
-Definition admissible (C : view -> camera) (scene : seq placed) :=
-  [/\ C V1 = Camera (Quat 1 0 0 0) vec0,
-      forall v, norm (quat_of (C v)) <> 0,
-      x1 (trans (C V2)) <> 0,
-      (forall u v, u <> v ->
-         scale (norm (quat_of (C v)) ^+ 2) (centre (C u)) <>
-         scale (norm (quat_of (C u)) ^+ 2) (centre (C v))) &
-      forall n, (n < size scene)%N -> let p := nth p0 scene n in
-      [/\ (forall v, sees_point (ft (kind p)) v -> x3 (project (C v) (point p)) <> 0),
-          (forall v j, j \in sees_pins (ft (kind p)) v -> line (C v) p j <> vec0) &
-          forall j, (j < pins (ft (kind p)))%N -> x3 (dir p j) <> 0]].
+(** The configuration with parameters x: 11 of the cameras, then those of the features in turn. A
+    similarity of space makes camera 1 [1 | 0], and the translation of camera 2 begin with 1. To
+    scale a camera moves no image, so its quaternion begins with 1 (half turns are left out). A
+    point has 3 parameters, a direction (d, d', 1) 2, and a free line 4: its point has x3 = 0. *)
+Definition cameras_at (x : nat -> R) := by_view (Camera (Quat 1 0 0 0) vec0)
+  (Camera (Quat 1 (x 0%N) (x 1%N) (x 2%N)) (Vec 1 (x 3%N) (x 4%N)))
+  (Camera (Quat 1 (x 5%N) (x 6%N) (x 7%N)) (Vec (x 8%N) (x 9%N) (x 10%N))).
+Definition place_at (x : nat -> R) i := let o := (if free (ft i) then 2 else 3)%N in
+  Placed i (Vec (x 0%N) (x 1%N) (if free (ft i) then 0 else x 2%N))
+    (fun j => Vec (x (o + 2 * j)%N) (x (o + 2 * j).+1) 1).
+(** The features of s, one by one, and how many parameters each has. *)
+Definition kinds (s : signature) := flatten [seq nseq (nth 0 s i) i | i <- iota 0 27]%N.
+Definition sizes s := [seq dim3 (ft i) | i <- kinds s].
+Definition scene_at (x : nat -> R) s :=
+  let own n k := x (11 + (sumn (take n (sizes s)) + k))%N in
+  mkseq (fun n => place_at (own n) (nth 0%N (kinds s) n)) (size (kinds s)).
 End Geometry.
-(** Minimal: rigid at some admissible configuration over the integers. *)
-Definition minimal s := exists (C : view -> camera [idomainType of Z]) scene,
-  [/\ shape scene s, admissible C scene & rigid C scene].
+
+(** ** Minimal: the paper's definition in the language of function fields
+
+    Let F be a field of characteristic 0, and K the field of rational functions over F in the
+    parameters. The joint camera map sends the parameters to the coordinates y of the images, which
+    are elements of K. It is dominant if the y are algebraically independent. Its generic fibre is
+    finite if K is algebraic over F(y). A problem is minimal if both hold: then generic images have
+    a finite number of solutions over an algebraic closure, and at least one. *)
+Section Minimal.
+Local Open Scope ring_scope.
+(** The image of a feature. A point is (x1/x3, x2/x3). A line n1 x1 + n2 x2 + n3 x3 = 0 is
+    (n1/n3, n2/n3), and n1/n2 if it goes through the point that is seen. For a balanced signature no
+    denominator is zero in K (Minimal.v, [generic_regular]). *)
+Definition image (K : fieldType) (C : camera K) p (l : look) : seq K :=
+  let x := project C (point p) in
+  (if l.1 then [:: x1 x / x3 x; x2 x / x3 x] else [::]) ++
+  flatten [seq let n := line C p j in
+    if l.1 then [:: x1 n / x2 n] else [:: x1 n / x3 n; x2 n / x3 n] | j <- l.2].
+Variables (F : fieldType) (s : signature).
+Definition parameters := (11 + sumn (sizes s))%N.
+Notation K := [fieldType of {fraction {mpoly F[parameters]}}].
+(** Polynomials in the parameters, as elements of K; the parameters; the images. *)
+Definition in_K (p : {mpoly F[parameters]}) : K := FracField.tofrac p.
+Definition generic k : K := if insub k is Some i then in_K 'X_i else 0.
+Definition images : seq K := let C := cameras_at K generic in
+  flatten [seq flatten [seq image (C v) p (looks (ft (kind p)) v) | v <- views]
+          | p <- scene_at K generic s].
+Definition y (j : 'I_(size images)) := nth 0 images j.
+Definition at_y := mmap (fun a => in_K a%:MP) y.   (* the value of a polynomial at y *)
+Definition dominant := forall Q, at_y Q = 0 -> Q = 0.
+(** Every u in K is a root of a polynomial that is not zero and has its coefficients in F[y]. *)
+Definition generically_finite :=
+  forall u : K, exists2 p, map_poly at_y p != 0 & root (map_poly at_y p) u.
+Definition minimal := dominant /\ generically_finite.
+End Minimal.
 
 (** ** Obstructed: two views share more than five points, or the cameras can slide along a star *)
 Definition shared s u v := total s (fun i => sees_point (ft i) u && sees_point (ft i) v).
@@ -179,25 +180,26 @@ Definition classes (E : signature -> signature -> Prop) (Q : signature -> Prop) 
   [/\ N.of_nat (size reps) = n, uniq reps, {in reps, forall r, Q r},
       {in reps &, forall r r', E r r' -> r = r'} &
       forall s, Q s -> exists2 r, r \in reps & E s r].
-Definition good s := balanced s /\ minimal s.
-Definition bad s := balanced s /\ ~ minimal s.
 Definition only (c : feature -> bool) (s : signature) :=
   forall i, i < 27 -> 0 < nth 0 s i -> c (ft i).
+Section Claim.
+Variable F : fieldType.
+Definition good s := balanced s /\ minimal F s.
+Definition bad s := balanced s /\ ~ minimal F s.
 Definition pl0p s := good s /\ only (fun f => (pins f == 0) || free f) s.
 Definition one_pin s := good s /\ only (fun f => pins f <= 1) s.
 Definition five_point s :=
   good s /\ [\/ shared s V1 V2 = 5, shared s V1 V3 = 5 | shared s V2 V3 = 5].
-Definition classification : Prop :=
-  [/\ equivalence label_equiv /\ equivalence swap_equiv,
-      [/\ classes eq balanced 845161,
-          classes label_equiv balanced 143494 &
-          classes swap_equiv balanced 76446],
-      (* Minimal is what is not obstructed. What is obstructed is rigid at no admissible
-         configuration over any integral domain; admissible includes distinct centres. *)
-      (forall s, balanced s -> minimal s <-> ~~ obstructed s) /\
-      (forall (R : idomainType) (C : view -> camera R) scene s,
-         shape scene s -> balanced s -> obstructed s -> admissible C scene -> ~ rigid C scene),
+Definition classification_over :=
+  [/\ forall s, balanced s -> minimal F s <-> ~~ obstructed s,
       [/\ classes label_equiv good 140616, classes label_equiv bad 2878,
           classes swap_equiv good 74575 & classes swap_equiv bad 1871] &
       [/\ classes label_equiv pl0p 51, classes swap_equiv one_pin 9533,
           classes label_equiv five_point 6413 & classes swap_equiv five_point 3615]].
+End Claim.
+Definition classification : Prop :=
+  [/\ equivalence label_equiv /\ equivalence swap_equiv,
+      [/\ classes eq balanced 845161,
+          classes label_equiv balanced 143494 &
+          classes swap_equiv balanced 76446] &
+      forall F : fieldType, [char F]%R =i pred0 -> classification_over F].

@@ -4,7 +4,7 @@
     functions nat -> R of which a form reads the first n; a block's forms read global unknowns z and its own y. *)
 From Coq Require List.
 From mathcomp Require Import all_ssreflect all_algebra.
-From PL1P Require Import Statement.
+From PL1P Require Import Statement Rigid.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

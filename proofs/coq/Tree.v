@@ -6,7 +6,7 @@
 From Coq Require Import ZArith Uint63 List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
-From PL1P Require Import Statement Walk Predicates Elimination Forms Pool.
+From PL1P Require Import Statement Rigid Walk Predicates Elimination Forms Pool.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
