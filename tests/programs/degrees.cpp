@@ -378,4 +378,5 @@ TEST_CASE("filters are given with dashes or without") {
     CHECK(count("--classes=--pl0p", "c") == 51);
     CHECK(count("--classes '--pl0p --points ..3' --classes 2394", "d") < 51);
     CHECK(count("--classes \"$(" + plprove + " list --pl0p --minimal)\"", "e") == 51);
+    CHECK(count("--classes 'contains 3*P/P/P+a/a/a'", "f") == 1);
 }
