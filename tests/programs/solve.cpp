@@ -122,6 +122,25 @@ TEST_CASE("a certificate for images in pixels says how far its images are from t
     CHECK(run(plcheck + " " + (session / "mine.plc").string()).status == 0);
 }
 
+TEST_CASE(
+    "certificates are for problems in any order of views, and for those that are not reduced") {
+    const Session session;
+    for (const std::string problem :
+         {"Pa/a/Pa + Pa/Pa/a + Pa/a/P + 3*P/-/P", "P/P/P + a/Pa/a + a/P/P + 4*P/P/-"}) {
+        CAPTURE(problem);
+        session.plprove("solve --example '" + problem + "' -o images.json");
+        const Outcome outcome =
+            session.plprove("solve '" + problem + "' images.json --certify mine.plc --json");
+        CHECK(outcome.status == 0);
+        const Json answer = Json::parse(outcome.out);
+        CHECK(answer["certificate"]["solutions"] == answer["degree"]);
+        const Outcome replayed = run(plcheck + " " + (session / "mine.plc").string());
+        CHECK(replayed.status == 0);
+        CHECK(replayed.out.find("at least " + std::to_string(answer["degree"].get<int>()) +
+                                " solutions") != std::string::npos);
+    }
+}
+
 TEST_CASE("pins that miss their points are moved, and the answer says how far") {
     const Session session;
     session.plprove("solve --example Chicago -o images.json");
