@@ -48,7 +48,11 @@ struct SolveRequest {
 };
 
 Solver solver_for(const SolveRequest& request, const Problem& problem) {
-    if (request.start.empty()) return make_solver(problem);
+    if (request.start.empty()) {
+        ProgressLine line("getting the start", 1);
+        line.show(0);
+        return make_solver(problem);
+    }
     return {plan(problem), read_start(content_of(request.start), request.start)};
 }
 
@@ -151,7 +155,13 @@ Command add_start_command(CLI::App& program, const Deliver& deliver) {
                 if (!how.number)
                     throw BadInput("problems in two views need no start: `plprove solve` "
                                    "solves them without");
-                deliver(request->path, write_start(find_start(*how.number, request->seed)));
+                std::string start;
+                {
+                    ProgressLine line("making the start", 1);
+                    line.show(0);
+                    start = write_start(find_start(*how.number, request->seed));
+                }
+                deliver(request->path, start);
                 return 0;
             }};
 }
