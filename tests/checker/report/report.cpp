@@ -158,6 +158,26 @@ TEST_CASE("in a run with a file that is refused, no row of a table confirms anyt
     CHECK(conclusion(report) == "NOT VERIFIED: 1 of 3 files is refused (text)\n");
 }
 
+TEST_CASE("what a file with another digest proves does not count") {
+    ReplayedFile problem = problem_of_class(2394), degrees = degree_file({{2394, 312, false}});
+    ReplayedFile bounds = bounds_file({{relative_pose, 20}});
+    problem.sha256 = degrees.sha256 = bounds.sha256 = "one";
+    const auto findings_with = [&](const std::string& digest) {
+        const DigestList list{
+            {{digest, problem.name}, {digest, degrees.name}, {digest, bounds.name}}};
+        return summarize(all_classes(), {problem, degrees, bounds, {"SUMS", "three", list}})
+            .findings;
+    };
+    const Findings same = findings_with("one"), other = findings_with("two");
+    CHECK(same.verdicts[2394]);
+    CHECK(same.has_lower_bounds);
+    CHECK(same.registrations.size() == 1);
+    CHECK_FALSE(other.verdicts[2394]);
+    CHECK_FALSE(other.has_lower_bounds);
+    CHECK(other.registrations.empty());
+    CHECK(other.degrees.empty());
+}
+
 TEST_CASE("a degree file or a file of upper bounds without a record is refused") {
     for (const ReplayedFile& empty : {degree_file({}), bounds_file({})}) {
         CHECK(summarize(all_classes(), {empty}).status == 1);
