@@ -2,7 +2,7 @@
 From Coq Require Import NArith ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
-From PL1P Require Import Statement Rigid Walk Predicates Orbits Census Regular Obstructed Minimal.
+From PL1P Require Import Statement Rigid Walk Predicates Orbits Census ArchivePoint Regular Obstructed Minimal.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -187,6 +187,6 @@ Proof.
 have only_if (R : idomainType) (C : view -> camera R) scene s : shape scene s -> balanced s -> obstructed s ->
     admissible C scene -> ~ rigid C scene.
   by move=> sh bs ob ad; exact: (obstructed_not_rigid sh ad bs ob).
-split=> // F char0 s bs; apply: (iff_trans (minimal_iff char0 bs)); split; first exact: regular_rigid.
+split=> // F char0 s bs; apply: (iff_trans (minimal_iff char0 bs)); split; first exact: (regular_rigid archive_checked).
 by case=> C [scene [sh ad rg]]; apply/negP => ob; exact: only_if sh bs ob ad rg.
 Qed.

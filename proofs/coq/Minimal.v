@@ -1,13 +1,13 @@
 (** * Minimal is what is not obstructed
 
-    The point of Pool.v is a configuration with integer parameters. If the signature is not obstructed it is rigid
+    The point of NormalPool.v is a configuration with integer parameters. If the signature is not obstructed it is rigid
     there, hence at the generic point, and the Jacobian criterion says that the images are independent. Conversely, if
     the fibres are finite, every motion at the generic point is zero, and the signature is not obstructed. *)
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_algebra generic_quotient.
 From mathcomp.zify Require Import ssrZ.
 From SsrMultinomials Require Import mpoly.
-From PL1P Require Import Statement Rigid Walk Forms Blocks Epipolar Tree Regular Obstructed.
+From PL1P Require Import Statement Rigid Walk Forms Blocks Epipolar Tree NormalPoint Regular Obstructed.
 From PL1P Require Import Derivations RationalFunctions Motion Moves Specialize Point.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -137,7 +137,7 @@ Proof.
 have e1 := norm_map (f := to) xKE w; have e2 := norm_map (f := at_point) xFE w.
 rewrite (norm_map (f := ZF) (x := xZ s) (fun => erefl)) in e2.
 apply: (generic_nonzero e1 (esym e2)); rewrite xZ_cameras.
-by have /and3P[/and4P[n1 n2 n3 _] _ _] := cams_okE; case: w {e1 e2}.
+by have /and3P[/and4P[n1 n2 n3 _] _ _] := cams_okE normal_checked; case: w {e1 e2}.
 Qed.
 
 Lemma generic_point w n : (n < size (kinds s))%N -> sees_point (ft (nth 0%N (kinds s) n)) w ->
@@ -147,7 +147,7 @@ move=> nl sp; have e1 := congr1 (@x3 _) (project_map (f := to) s xKE w n).
 have e2 := congr1 (@x3 _) (project_map (f := at_point) s xFE w n).
 rewrite (project_map (f := ZF) s (x := xZ s) (fun => erefl)) in e2.
 apply: (generic_nonzero e1 (esym e2)); rewrite xZ_cameras xZ_point //; move: sp.
-rewrite -kind_place //; have /andP[/and4P[/andP[a1 _] /andP[a2 _] /andP[a3 _] _] _] := place_ok bs instances_ok nl.
+rewrite -kind_place //; have /andP[/and4P[/andP[a1 _] /andP[a2 _] /andP[a3 _] _] _] := place_ok bs (instances_ok normal_checked) nl.
 by move=> sp; case: w {e1 e2} sp => sp; [move: a1|move: a2|move: a3]; rewrite sp.
 Qed.
 
@@ -171,7 +171,7 @@ have inj (R R' : idomainType) (f : {rmorphism R -> R'}) : (forall a, (f a == 0) 
   have i a b : f a = f b -> a = b by move=> e; apply/eqP; rewrite -subr_eq0 -f0 rmorphB e subrr.
   by rewrite (i _ _ h1) (i _ _ h2) (i _ _ h3).
 rewrite !eK => /(inj _ _ _ to0) /(congr1 (fvec at_point)); rewrite -!eF !eZ => /(inj _ _ _ ZF0).
-have [_ _ _ h _] := scene_admissible bs; rewrite /scaled !xZ_cameras; exact: h uw.
+have [_ _ _ h _] := scene_admissible normal_checked bs; rewrite /scaled !xZ_cameras; exact: h uw.
 Qed.
 
 Lemma scene_place n : (n < size (kinds s))%N -> nth (p0 K) (scene_at K xK s) n = place_of s xK n.
@@ -199,10 +199,10 @@ Qed.
 Lemma generic_shape : shape (scene_at K xK s) s.
 Proof.
 have ss : size s = 27%N by case/andP: bs => /eqP.
-have [k27 sE] := shape_scene ss.
+have [k27 sE] := shape_scene normal_point ss.
 have kE : [seq kind p | p <- scene_at K xK s] = kinds s.
   by rewrite /scene_at /mkseq -map_comp -[RHS](mkseq_nth 0%N).
-have kZ : [seq kind p | p <- scene_of s] = kinds s.
+have kZ : [seq kind p | p <- scene_of normal_point s] = kinds s.
   rewrite kindsE /scene_of -map_comp; apply: eq_map => -[i k]; exact: kind_instance.
 split.
   rewrite (eq_all (a2 := preim (@kind K) (fun i => i < 27)%N)) // -all_map kE -kZ all_map; exact: k27.

@@ -1,10 +1,10 @@
-(** * The point of Pool.v as a configuration with integer parameters
+(** * The point of NormalPool.v as a configuration with integer parameters
 
     The matrix of Specialize.v has determinant nonzero there, if the signature is not obstructed ([xZ_det]). *)
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
-From PL1P Require Import Statement Rigid Walk Forms Blocks Epipolar Pool Tree Regular Crowded.
+From PL1P Require Import Statement Rigid Walk Forms Blocks Epipolar Crowded NormalPool Tree NormalPoint Regular.
 From PL1P Require Import Motion Moves Specialize.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -12,6 +12,12 @@ Unset Printing Implicit Defensive.
 Import GRing.Theory.
 Local Open Scope ring_scope.
 Local Notation ZR := [idomainType of Z].
+
+(** What is computed for NormalPool.v. *)
+Local Notation cams := (Tree.cams normal_point).
+Local Notation instance := (Tree.instance normal_point).
+Local Notation capacity := (Tree.capacity normal_point).
+Local Notation scene_of := (Regular.scene_of normal_point).
 
 Lemma all_changes (R : idomainType) s (q : pred R) x v : all q (changes s x v) <->
   forall n, (n < size (kinds s))%N -> forall w, all q (change s x v n w).
@@ -23,7 +29,7 @@ apply/allP => n; rewrite mem_iota => nl.
 by rewrite -[preim _ _ _]/(all q (flatten _)) all_views; apply/and3P; split; exact: h.
 Qed.
 
-(** ** The point of Pool.v, as parameters *)
+(** ** The point as parameters *)
 Section Point.
 Variable s : signature.
 Hypothesis bs : balanced s.
@@ -40,7 +46,7 @@ Definition at_place n := instance (place s n).1 (place s n).2.
 Lemma kind_place n : (n < size (kinds s))%N -> (place s n).1 = nth 0%N (kinds s) n.
 Proof. by rewrite size_kinds kindsE => nl; rewrite (nth_map (0, 0)%N). Qed.
 
-(** Checks of the pool that Regular.v does not make. *)
+(** Checks that Tree.v does not ask for. *)
 Definition normal_ok i k := let p := instance i k in
   all (fun j => x3 (dir p j) == 1) (iota 0 (pins (ft i))) && (free (ft i) ==> (x3 (point p) == 0)) &&
   all (fun v => all (fun j => (x2 (line (cams v) p j) != 0) && (x3 (line (cams v) p j) != 0)) (sees_pins (ft i) v)) views.
@@ -52,7 +58,7 @@ Proof.
 move=> h; rewrite size_kinds => nl; have : place s n \in places s by exact: mem_nth.
 case: (place s n) => i k; rewrite mem_places => /andP[i27 ks] /=.
 have := allP h i; rewrite mem_iota => /(_ i27) /allP /(_ k); apply.
-by rewrite mem_iota; exact: leq_trans ks (balanced_capacity bs i27).
+by rewrite mem_iota; exact: leq_trans ks (balanced_capacity normal_checked bs i27).
 Qed.
 
 Lemma place_normal n : (n < size (kinds s))%N -> let f := ft (nth 0%N (kinds s) n) in
@@ -138,7 +144,7 @@ Qed.
 Lemma xZ_det : ~~ obstructed s -> \det (system s xZ) != 0.
 Proof.
 move=> us; apply/(det_kernel square) => v /all_changes ch.
-have [||T0 m0] := @scene_rigid s bs us (twist_of v) (motion_of s v); first by [].
+have [||T0 m0] := @scene_rigid normal_point normal_checked s bs us (twist_of v) (motion_of s v); first by [].
   rewrite Regular.size_scene -size_kinds => n nl p; have e : p = at_place n by rewrite /p scene_nth -?size_kinds.
   rewrite e kind_instance kind_place //; split=> [|w].
     by have := @free_motion_gauge ZR (at_place n) (part s v n); rewrite kind_instance kind_place.

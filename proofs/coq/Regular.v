@@ -5,7 +5,7 @@
 From Coq Require Import ZArith Uint63 List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
-From PL1P Require Import Statement Rigid Walk Elimination Forms Pool Tree.
+From PL1P Require Import Statement Rigid Walk Elimination Forms Tree.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -14,7 +14,6 @@ Local Delimit Scope Z_scope with Z.
 
 (** ** The scene of a signature: the first s_i instances of feature i *)
 Definition places s := [seq (i, k) | i <- iota 0 27, k <- iota 0 (nth 0 s i)].
-Definition scene_of s := [seq instance ik.1 ik.2 | ik <- places s].
 
 Lemma mem_places s i k : ((i, k) \in places s) = (i < 27) && (k < nth 0 s i).
 Proof.
@@ -23,8 +22,19 @@ apply/allpairsPdep/andP => [[i' [k' []]]|[i27 ks]].
 by exists i, k; rewrite !mem_iota.
 Qed.
 
+Section Point.
+Variable pt : point_data.
+Hypothesis ok : checked pt.
+Local Notation cams := (Tree.cams pt).
+Local Notation instance := (Tree.instance pt).
+Local Notation capacity := (Tree.capacity pt).
+Local Notation block_state := (Tree.block_state pt).
+Local Notation camera_rows := (Tree.camera_rows pt).
+Local Notation step := (Tree.step pt).
+Definition scene_of s := [seq instance ik.1 ik.2 | ik <- places s].
+
 Lemma kind_instance i k : kind (instance i k) = i.
-Proof. by rewrite /instance; case: (nth _ _ _). Qed.
+Proof. by rewrite /Tree.instance; case: (nth _ _ _). Qed.
 
 Lemma shape_scene s : size s = 27 -> shape (scene_of s) s.
 Proof.
@@ -45,7 +55,7 @@ Qed.
 Lemma balanced_capacity s i : balanced s -> i < 27 -> nth 0 s i <= capacity i.
 Proof.
 move=> /andP[/eqP ss /eqP b] i27.
-have := allP capacity_check i; rewrite mem_iota => /(_ i27) c.
+have := allP (capacity_check ok) i; rewrite mem_iota => /(_ i27) c.
 have w_i : nth 0 ws i = weight i by rewrite wsE (nth_map 0) ?size_iota // nth_iota.
 have h l : i \in l -> nth 0 s i * weight i <= sumn [seq nth 0 s j * weight j | j <- l].
   elim: l => // j l IH; rewrite inE => /orP[/eqP ->|/IH le] /=; first exact: leq_addr.
@@ -84,7 +94,7 @@ Proof. by elim: rows st => //= r rows IH st; rewrite /insert_all /= -/(insert_al
 Lemma size_empty n : size (empty n) = n.
 Proof. by elim: n => //= n ->. Qed.
 Lemma size_block_state i k : size (block_state i k) = own i + 11.
-Proof. by rewrite /block_state insert_all_length size_empty. Qed.
+Proof. by rewrite /Tree.block_state insert_all_length size_empty. Qed.
 
 Lemma ForallP (A : eqType) (Q : A -> Prop) (l : seq A) : (forall a, a \in l -> Q a) -> Forall Q l.
 Proof.
@@ -114,7 +124,7 @@ Lemma rows_hold c ms n : solution c ms -> n < size (places s) ->
 Proof.
 move=> sol lt; have [sm ho] := block_holds sol lt.
 have [sc /(_ n lt)[sz _]] := sol.
-move: sm ho (size_block_state (place n).1 (place n).2); rewrite /camera_rows; set st := block_state _ _; set o := own _ => sm ho szst.
+move: sm ho (size_block_state (place n).1 (place n).2); rewrite /Tree.camera_rows; set st := block_state _ _; set o := own _ => sm ho szst.
 apply: rows_of_ok.
 - by rewrite -[length c]/(size c) -[length _]/(size (drop o st)) size_drop szst addKn.
 - exact: small_drop.
@@ -123,7 +133,7 @@ apply: rows_of_ok.
 Qed.
 
 Lemma run_holds c i l st : small_st st -> holds st c -> size st = 11 ->
-  (forall j k, k < nth 0 l j -> Forall (fun r => small r /\ (pZ | Elimination.ev r c)%Z) (nth [::] (nth [::] table (i + j)) k)) ->
+  (forall j k, k < nth 0 l j -> Forall (fun r => small r /\ (pZ | Elimination.ev r c)%Z) (nth [::] (nth [::] (table pt) (i + j)) k)) ->
   [/\ small_st (run step i l st), holds (run step i l st) c & size (run step i l st) = 11].
 Proof.
 elim: l i st => //= x l IH i st sm ho sz hr.
@@ -139,9 +149,9 @@ have [s1 h1 z1] := copies 0 x st sm ho sz (leqnn _).
 by apply: IH => // j k lt; rewrite addSnnS; apply: hr.
 Qed.
 
-Lemma table_nth i k : i < 27 -> k < capacity i -> nth [::] (nth [::] table i) k = camera_rows i k.
+Lemma table_nth i k : i < 27 -> k < capacity i -> nth [::] (nth [::] (table pt) i) k = camera_rows i k.
 Proof.
-move=> i27 kc; rewrite tableE (nth_map 0) ?size_iota // nth_iota // add0n (nth_map 0) ?size_iota //.
+move=> i27 kc; rewrite (tableE ok) (nth_map 0) ?size_iota // nth_iota // add0n (nth_map 0) ?size_iota //.
 by rewrite nth_iota.
 Qed.
 
@@ -162,7 +172,7 @@ have [|_ ho sz] := @run_holds c 0 s (empty 11) (small_empty _) (holds_empty _ _)
   have [n ln e] := place_of j27 lt.
   rewrite table_nth //; last exact: leq_trans lt (balanced_capacity bs j27).
   by have := rows_hold sol ln; rewrite e.
-have fu := regular_full bs us.
+have fu := regular_full ok bs us.
 have dc : Forall (Z.divide pZ) c.
   apply: (@full_zero (run step 0 s (empty 11)) [::] c [::]) => //; first by rewrite -[length c]/(size c) -[length _]/(size (run step 0 s (empty 11))) sz sc.
   by rewrite !List.app_nil_r.
@@ -172,7 +182,7 @@ have pn : place n \in places s by exact: mem_nth.
 move: pn sz1 smb hob; case: (place n) => i k; rewrite mem_places => /andP[i27 ks] /= sz1 smb hob.
 apply: (@full_zero (take (own i) (block_state i k)) (drop (own i) (block_state i k)) (ms n) c) => //.
 - rewrite -[length (ms n)]/(size (ms n)) -[length _]/(size (take (own i) (block_state i k))) size_take size_block_state sz1; by case: ifP => //; rewrite -{1}(addn0 (own i)) ltn_add2l.
-- have := allP blocks_check i; rewrite mem_iota => /(_ i27) /allP /(_ k); apply.
+- have := allP (blocks_check ok) i; rewrite mem_iota => /(_ i27) /allP /(_ k); apply.
   by rewrite mem_iota; exact: leq_trans ks (balanced_capacity bs i27).
 - by rewrite take_dropE.
 Qed.
@@ -257,21 +267,7 @@ apply: vecE; rewrite /= ?gD //; apply: z; rewrite /own_unknowns mem_cat; apply/o
 Qed.
 End Descent.
 
-(** ** The pool is admissible *)
-Definition nonzero (u : vec ZR) := ~~ [&& x1 u == 0%R, x2 u == 0%R & x3 u == 0%R].
-Definition instance_ok i k := let q := instance i k in
-  all (fun v => [&& sees_point (ft i) v ==> (x3 (project (cams v) (point q)) != 0%R) &
-                 all (fun j => nonzero (line (cams v) q j)) (sees_pins (ft i) v)]) views &&
-  all (fun j => x3 (dir q j) != 0%R) (iota 0 (pins (ft i))).
-Definition differ (u w : vec ZR) := [|| x1 u != x1 w, x2 u != x2 w | x3 u != x3 w].
-Definition cams_ok := [&& all (fun v => norm (quat_of (cams v)) != 0%R) views, x1 (trans (cams V2)) != 0%R &
-  all (fun uw => differ (scale (norm (quat_of (cams uw.2)) ^+ 2)%R (centre (cams uw.1))) (scale (norm (quat_of (cams uw.1)) ^+ 2)%R (centre (cams uw.2))))
-    [:: (V1, V2); (V2, V1); (V1, V3); (V3, V1); (V2, V3); (V3, V2)]].
-
-Lemma cams_okE : cams_ok. Proof. by vm_compute. Qed.
-Lemma instances_ok : all (fun i => all (instance_ok i) (iota 0 (capacity i))) (iota 0 27).
-Proof. by vm_compute. Qed.
-
+(** ** The point is admissible *)
 Lemma nonzeroP u : nonzero u -> u <> vec0 ZR.
 Proof. by move=> nz e; move: nz; rewrite e. Qed.
 Lemma differP u w : differ u w -> u <> w.
@@ -279,16 +275,16 @@ Proof. by move=> d e; move: d; rewrite e /differ !eqxx. Qed.
 
 Lemma scene_admissible s : balanced s -> admissible cams (scene_of s).
 Proof.
-move=> bs; have /and3P[n1 n2 n3] := cams_okE.
+move=> bs; have /and3P[n1 n2 n3] := cams_okE ok.
 split.
-- by [].
+- exact: first_camera ok.
 - by case/and4P: n1 => /eqP h1 /eqP h2 /eqP h3 _ [].
 - by apply/eqP.
 - by case/and5P: n3 => /differP h1 /differP h2 /differP h3 /differP h4 /and3P[/differP h5 /differP h6 _] [] [].
 rewrite size_map => n ln; rewrite scene_nth // /=.
 have : place s n \in places s by exact: mem_nth.
 case: (place s n) => i k; rewrite mem_places => /andP[i27 ks] /=; rewrite kind_instance.
-have := allP instances_ok i; rewrite mem_iota => /(_ i27) /allP /(_ k).
+have := allP (instances_ok ok) i; rewrite mem_iota => /(_ i27) /allP /(_ k).
 rewrite mem_iota => /(_ (leq_trans ks (balanced_capacity bs i27))).
 move=> /andP[/and4P[/andP[a1 b1] /andP[a2 b2] /andP[a3 b3] _] /allP hd]; split.
 - by case=> sp; apply/eqP; [move: a1|move: a2|move: a3]; rewrite sp.
@@ -303,3 +299,4 @@ move=> bs us; exists cams, (scene_of s); split.
 - exact: scene_admissible.
 - exact: scene_rigid.
 Qed.
+End Point.
