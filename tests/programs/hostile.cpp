@@ -1,6 +1,7 @@
 // Hostile files: whatever plcheck is given, it answers soon, in bounded memory, with the status
 // that its help documents, and with a message that names file and line and is fit for a terminal.
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -9,14 +10,6 @@
 #include <vector>
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
 
 const std::string plcheck = PLCHECK;
 const std::string head = "plcert 2 classification\nmodulus 2305843009213693951\n";

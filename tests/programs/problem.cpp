@@ -1,6 +1,7 @@
 // plprove problem, show and export of scripts, and plcheck on the certificates of verdicts, as
 // users run them.
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -8,14 +9,6 @@
 #include <sys/resource.h>
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
 
 const std::string plprove = PLPROVE;
 const std::string plcheck = PLCHECK;
