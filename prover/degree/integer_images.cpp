@@ -81,18 +81,7 @@ public:
     /// Newton's method from each start; nothing where it does not converge at once.
     std::vector<std::optional<CameraPoint>> solve(const std::vector<CameraPoint>& starts,
                                                   TrackFunction* track, double noise) const {
-        TrackSettings settings;
-        settings.prediction = 2e-3;
-        settings.noise = noise;
-        settings.largest_step = settings.first_step = 1;
-        std::vector<CameraPoint> ends(starts.size());
-        std::vector<TrackOutcome> outcomes(starts.size());
-        track(system_, images_, settings, starts.size(), starts.data(), ends.data(),
-              outcomes.data());
-        std::vector<std::optional<CameraPoint>> result(starts.size());
-        for (std::size_t i = 0; i < starts.size(); ++i)
-            if (outcomes[i] == TrackOutcome::arrived) result[i] = ends[i];
-        return result;
+        return newton(track, noise, system_, images_, starts);
     }
 
     /// The same to the last digits of a double, whatever the condition.

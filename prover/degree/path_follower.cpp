@@ -4,6 +4,21 @@
 
 namespace plprove {
 
+PathFollower::Ends newton(TrackFunction* track, double noise, const TrackedSystem& system,
+                          const TrackedImages& images, const std::vector<CameraPoint>& starts) {
+    TrackSettings settings;
+    settings.prediction = 2e-3;
+    settings.noise = noise;
+    settings.largest_step = settings.first_step = 1;
+    std::vector<CameraPoint> to(starts.size());
+    std::vector<TrackOutcome> outcomes(starts.size());
+    track(system, images, settings, starts.size(), starts.data(), to.data(), outcomes.data());
+    PathFollower::Ends ends(starts.size());
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        if (outcomes[i] == TrackOutcome::arrived) ends[i] = to[i];
+    return ends;
+}
+
 std::pair<std::vector<CameraPoint>, std::vector<std::size_t>>
 without_end(const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends) {
     std::pair<std::vector<CameraPoint>, std::vector<std::size_t>> result;

@@ -57,6 +57,11 @@ private:
     PathCounts counts_;
 };
 
+/// Newton's method from each start, for images at rest: tracking is no more there. Corrections
+/// below `noise`, relative to the point, are rounding. No end where it does not converge at once.
+PathFollower::Ends newton(TrackFunction* track, double noise, const TrackedSystem& system,
+                          const TrackedImages& images, const std::vector<CameraPoint>& starts);
+
 /// The starts of the paths that have no end, and their indices.
 std::pair<std::vector<CameraPoint>, std::vector<std::size_t>>
 without_end(const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends);

@@ -55,26 +55,6 @@ CameraSolver::CameraSolver(Start start)
     : start_(std::move(start)), system_(camera_system(label_classes()[start_.number])),
       tracked_(tracked_system(system_, start_.chart)) {}
 
-namespace {
-
-/// Newton's method: where images rest, tracking is no more. Nothing where it does not converge.
-PathFollower::Ends corrected(TrackFunction* track, double noise, const TrackedSystem& system,
-                             const TrackedImages& images, const std::vector<CameraPoint>& zeros) {
-    TrackSettings settings;
-    settings.prediction = 2e-3;
-    settings.noise = noise;
-    settings.largest_step = settings.first_step = 1;
-    std::vector<CameraPoint> to(zeros.size());
-    std::vector<TrackOutcome> outcomes(zeros.size());
-    track(system, images, settings, zeros.size(), zeros.data(), to.data(), outcomes.data());
-    PathFollower::Ends ends(zeros.size());
-    for (std::size_t i = 0; i < zeros.size(); ++i)
-        if (outcomes[i] == TrackOutcome::arrived) ends[i] = to[i];
-    return ends;
-}
-
-} // namespace
-
 PathFollower::Ends CameraSolver::polished(const Images& images,
                                           const PathFollower::Ends& ends) const {
     std::vector<std::size_t> indices;
@@ -85,9 +65,9 @@ PathFollower::Ends CameraSolver::polished(const Images& images,
             zeros.push_back(*ends[i]);
         }
     const TrackedImages at_rest = moving_images(system_, start_.constants, images, images);
-    auto better = corrected(fastest_double_double_tracker(), 1e-16, tracked_, at_rest, zeros);
+    auto better = newton(fastest_double_double_tracker(), 1e-16, tracked_, at_rest, zeros);
     fill(better, zeros, [&](const auto& open) {
-        return corrected(fastest_triple_double_tracker(), 1e-22, tracked_, at_rest, open);
+        return newton(fastest_triple_double_tracker(), 1e-22, tracked_, at_rest, open);
     });
     PathFollower::Ends result(ends.size());
     for (std::size_t k = 0; k < zeros.size(); ++k)
