@@ -4,19 +4,46 @@
 
 namespace plprove {
 
-PathFollower::Ends newton(TrackFunction* track, double noise, const TrackedSystem& system,
-                          const TrackedImages& images, const std::vector<CameraPoint>& starts) {
+namespace {
+
+TrackSettings newton_settings(double noise) {
     TrackSettings settings;
     settings.prediction = 2e-3;
     settings.noise = noise;
     settings.largest_step = settings.first_step = 1;
+    return settings;
+}
+
+PathFollower::Ends ends_of(TrackFunction* track, const TrackSettings& settings,
+                           const TrackedSystem& system, const TrackedImages& images,
+                           const std::vector<CameraPoint>& starts, PathCounts& counts) {
     std::vector<CameraPoint> to(starts.size());
     std::vector<TrackOutcome> outcomes(starts.size());
-    track(system, images, settings, starts.size(), starts.data(), to.data(), outcomes.data());
+    counts.steps +=
+        track(system, images, settings, starts.size(), starts.data(), to.data(), outcomes.data())
+            .steps;
     PathFollower::Ends ends(starts.size());
     for (std::size_t i = 0; i < starts.size(); ++i)
         if (outcomes[i] == TrackOutcome::arrived) ends[i] = to[i];
     return ends;
+}
+
+} // namespace
+
+PathFollower::Ends newton(TrackFunction* track, double noise, const TrackedSystem& system,
+                          const TrackedImages& images, const std::vector<CameraPoint>& starts) {
+    PathCounts uncounted;
+    return ends_of(track, newton_settings(noise), system, images, starts, uncounted);
+}
+
+PathFollower::Ends accurate_newton(double accuracy, const TrackedSystem& system,
+                                   const TrackedImages& images,
+                                   const std::vector<CameraPoint>& starts) {
+    TrackSettings settings = newton_settings(accuracy);
+    settings.contraction = 0;     // only small corrections will do
+    settings.smallest_step = 0.5; // a second attempt would be no better
+    PathCounts uncounted;
+    return ends_of(fastest_tracker(), settings, system, images, starts, uncounted);
 }
 
 std::pair<std::vector<CameraPoint>, std::vector<std::size_t>>
@@ -115,15 +142,7 @@ PathFollower::Ends PathFollower::follow_legs(const std::array<TrackedImages, 2>&
 PathFollower::Ends PathFollower::attempt(TrackFunction* track, const TrackedImages& images,
                                          const TrackSettings& settings,
                                          const std::vector<CameraPoint>& starts) {
-    std::vector<CameraPoint> to(starts.size());
-    std::vector<TrackOutcome> outcomes(starts.size());
-    counts_.steps +=
-        track(system_, images, settings, starts.size(), starts.data(), to.data(), outcomes.data())
-            .steps;
-    Ends ends(starts.size());
-    for (std::size_t i = 0; i < starts.size(); ++i)
-        if (outcomes[i] == TrackOutcome::arrived) ends[i] = to[i];
-    return ends;
+    return ends_of(track, settings, system_, images, starts, counts_);
 }
 
 std::uint64_t PathFollower::arrived(const Ends& ends) {

@@ -62,6 +62,11 @@ private:
 PathFollower::Ends newton(TrackFunction* track, double noise, const TrackedSystem& system,
                           const TrackedImages& images, const std::vector<CameraPoint>& starts);
 
+/// The same in doubles. No end where rounding leaves corrections above `accuracy`, either.
+PathFollower::Ends accurate_newton(double accuracy, const TrackedSystem& system,
+                                   const TrackedImages& images,
+                                   const std::vector<CameraPoint>& starts);
+
 /// The starts of the paths that have no end, and their indices.
 std::pair<std::vector<CameraPoint>, std::vector<std::size_t>>
 without_end(const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends);

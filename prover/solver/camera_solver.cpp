@@ -8,6 +8,9 @@ namespace plprove {
 
 namespace {
 
+/// Zeros are as accurate as that, relative to their sizes; a ZeroSet tells them apart.
+constexpr double accuracy = 1e-13;
+
 /// Zeros that are no more than rounding errors away from being degenerate are no solutions.
 constexpr double least_nondegeneracy = 1e-13;
 
@@ -55,69 +58,95 @@ CameraSolver::CameraSolver(Start start)
     : start_(std::move(start)), system_(camera_system(label_classes()[start_.number])),
       tracked_(tracked_system(system_, start_.chart)) {}
 
-PathFollower::Ends CameraSolver::polished(const Images& images,
-                                          const PathFollower::Ends& ends) const {
-    std::vector<std::size_t> indices;
-    std::vector<CameraPoint> zeros;
-    for (std::size_t i = 0; i < ends.size(); ++i)
-        if (ends[i]) {
-            indices.push_back(i);
-            zeros.push_back(*ends[i]);
-        }
-    const TrackedImages at_rest = moving_images(system_, start_.constants, images, images);
-    auto better = newton(fastest_double_double_tracker(), 1e-16, tracked_, at_rest, zeros);
-    fill(better, zeros, [&](const auto& open) {
-        return newton(fastest_triple_double_tracker(), 1e-22, tracked_, at_rest, open);
-    });
-    PathFollower::Ends result(ends.size());
-    for (std::size_t k = 0; k < zeros.size(); ++k)
-        result[indices[k]] = better[k];
-    return result;
-}
+/// Zeros of images at rest, as they are found.
+class CameraSolver::Search {
+public:
+    Search(const CameraSolver& solver, const Images& images)
+        : solver_(solver), vectors_(image_vectors(solver.system_, solver.start_.constants, images)),
+          at_rest_(moving_images(solver.system_, solver.start_.constants, images, images)) {}
 
-PathFollower::Ends CameraSolver::follow(PathFollower& follower, const Images& to,
-                                        const Images& images, Effort effort) const {
-    const TrackedImages straight = moving_images(system_, start_.constants, start_.images, to);
-    auto ends = polished(images, follower.follow_quickly(straight, start_.solutions));
-    drop_equal(ends);
-    if (effort == Effort::once) return ends;
-    fill(ends, start_.solutions, [&](const auto& open) {
-        return polished(images, follower.follow_double_double(straight, open));
-    });
-    return ends;
-}
+    const ZeroSet& found() const { return found_; }
+    bool is_complete() const { return found_.size() >= solver_.start_.degree(); }
+
+    /// Adds the zeros to which these ends lead by Newton's method. Two paths rarely have the same
+    /// end, if one has jumped: none of the two is returned.
+    PathFollower::Ends add(PathFollower::Ends ends) {
+        ends = polished(ends);
+        drop_equal(ends);
+        for (const auto& end : ends)
+            if (end) add(*end);
+        add_conjugates();
+        return ends;
+    }
+
+private:
+    void add(const CameraPoint& zero) {
+        const QuaternionCameras cameras = solver_.start_.chart.cameras(zero);
+        if (nondegeneracy(solver_.system_, vectors_, cameras) > least_nondegeneracy)
+            found_.add(zero);
+    }
+
+    /// Conjugates of solutions are solutions, too: some paths need not have arrived.
+    void add_conjugates() {
+        PathFollower::Ends conjugates;
+        for (std::size_t i = conjugated_; i < found_.zeros().size() && !is_complete(); ++i) {
+            const CameraPoint zero = conjugate(solver_.start_.chart, found_.zeros()[i]);
+            if (!found_.find(zero)) conjugates.emplace_back(zero);
+        }
+        for (const auto& zero : polished(conjugates))
+            if (zero) add(*zero);
+        conjugated_ = found_.zeros().size();
+    }
+
+    /// In doubles where they are accurate enough; nothing where ends lead to no zero.
+    PathFollower::Ends polished(const PathFollower::Ends& ends) const {
+        std::vector<std::size_t> indices;
+        std::vector<CameraPoint> zeros;
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            if (ends[i]) {
+                indices.push_back(i);
+                zeros.push_back(*ends[i]);
+            }
+        auto better = accurate_newton(accuracy, solver_.tracked_, at_rest_, zeros);
+        fill(better, zeros, [&](const auto& open) {
+            return newton(fastest_double_double_tracker(), 1e-16, solver_.tracked_, at_rest_, open);
+        });
+        fill(better, zeros, [&](const auto& open) {
+            return newton(fastest_triple_double_tracker(), 1e-22, solver_.tracked_, at_rest_, open);
+        });
+        PathFollower::Ends result(ends.size());
+        for (std::size_t k = 0; k < zeros.size(); ++k)
+            result[indices[k]] = better[k];
+        return result;
+    }
+
+    const CameraSolver& solver_;
+    std::vector<Complex3> vectors_;
+    TrackedImages at_rest_;
+    ZeroSet found_;
+    std::size_t conjugated_ = 0; // so many zeros have their conjugates added
+};
 
 FoundCameras CameraSolver::solve(const std::vector<Eigen::Vector3d>& images, Effort effort) const {
     const int most_ways = effort == Effort::thorough ? 3 : 1;
     const Alignment alignment = align(system_, start_.images, images);
-    const Images target = complex_images(alignment.turned);
-    const std::vector<Complex3> vectors = image_vectors(system_, start_.constants, target);
+    Search search(*this, complex_images(alignment.turned));
     Random random(0, start_.number);
     PathFollower follower(tracked_);
-    ZeroSet found;
-    const auto add = [&](const CameraPoint& zero) {
-        if (nondegeneracy(system_, vectors, start_.chart.cameras(zero)) > least_nondegeneracy)
-            found.add(zero);
-    };
     int before = -1; // where a way finds nothing new, others are no better
-    for (int way = 0; way < most_ways && found.size() < start_.degree() && found.size() != before;
+    for (int way = 0; way < most_ways && !search.is_complete() && search.found().size() != before;
          ++way) {
-        before = found.size();
+        before = search.found().size();
         const Images to =
             way == 0 ? alignment.nearest : rephased(alignment.nearest, Phases::near_one, random);
-        const PathFollower::Ends ends = follow(follower, to, target, effort);
-        for (const auto& end : ends)
-            if (end) add(*end);
-        // Conjugates of solutions are solutions, too: some paths need not have arrived.
-        PathFollower::Ends conjugates;
-        for (const auto& end : ends)
-            if (end && found.size() < start_.degree())
-                conjugates.emplace_back(conjugate(start_.chart, *end));
-        for (const auto& end : polished(target, conjugates))
-            if (end) add(*end);
+        const TrackedImages straight = moving_images(system_, start_.constants, start_.images, to);
+        const auto ends = search.add(follower.follow_quickly(straight, start_.solutions));
+        if (effort == Effort::thorough && !search.is_complete())
+            search.add(
+                follower.follow_double_double(straight, without_end(start_.solutions, ends).first));
     }
-    FoundCameras result{{}, start_.degree() - found.size(), follower.counts().steps};
-    for (const CameraPoint& zero : found.zeros())
+    FoundCameras result{{}, start_.degree() - search.found().size(), follower.counts().steps};
+    for (const CameraPoint& zero : search.found().zeros())
         result.cameras.push_back(turned_back(alignment, start_.chart.cameras(zero)));
     return result;
 }

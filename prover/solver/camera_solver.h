@@ -28,7 +28,7 @@ public:
     explicit CameraSolver(Start start);
 
     /// The solutions for real images, one vector of length 1 for each free vector of system(), to
-    /// the last digits of a double. May be called by several threads at once. The same result for
+    /// 13 digits. May be called by several threads at once. The same result for
     /// the same images.
     FoundCameras solve(const std::vector<Eigen::Vector3d>& images, Effort effort) const;
 
@@ -36,14 +36,7 @@ public:
     const Start& start() const { return start_; }
 
 private:
-    /// The ends of the straight paths from all solutions of the start, as zeros of `images`, which
-    /// are those that the paths lead `to`, but for factors. Two paths rarely have the same end, if
-    /// one has jumped.
-    PathFollower::Ends follow(PathFollower& follower, const Images& to, const Images& images,
-                              Effort effort) const;
-
-    /// The ends as zeros of these images to the last digits; nothing where they lead to none.
-    PathFollower::Ends polished(const Images& images, const PathFollower::Ends& ends) const;
+    class Search;
 
     Start start_;
     CameraSystem system_;
