@@ -14,14 +14,6 @@ Complex3 difference(const Complex3& a, const Complex3& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-Complex3 unit(const Complex3& a) {
-    double square = 0;
-    for (const Complex& x : a)
-        square += x.real() * x.real() + x.imag() * x.imag();
-    const double scale = 1 / std::sqrt(square);
-    return {a[0] * scale, a[1] * scale, a[2] * scale};
-}
-
 std::array<Complex3, 3> matrix(const std::array<Complex, 4>& q) {
     const auto& [a, b, c, d] = q;
     return {{{a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d), 2.0 * (b * d + a * c)},
@@ -33,6 +25,14 @@ std::array<Complex3, 3> matrix(const std::array<Complex, 4>& q) {
 
 Complex3 cross(const Complex3& a, const Complex3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Complex3 unit(const Complex3& a) {
+    double square = 0;
+    for (const Complex& x : a)
+        square += x.real() * x.real() + x.imag() * x.imag();
+    const double scale = 1 / std::sqrt(square);
+    return {a[0] * scale, a[1] * scale, a[2] * scale};
 }
 
 Complex3 rotate(const std::array<Complex, 4>& quaternion, const Complex3& x) {

@@ -11,6 +11,9 @@ using Images = std::vector<Complex3>;
 
 Complex3 cross(const Complex3& a, const Complex3& b);
 
+/// The multiple of length 1.
+Complex3 unit(const Complex3& a);
+
 /// R^T x for the rotation (times a factor) of the quaternion, as FORMAT.md has it; and R x.
 Complex3 rotate_back(const std::array<Complex, 4>& quaternion, const Complex3& x);
 Complex3 rotate(const std::array<Complex, 4>& quaternion, const Complex3& x);

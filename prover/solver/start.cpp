@@ -2,6 +2,7 @@
 
 #include "prover/degree/completeness.h"
 #include "prover/degree/monodromy.h"
+#include "prover/solver/placement.h"
 #include "prover/system/atomic_file.h"
 #include "prover/system/exit.h"
 
@@ -44,7 +45,7 @@ Start find_start(std::size_t number, std::uint64_t seed) {
         Start again = attempt_start(system, number, seed, attempt);
         if (again.evidence) best = std::move(again);
     }
-    return best;
+    return well_placed(std::move(best), seed);
 }
 
 namespace {

@@ -1,7 +1,9 @@
 // Starts as files: read back as they were, and refused when damaged.
 #include "prover/solver/start.h"
 
+#include "prover/degree/path_follower.h"
 #include "prover/degree/scene.h"
+#include "prover/solver/placement.h"
 #include "prover/system/exit.h"
 #include "tests/support/program.h"
 
@@ -56,6 +58,22 @@ TEST_CASE("the solutions of a start are far from degenerate") {
     const auto vectors = image_vectors(system, start.constants, start.images);
     for (const CameraPoint& solution : start.solutions)
         CHECK(nondegeneracy(system, vectors, start.chart.cameras(solution)) > 1e-9);
+}
+
+TEST_CASE("a start moves to other images with all its solutions") {
+    const Start start = find_start(17, 0);
+    const CameraSystem system = camera_system(label_classes()[17]);
+    bool moved = false;
+    for (std::uint64_t seed = 1; seed < 4; ++seed) {
+        const Start other = well_placed(start, seed);
+        moved |= other.images != start.images;
+        CHECK(other.degree() == 64);
+        const auto tracked = tracked_system(system, other.chart);
+        const auto at_rest = moving_images(system, other.constants, other.images, other.images);
+        for (const auto& zero : accurate_newton(1e-10, tracked, at_rest, other.solutions))
+            CHECK(zero);
+    }
+    CHECK(moved);
 }
 
 TEST_CASE("a damaged start is refused") {
