@@ -137,37 +137,63 @@ std::optional<Eigen::Matrix<double, 10, 10>> multiplication(const Pencil& pencil
     return action;
 }
 
+template <class Scalar>
+using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
+template <class Scalar>
+using Vector4 = Eigen::Matrix<Scalar, 4, 1>;
+
 /// The bilinear cross product. (Eigen's takes complex conjugates.)
-Eigen::RowVector3cd cross(const Eigen::RowVector3cd& a, const Eigen::RowVector3cd& b) {
+template <class Scalar>
+Eigen::RowVector3<Scalar> cross(const Eigen::RowVector3<Scalar>& a,
+                                const Eigen::RowVector3<Scalar>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// What the ten cubics leave of a matrix that is nearly essential.
-Eigen::Matrix<Complex, 10, 1> defect(const Matrix3cd& E) {
-    const Matrix3cd square = E * E.transpose();
-    const Matrix3cd cubic = 2.0 * square * E - square.trace() * E;
-    Eigen::Matrix<Complex, 10, 1> result;
-    result << cubic.reshaped(), cross(E.row(0), E.row(1)).cwiseProduct(E.row(2)).sum();
-    return result;
-}
-
-/// The same, differentiated along a direction.
-Eigen::Matrix<Complex, 10, 1> defect(const Matrix3cd& E, const Matrix3cd& along) {
-    const Matrix3cd square = E * E.transpose();
-    const Matrix3cd change = along * E.transpose() + E * along.transpose();
-    const Matrix3cd cubic =
-        2.0 * (change * E + square * along) - change.trace() * E - square.trace() * along;
-    Complex determinant = 0;
+/// The matrix of cofactors.
+template <class Scalar>
+Matrix3<Scalar> cofactors(const Matrix3<Scalar>& E) {
+    Matrix3<Scalar> result;
     for (int i = 0; i < 3; ++i)
-        determinant +=
-            cross(E.row((i + 1) % 3), E.row((i + 2) % 3)).cwiseProduct(along.row(i)).sum();
-    Eigen::Matrix<Complex, 10, 1> result;
-    result << cubic.reshaped(), determinant;
+        result.row(i) = cross<Scalar>(E.row((i + 1) % 3), E.row((i + 2) % 3));
     return result;
 }
 
-Matrix3cd combine(const Pencil& pencil, const Eigen::Vector4cd& coefficients) {
-    Matrix3cd sum = Matrix3cd::Zero();
+/// The ten cubics at a matrix that is nearly essential, and their derivatives.
+template <class Scalar>
+class Cubics {
+public:
+    using Values = Eigen::Matrix<Scalar, 10, 1>;
+
+    explicit Cubics(const Matrix3<Scalar>& E)
+        : E_(E), square_(E * E.transpose()), cofactors_(cofactors<Scalar>(E)) {}
+
+    Values values() const {
+        const Matrix3<Scalar> cubic = Scalar(2) * square_ * E_ - square_.trace() * E_;
+        return joined(cubic, cofactors_.row(0).cwiseProduct(E_.row(0)).sum());
+    }
+
+    /// Along a direction.
+    Values derivatives(const Matrix3<Scalar>& along) const {
+        const Matrix3<Scalar> product = along * E_.transpose();
+        const Matrix3<Scalar> change = product + product.transpose();
+        const Matrix3<Scalar> cubic = Scalar(2) * (change * E_ + square_ * along) -
+                                      change.trace() * E_ - square_.trace() * along;
+        return joined(cubic, cofactors_.cwiseProduct(along).sum());
+    }
+
+private:
+    static Values joined(const Matrix3<Scalar>& cubic, const Scalar& determinant) {
+        Values result;
+        result << cubic.reshaped(), determinant;
+        return result;
+    }
+
+    Matrix3<Scalar> E_, square_, cofactors_;
+};
+
+template <class Scalar>
+Matrix3<Scalar> combine(const Pencil& pencil, const Vector4<Scalar>& coefficients) {
+    Matrix3<Scalar> sum = Matrix3<Scalar>::Zero();
     for (int k = 0; k < 4; ++k)
         sum += coefficients[k] * pencil[static_cast<std::size_t>(k)];
     return sum;
@@ -175,25 +201,29 @@ Matrix3cd combine(const Pencil& pencil, const Eigen::Vector4cd& coefficients) {
 
 /// Newton's method on the pencil, from an approximate solution: what eigenvectors leave of rounding
 /// goes.
-Matrix3cd polished(const Pencil& pencil, Eigen::Vector4cd coefficients) {
-    constexpr int steps = 2;
-    for (int step = 0; step < steps; ++step) {
+template <class Scalar>
+Matrix3<Scalar> polished(const Pencil& pencil, Vector4<Scalar> coefficients) {
+    constexpr int most_steps = 2;
+    constexpr double small = 1e-8; // after such a step the next one changes nothing
+    double change_size = 1;
+    for (int step = 0; step < most_steps && change_size > small; ++step) {
         coefficients.normalize();
-        const Matrix3cd E = combine(pencil, coefficients);
-        // The fourth equation keeps the length: steps are orthogonal to the coefficients.
-        Eigen::Matrix<Complex, 11, 4> jacobian;
-        Eigen::Matrix<Complex, 11, 1> right;
+        const Cubics<Scalar> cubics(combine<Scalar>(pencil, coefficients));
+        // The last equation keeps the length: steps are orthogonal to the coefficients.
+        Eigen::Matrix<Scalar, 11, 4> jacobian;
         for (int k = 0; k < 4; ++k)
-            jacobian.col(k).head<10>() =
-                defect(E, pencil[static_cast<std::size_t>(k)].cast<Complex>());
+            jacobian.col(k).template head<10>() =
+                cubics.derivatives(pencil[static_cast<std::size_t>(k)].template cast<Scalar>());
         jacobian.row(10) = coefficients.adjoint();
-        right << -defect(E), Complex(0);
-        const Eigen::Matrix4cd normal = jacobian.adjoint() * jacobian;
-        const Eigen::Vector4cd change =
-            Eigen::PartialPivLU<Eigen::Matrix4cd>(normal).solve(jacobian.adjoint() * right);
-        if (change.allFinite()) coefficients += change;
+        Eigen::Matrix<Scalar, 11, 1> right;
+        right << -cubics.values(), Scalar(0);
+        const Eigen::Matrix<Scalar, 4, 4> normal = jacobian.adjoint() * jacobian;
+        const Vector4<Scalar> change = normal.partialPivLu().solve(jacobian.adjoint() * right);
+        if (!change.allFinite()) break;
+        coefficients += change;
+        change_size = change.norm();
     }
-    return combine(pencil, coefficients.normalized());
+    return combine<Scalar>(pencil, coefficients.normalized());
 }
 
 /// The two poses with this essential matrix, by B. Horn's formula (1990), which holds for complex
@@ -204,13 +234,12 @@ void append_poses(const Matrix3cd& E, std::vector<ComplexPose>& poses) {
     Eigen::Index largest = 0;
     tt.diagonal().cwiseAbs().maxCoeff(&largest);
     const Eigen::Vector3cd t = tt.col(largest) / std::sqrt(tt(largest, largest));
-    Matrix3cd cofactors, skew;
-    cofactors << cross(E.row(1), E.row(2)), cross(E.row(2), E.row(0)), cross(E.row(0), E.row(1));
+    Matrix3cd skew;
     skew << 0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0;
     const Complex norm = t.cwiseProduct(t).sum();
     if (std::abs(norm) < 1e-9 * t.squaredNorm()) return; // isotropic: no translation
     for (const double sign : {1.0, -1.0}) {
-        const Matrix3cd R = (cofactors - sign * skew * E) / norm;
+        const Matrix3cd R = (cofactors<Complex>(E) - sign * skew * E) / norm;
         poses.push_back({R, sign * t});
     }
 }
@@ -229,7 +258,16 @@ std::vector<ComplexPose> five_point_poses(const std::array<Vector3d, 5>& first,
     const auto vectors = solver.eigenvectors();
     for (int k = 0; k < 10; ++k) {
         const Eigen::Vector4cd coefficients = vectors.col(k).tail<4>();
-        if (coefficients.norm() > 0) append_poses(polished(*pencil, coefficients), poses);
+        const double imaginary = solver.eigenvalues()[k].imag();
+        if (coefficients.norm() == 0 || imaginary < 0) continue; // the conjugate of another one
+        if (imaginary == 0) {
+            const Matrix3d E = polished<double>(*pencil, coefficients.real());
+            append_poses(E.cast<Complex>(), poses);
+        } else {
+            const Matrix3cd E = polished<Complex>(*pencil, coefficients);
+            append_poses(E, poses);
+            append_poses(E.conjugate(), poses);
+        }
     }
     return poses;
 }

@@ -184,10 +184,23 @@ bool is_in_front(const Eigen::Vector3d& point, const Pose<double>& pose,
     return (pose.R * point + pose.t).dot(seen) * seen[2] > 0;
 }
 
+/// Takes the scene and the centres of the cameras to the other side of the centre of camera 1. The
+/// images stay what they are.
+void reflect(Solution& solution) {
+    for (ComplexPose& pose : solution.cameras)
+        pose.t = -pose.t;
+    for (SpaceFeature& feature : solution.features) {
+        if (feature.point) *feature.point = -*feature.point;
+        for (auto& line : feature.lines)
+            if (line) line->point = -line->point;
+    }
+}
+
 /// Marks what is in front. Returns how many more points are behind cameras than in front of them.
 int mark_in_front(const SeenImages& images, const std::vector<Pose<double>>& poses,
                   Solution& solution) {
     int behind = 0;
+    solution.in_front = 0;
     for (std::size_t f = 0; f < solution.features.size(); ++f) {
         SpaceFeature& feature = solution.features[f];
         if (!feature.point) continue;
@@ -212,7 +225,7 @@ Solution real_solution(const SeenImages& images, std::vector<Pose<double>> poses
     if (mark_in_front(images, poses, solution) > 0) {
         for (Pose<double>& pose : poses)
             pose.t = -pose.t;
-        solution = reconstruct(images, poses);
+        reflect(solution);
         mark_in_front(images, poses, solution);
     }
     solution.real = true;
