@@ -10,9 +10,9 @@
 #include "prover/solver/synthetic.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <limits>
 #include <string_view>
@@ -46,16 +46,23 @@ bool has_truth(const Answer& answer, const SyntheticScene& scene) {
     });
 }
 
+/// Of this thread: what else the machine does hardly matters.
+double processor_milliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
 /// Runs and times `solve`, and adds what it found.
 Answer timed(Figures& figures, const std::function<Answer()>& solve) {
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = processor_milliseconds();
     Answer answer = solve();
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+    const double end = processor_milliseconds();
     ++figures.instances;
     figures.degree += answer.degree;
     figures.found += answer.found;
     figures.whole += answer.lost == 0;
-    figures.milliseconds.push_back(time.count());
+    figures.milliseconds.push_back(end - begin);
     return answer;
 }
 
@@ -97,7 +104,7 @@ void print(const char* kind, Figures figures, bool truth) {
                 100.0 * static_cast<double>(figures.found) / static_cast<double>(figures.degree),
                 figures.whole);
     if (truth) std::printf("; the true cameras in %d", figures.with_truth);
-    std::printf("; median %.3g ms, 9 of 10 below %.3g ms\n", at(0.5), at(0.9));
+    std::printf("; median %.3g ms of processor time, 9 of 10 below %.3g ms\n", at(0.5), at(0.9));
 }
 
 } // namespace
