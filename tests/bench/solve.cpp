@@ -3,9 +3,10 @@
 // Usage: bench_solve PROBLEM INSTANCES [quick]
 //
 // Images are of two kinds: of synthetic scenes, which look like photos and have a known answer; and
-// random directions, which have none. Prints one line for each kind.
+// random directions, which have none. Prints one line for each kind, and for how long the engine of
+// `plprove degree` takes to follow as many paths.
 #include "prover/solver/solve.h"
-#include "prover/degree/random.h"
+#include "prover/degree/path_follower.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/synthetic.h"
 
@@ -29,6 +30,13 @@ struct Figures {
     int with_truth = 0;
     std::vector<double> milliseconds;
 };
+
+/// The value below which this share of the values is.
+double at(std::vector<double> values, double share) {
+    std::ranges::sort(values);
+    const auto last = static_cast<double>(values.size() - 1);
+    return values[static_cast<std::size_t>(share * last)];
+}
 
 double distance(const Solution& solution, const SyntheticScene& scene) {
     double largest = 0;
@@ -93,18 +101,34 @@ Figures of_random_images(const Solver& solver, int instances, const SolveOptions
     return figures;
 }
 
-void print(const char* kind, Figures figures, bool truth) {
-    std::ranges::sort(figures.milliseconds);
-    const auto at = [&](double share) {
-        const auto last = static_cast<double>(figures.milliseconds.size() - 1);
-        return figures.milliseconds[static_cast<std::size_t>(share * last)];
-    };
+/// The median time in which the engine of `plprove degree` follows as many paths, between random
+/// complex images.
+double median_of_engine(const Solver& solver, int instances) {
+    const Start& start = solver.start();
+    const TrackedSystem tracked = tracked_system(solver.system(), start.chart);
+    Random random(2, 0);
+    std::vector<double> milliseconds;
+    for (int i = 0; i < instances; ++i) {
+        Images to;
+        for (std::size_t k = 0; k < start.images.size(); ++k)
+            to.push_back(unit(random.complex3()));
+        const auto moving = moving_images(solver.system(), start.constants, start.images, to);
+        PathFollower follower(tracked);
+        const double begin = processor_milliseconds();
+        follower.follow_quickly(moving, start.solutions);
+        milliseconds.push_back(processor_milliseconds() - begin);
+    }
+    return at(milliseconds, 0.5);
+}
+
+void print(const char* kind, const Figures& figures, bool truth) {
     std::printf("%-14s %d instances: %.4f %% of the solutions found, all in %d", kind,
                 figures.instances,
                 100.0 * static_cast<double>(figures.found) / static_cast<double>(figures.degree),
                 figures.whole);
     if (truth) std::printf("; the true cameras in %d", figures.with_truth);
-    std::printf("; median %.3g ms of processor time, 9 of 10 below %.3g ms\n", at(0.5), at(0.9));
+    std::printf("; median %.3g ms of processor time, 9 of 10 below %.3g ms\n",
+                at(figures.milliseconds, 0.5), at(figures.milliseconds, 0.9));
 }
 
 } // namespace
@@ -119,7 +143,12 @@ int main(int argc, char** argv) {
     const bool quick = argc > 3 && std::string_view(argv[3]) == "quick";
     const SolveOptions options{quick ? Effort::once : Effort::thorough, false, false};
     print("scenes", of_scenes(solver, instances, options), true);
-    if (solver.plan().number)
-        print("random images", of_random_images(solver, instances, options), false);
+    if (solver.plan().number) {
+        const Figures random = of_random_images(solver, instances, options);
+        print("random images", random, false);
+        const double engine = median_of_engine(solver, instances);
+        std::printf("%-14s %.3g ms for as many paths: random images take %.2f times as long\n",
+                    "engine", engine, at(random.milliseconds, 0.5) / engine);
+    }
     return 0;
 }
