@@ -1,36 +1,24 @@
 #include "checker/plcheck.h"
 
-#include "checker/command/options.h"
+#include "checker/command/expected.h"
 #include "checker/report/report.h"
 #include "checker/version.h"
 
 #include <stdexcept>
 
 namespace plcheck {
-/// The command line that expects the same.
-static std::vector<std::string> arguments_for(const Expectation& expectation) {
-    std::vector<std::string> arguments;
-    const auto add = [&](const char* option, const std::string& value) {
-        if (value.empty()) return;
-        arguments.push_back(option);
-        arguments.push_back(value);
-    };
-    add("--expect", expectation.expect);
-    add("--verdict", expectation.verdict);
-    add("--degree", expectation.degree);
-    if (expectation.classification) arguments.push_back("--classification");
-    arguments.push_back("--");
-    arguments.push_back("a file"); // a command line has one
-    return arguments;
+/// An empty word stands for none.
+static std::optional<std::string_view> given(std::string_view word) {
+    if (word.empty()) return std::nullopt;
+    return word;
 }
 
 static checker::Expectation parse(const Expectation& expectation) {
-    std::vector<std::string> arguments = arguments_for(expectation);
-    std::vector<char*> pointers;
-    for (std::string& argument : arguments)
-        pointers.push_back(argument.data());
     try {
-        return checker::parse_options(pointers).expectation;
+        return checker::expectation_of({.problem = given(expectation.expect),
+                                        .verdict = given(expectation.verdict),
+                                        .degree = given(expectation.degree),
+                                        .classification = expectation.classification});
     } catch (const checker::WrongUsage& usage) {
         throw std::invalid_argument(usage.reason);
     }

@@ -1,7 +1,7 @@
 // What a command line asks for.
 #pragma once
 
-#include "checker/conclusion/expectation.h"
+#include "checker/command/expected.h"
 
 #include <span>
 
@@ -12,11 +12,6 @@ struct Options {
     bool table = false, errata = false, why = false; // details
     Expectation expectation{};
     std::vector<const char*> paths{};
-};
-
-/// A command line that makes no sense, and what to do.
-struct WrongUsage {
-    std::string reason;
 };
 
 /// Options come before the files; `--` ends them. Throws WrongUsage.

@@ -1,0 +1,64 @@
+#include "checker/command/expected.h"
+
+namespace checker {
+/// Reads a positive number; none if it is not written as such.
+static std::optional<std::size_t> parse_number(std::string_view digits) {
+    std::size_t number = 0;
+    const char* const end_of_digits = digits.data() + digits.size();
+    const auto [end, error] = std::from_chars(digits.data(), end_of_digits, number);
+    const bool read = error == std::errc{} && end == end_of_digits;
+    if (!read || number == 0 || digits[0] == '0') return std::nullopt;
+    return number;
+}
+
+/// Two of the verdicts may say by how much: `over-constrained 2`.
+static std::string checked_verdict(std::string_view verdict) {
+    const std::size_t blank = verdict.find(' ');
+    const std::string_view word = verdict.substr(0, blank);
+    const bool known = std::ranges::find(expected_verdicts, word) != expected_verdicts.end();
+    const bool sound = blank == verdict.npos || (word.ends_with("er-constrained") &&
+                                                 parse_number(verdict.substr(blank + 1)));
+    if (known && sound) return std::string(verdict);
+    std::string all;
+    for (const std::string_view one : expected_verdicts)
+        all += (all.empty() ? "" : ", ") + std::string(one);
+    throw WrongUsage{say("unknown verdict ", printable(verdict, 40), "; choose one of ", all)};
+}
+
+/// Reads N, or >=N.
+static ExpectedDegree parse_degree(std::string_view text) {
+    const bool exactly = !text.starts_with(">=");
+    const auto solutions = parse_number(exactly ? text : text.substr(2));
+    if (!solutions)
+        throw WrongUsage{say("--degree ", printable(text, 40),
+                             " is no number of solutions; write 312, or '>=312' in quotes")};
+    return {exactly, *solutions};
+}
+
+Expectation expectation_of(const ExpectedWords& words) {
+    if (words.classification) {
+        if (words.problem || words.verdict || words.degree)
+            throw WrongUsage{"--classification expects the whole table; leave out --expect, "
+                             "--verdict and --degree"};
+        return WholeClassification{};
+    }
+    if (!words.problem) {
+        if (words.verdict || words.degree)
+            throw WrongUsage{"--verdict and --degree are about a problem; add --expect PROBLEM"};
+        return {};
+    }
+    if (!words.verdict && !words.degree)
+        throw WrongUsage{"say what to expect of the problem: add --verdict minimal, or --degree N"};
+    ExpectedProblem expected{.notation = printable(*words.problem, 4096)};
+    try {
+        expected.problem = parse_problem(*words.problem);
+    } catch (const Malformed& malformed) {
+        throw WrongUsage{say("--expect ", printable(*words.problem, 200), ": ",
+                             malformed.complaint.reason,
+                             "; write it like '2*Pa/Pa/Pa + P/P/P', in quotes")};
+    }
+    if (words.verdict) expected.verdict = checked_verdict(*words.verdict);
+    if (words.degree) expected.degree = parse_degree(*words.degree);
+    return expected;
+}
+} // namespace checker

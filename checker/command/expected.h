@@ -1,0 +1,22 @@
+// What a user expects, from the words in which he says it.
+#pragma once
+
+#include "checker/conclusion/expectation.h"
+
+namespace checker {
+/// The values of the options of plcheck with these names; none where the option is not given.
+struct ExpectedWords {
+    std::optional<std::string_view> problem{}; // of --expect
+    std::optional<std::string_view> verdict{};
+    std::optional<std::string_view> degree{};
+    bool classification = false;
+};
+
+/// Words that make no sense, and what to write instead.
+struct WrongUsage {
+    std::string reason;
+};
+
+/// Throws WrongUsage.
+Expectation expectation_of(const ExpectedWords& words);
+} // namespace checker
