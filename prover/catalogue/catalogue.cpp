@@ -17,15 +17,6 @@ void add(Counts& sum, const Feature& feature) {
     }
 }
 
-/// The families of a class; those that consist of minimal problems are left out if this one is not.
-Families families_of(const Signature& signature, bool minimal) {
-    Families result = families(signature);
-    if (minimal) return result;
-    result.five_point_extension = result.registration = result.trifocal_linear = false;
-    result.plmp.reset();
-    return result;
-}
-
 void add_degrees(Entry& entry, const std::vector<DegreeRecord>& degrees) {
     if (!degrees.empty()) entry.degree = degrees.front();
     for (const DegreeRecord& record : degrees)

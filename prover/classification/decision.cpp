@@ -104,7 +104,7 @@ Decision decide(const Problem& problem) {
         decision.classes = {class_number(classes, representative(*signature)),
                             class_number(classes, swap_representative(*signature)),
                             class_number(classes, constraint_representative(*signature))};
-        decision.families = families(*signature);
+        decision.families = families_of(*signature, decision.obstruction.deficiency() == 0);
     }
     return decision;
 }

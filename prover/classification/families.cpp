@@ -76,4 +76,12 @@ Families families(const Signature& signature) {
     return result;
 }
 
+Families families_of(const Signature& signature, bool minimal) {
+    Families result = families(signature);
+    if (minimal) return result;
+    result.five_point_extension = result.registration = result.trifocal_linear = false;
+    result.plmp.reset();
+    return result;
+}
+
 } // namespace plprove

@@ -8,7 +8,7 @@
 
 namespace plprove {
 
-/// Which families a balanced signature belongs to, whether its problem is minimal or not.
+/// Which families a balanced signature belongs to.
 struct Families {
     bool pl0p = false;                 ///< free points and free lines only (Definition 7)
     bool at_most_one_pin = false;      ///< no point with two or more pins
@@ -19,6 +19,10 @@ struct Families {
     std::optional<std::string> plmp; ///< complete visibility: its name in PLMP, such as 3002_1
 };
 
+/// By the features alone, whether the problem is minimal or not.
 Families families(const Signature& signature);
+
+/// The same, but those families that consist of minimal problems have no others.
+Families families_of(const Signature& signature, bool minimal);
 
 } // namespace plprove

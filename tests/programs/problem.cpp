@@ -53,6 +53,15 @@ TEST_CASE("a problem that is no minimal one is told why") {
     CHECK(contains(star["reasons"].dump(), "view 1 sees only the point with 3 pins"));
 }
 
+TEST_CASE("an obstructed problem is in no family of minimal ones") {
+    const std::string obstructed = "6*P/P/- + 5*P/-/P"; // views 1 and 3 share five points
+    CHECK(decide(obstructed)["families"]["five_point_extension"] == false);
+    const Outcome text = run(plprove + " problem '" + obstructed + "'");
+    CHECK(!contains(text.out, "five-point"));
+    CHECK(decide("3")["families"]["plmp"].is_null()); // a point with seven pins, complete
+    CHECK(decide("6779")["families"]["five_point_extension"] == true);
+}
+
 TEST_CASE("a terminal problem is told from its class") {
     const std::string of_class = "#6723 (3*P/P/P + Pa/P/a), swap class #6723";
     const auto number_of = [](const std::string& spec) {
