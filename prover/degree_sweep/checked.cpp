@@ -117,7 +117,7 @@ bool Checked::accepts(const ClassResult& result) const {
 
 std::optional<int> Checked::exact(const ClassResult& result) const {
     const auto found = exact_.find(result.run.number);
-    if (found == exact_.end() || found->second != result.certified || !accepts(result))
+    if (found == exact_.end() || found->second != result.shown || !accepts(result))
         return std::nullopt;
     return found->second;
 }

@@ -16,15 +16,17 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view run_mark = "# run ";
-constexpr int most_edges = 99;                  // as in a record
-constexpr int smallest_trace_exponent = -99;    // as in a record
+constexpr const char* shown_key = "certificate";   // the word of `plprove degree --json`, too
+constexpr const char* old_shown_key = "certified"; // up to version 1.2
+constexpr int most_edges = 99;                     // as in a record
+constexpr int smallest_trace_exponent = -99;       // as in a record
 constexpr std::size_t longest_run_line = 16000; // leaves room for the mark in a line of the format
 
 Json json_of(const ClassResult& result) {
     const DegreeRun& run = result.run;
     Json json = {
         {"number", run.number},      {"degree", run.degree},      {"complete", run.complete()},
-        {"edges", nullptr},          {"trace_exponent", nullptr}, {"certified", result.certified},
+        {"edges", nullptr},          {"trace_exponent", nullptr}, {shown_key, result.shown},
         {"tracks", run.tracks},      {"retried", run.retried},    {"failed", run.failed},
         {"seconds", result.seconds}, {"seed", result.seed},       {"attempts", Json::array()},
         {"notes", run.notes}};
@@ -93,7 +95,7 @@ ClassResult result_of(const Json& json) {
     run.number = large_count(json.at("number"));
     run.degree = count(json.at("degree"));
     run.evidence = evidence_of(json);
-    result.certified = count(json.at("certified"));
+    result.shown = count(json.at(json.contains(shown_key) ? shown_key : old_shown_key));
     run.tracks = large_count(json.at("tracks"));
     run.retried = large_count(json.at("retried"));
     run.failed = large_count(json.at("failed"));
@@ -116,14 +118,14 @@ bool same(const CompletenessEvidence& one, const CompletenessEvidence& other) {
 bool agree(const std::optional<CompletenessEvidence>& of_record, const ClassResult& result) {
     if (!of_record) return true;
     const DegreeRun& run = result.run;
-    return run.evidence && same(*of_record, *run.evidence) && run.degree == result.certified;
+    return run.evidence && same(*of_record, *run.evidence) && run.degree == result.shown;
 }
 
 /// Whether the record is one of this class, and the run line says the same of it.
 bool is_whole(const ClassResult& result) {
-    if (result.record.empty()) return result.certified == 0;
+    if (result.record.empty()) return result.shown == 0;
     const auto summary = read_record(result.record, result.run.number);
-    return summary && summary->solutions == result.certified && agree(summary->evidence, result);
+    return summary && summary->solutions == result.shown && agree(summary->evidence, result);
 }
 
 /// Takes back what the record says of completeness where the run knows better.
@@ -142,7 +144,7 @@ ClassResult class_result(DegreeRun run, const DegreeOptions& options, double sec
     result.attempts = {{options.target, options.certificate}};
     result.seconds = seconds;
     if (run.certificate && !run.certificate->solutions.empty()) {
-        result.certified = run.certificate->degree();
+        result.shown = run.certificate->degree();
         result.record = write_record(*run.certificate);
     }
     run.certificate.reset();
@@ -156,8 +158,8 @@ ClassResult merged(ClassResult old, ClassResult recent) {
         recent.run = std::move(old.run);
         recent.seconds = old.seconds;
     }
-    if (old.certified > recent.certified) {
-        recent.certified = old.certified;
+    if (old.shown > recent.shown) {
+        recent.shown = old.shown;
         recent.record = std::move(old.record);
     }
     std::ranges::copy(old.attempts, std::back_inserter(recent.attempts));
@@ -177,7 +179,7 @@ bool attempted(const ClassResult& result, const DegreeOptions& options) {
 bool fulfils(const ClassResult& result, const DegreeOptions& options) {
     const bool enough = options.target > 0 && result.degree() >= options.target;
     if (!enough && !result.complete()) return false;
-    return !options.certificate || result.certified >= (enough ? options.target : result.degree());
+    return !options.certificate || result.shown >= (enough ? options.target : result.degree());
 }
 
 std::string run_line(const ClassResult& result) {
@@ -194,10 +196,7 @@ std::string write(const ClassResult& result) {
     return degree_file(lines + result.record);
 }
 
-std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole) {
-    std::error_code ignored; // what cannot be looked at cannot be read
-    if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt; // a pipe would hang
-    std::ifstream file(path, std::ios::binary);
+std::optional<ClassResult> parse_class_result(std::istream& file, bool whole) {
     std::string head, line;
     if (!std::getline(file, head) || !is_head(head)) return std::nullopt;
     if (!std::getline(file, line) || !line.starts_with(run_mark)) return std::nullopt;
@@ -211,6 +210,13 @@ std::optional<ClassResult> read_class_result(const std::filesystem::path& path, 
         // as of a file that another program wrote, or a disk damaged
     }
     return std::nullopt;
+}
+
+std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole) {
+    std::error_code ignored; // what cannot be looked at cannot be read
+    if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt; // a pipe would hang
+    std::ifstream file(path, std::ios::binary);
+    return parse_class_result(file, whole);
 }
 
 } // namespace plprove

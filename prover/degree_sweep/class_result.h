@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <compare>
 #include <filesystem>
+#include <istream>
 #include <string>
 
 namespace plprove {
@@ -30,13 +31,13 @@ struct ClassResult {
     std::vector<Attempt> attempts; ///< all runs
     DegreeRun run;
     double seconds = 0; ///< that `run` took
-    int certified = 0;  ///< how many solutions `record` shows
+    int shown = 0;      ///< how many solutions `record` shows, if plcheck accepts it
     std::string record; ///< empty if there is no certificate
 
     /// The largest number of solutions found.
-    int degree() const { return std::max(run.degree, certified); }
+    int degree() const { return std::max(run.degree, shown); }
     /// Evidence of completeness is void where a certificate shows more solutions.
-    bool complete() const { return run.complete() && certified <= run.degree; }
+    bool complete() const { return run.complete() && shown <= run.degree; }
 };
 
 ClassResult class_result(DegreeRun run, const DegreeOptions& options, double seconds);
@@ -62,5 +63,8 @@ std::string write(const ClassResult& result);
 /// where the first lines are not what write() writes, or, if `whole`, the record is not, or has not
 /// the solutions and the evidence of which the run line speaks.
 std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole);
+
+/// The same from the bytes of such a file.
+std::optional<ClassResult> parse_class_result(std::istream& file, bool whole);
 
 } // namespace plprove

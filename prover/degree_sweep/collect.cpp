@@ -77,7 +77,7 @@ std::optional<DegreeRecord> certified_record(const ClassResult& result, const Ch
         return DegreeRecord{number, *degree, DegreeBound::exact, DegreeStatus::certified,
                             "plcheck: lower and upper bound"};
     if (!checked.accepts(result)) return std::nullopt;
-    return DegreeRecord{number, result.certified, DegreeBound::at_least, DegreeStatus::certified,
+    return DegreeRecord{number, result.shown, DegreeBound::at_least, DegreeStatus::certified,
                         "plcheck: lower bound"};
 }
 
@@ -127,7 +127,7 @@ Collected collect(const SweepFolder& folder, const Selection& selection, std::si
         if (certified) records.push_back(std::move(*certified));
         if (!selects(selection, *result)) continue;
         ++collected.certificates;
-        collected.solutions += static_cast<std::uint64_t>(result->certified);
+        collected.solutions += static_cast<std::uint64_t>(result->shown);
         parts.add(result->record);
     }
     add_claims(records);

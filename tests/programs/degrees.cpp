@@ -212,9 +212,10 @@ TEST_CASE("a sweep says what it did, names what fell short, and is silent on the
     const std::string runs = read_file(folder / "two" / "runs.jsonl");
     const auto line = nlohmann::json::parse(runs.substr(0, runs.find('\n')));
     for (const char* field :
-         {"number", "degree", "certified", "complete", "edges", "trace_exponent", "tracks",
+         {"number", "degree", "certificate", "complete", "edges", "trace_exponent", "tracks",
           "retried", "failed", "seconds", "notes", "seed"})
         CHECK(line.contains(field));
+    CHECK(!contains(runs, "certified")); // plcheck has not been asked yet
 }
 
 TEST_CASE("a progress line with rate and time left is shown on a terminal and wiped") {

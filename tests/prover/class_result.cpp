@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 
 using namespace plprove;
 
@@ -75,8 +76,22 @@ TEST_CASE("a result is read back as it was written") {
         CHECK(whole->record == result.record);
         CHECK(write(*whole) == write(result));
         CHECK(whole->complete() == result.complete());
-        CHECK(whole->certified == result.run.degree);
+        CHECK(whole->shown == result.run.degree);
     }
+}
+
+TEST_CASE("a result of version 1.2 is read, and written in the words of today") {
+    const std::size_t number = class_with([](std::size_t n) { return is_well(n); });
+    const std::string text = write(class_result(fake_engine::compute(number, {}), {}, 1));
+    const std::string old =
+        std::regex_replace(text, std::regex("\"certificate\":([0-9])"), "\"certified\":$1");
+    REQUIRE(old != text);
+    for (const bool whole : {false, true}) {
+        std::istringstream file(old);
+        CHECK(parse_class_result(file, whole));
+    }
+    std::istringstream file(old);
+    CHECK(write(*parse_class_result(file, true)) == text);
 }
 
 TEST_CASE("a damaged result is no result") {
@@ -131,9 +146,9 @@ TEST_CASE("a contradicted completeness is none") {
     ClassResult result;
     result.run.degree = 10;
     result.run.evidence = {5, -9};
-    result.certified = 10;
+    result.shown = 10;
     CHECK(result.complete());
-    result.certified = 11;
+    result.shown = 11;
     CHECK(!result.complete());
     CHECK(result.degree() == 11);
 }

@@ -119,7 +119,7 @@ TEST_CASE("where plcheck finds lower and upper bound to meet, the degree is cert
     collect(sweep.results, {});
     const std::vector<std::size_t> accepted = sweep.with_certificate();
     const std::size_t met = accepted.front();
-    const int degree = sweep.results.read(met, true)->certified;
+    const int degree = sweep.results.read(met, true)->shown;
     collect(sweep.results, {0, {}, checked(sweep.folder.path(), accepted, {{met, degree}})});
     CHECK(sweep.certified_exactly() == std::vector<std::size_t>{met});
 }
@@ -131,7 +131,7 @@ TEST_CASE(
     const std::filesystem::path folder = sweep.folder.path();
     std::vector<std::size_t> accepted = sweep.with_certificate();
     const std::size_t met = accepted[0], other = accepted[1];
-    const int degree = sweep.results.read(met, true)->certified;
+    const int degree = sweep.results.read(met, true)->shown;
     const auto exact_after = [&](const Checked& report) {
         collect(sweep.results, {0, {}, report});
         return sweep.certified_exactly();
@@ -147,7 +147,7 @@ TEST_CASE(
     }
     SUBCASE("a class whose certificate plcheck did not accept is not believed") {
         const std::vector<std::pair<std::size_t, int>> exact{
-            {met, degree}, {other, sweep.results.read(other, true)->certified}};
+            {met, degree}, {other, sweep.results.read(other, true)->shown}};
         accepted.erase(accepted.begin());
         CHECK(exact_after(checked(folder, accepted, exact)) == std::vector<std::size_t>{other});
     }

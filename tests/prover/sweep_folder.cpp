@@ -90,7 +90,7 @@ TEST_CASE("a run line that says something else than the record is damage, and --
     const std::pair<std::string, std::string> changes[] = {
         {"\"degree\":" + degree, "\"degree\":" + more},
         {"\"degree\":" + degree, "\"degree\":1"},
-        {"\"certified\":" + degree, "\"certified\":" + more},
+        {"\"certificate\":" + degree, "\"certificate\":" + more},
         {"\"complete\":true", "\"complete\":false"},
         {"\"complete\":true,\"edges\":5,\"trace_exponent\":-11",
          "\"complete\":false,\"edges\":null,\"trace_exponent\":null"},
@@ -114,7 +114,7 @@ TEST_CASE("numbers that no run can have are damage, which any sweep mends") {
         {"\"degree\":", "\"degree\":-"},
         {"\"degree\":", "\"degree\":1e3"},
         {"\"degree\":", "\"degree\":99999999"},
-        {"\"certified\":", "\"certified\":-"},
+        {"\"certificate\":([0-9])", "\"certificate\":-$1"},
         {":-11", ":0"},
         {":-11", ":18446744073709551605"},
         {"\"tracks\":", "\"tracks\":-1"},
@@ -188,7 +188,7 @@ TEST_CASE("a record takes back that it is complete where a later run finds more"
     const auto result = sweep.results.read(sweep.number, true);
     REQUIRE(result);
     CHECK(result->degree() == degree + 2);
-    CHECK(result->certified == degree);
+    CHECK(result->shown == degree);
     const auto record = read_record(result->record, sweep.number);
     REQUIRE(record);
     CHECK(record->solutions == degree);
