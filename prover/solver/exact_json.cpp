@@ -57,6 +57,11 @@ private:
     }
 
     bool open(Json value) {
+        constexpr std::size_t deepest = 20; // more than images need; printing recurses
+        if (open_.size() == deepest) {
+            error_ = "lists and objects stand more than 20 deep in each other";
+            return false;
+        }
         open_.push_back(put(std::move(value)));
         return true;
     }

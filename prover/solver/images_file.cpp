@@ -3,6 +3,7 @@
 #include "prover/problem/spec.h"
 #include "prover/solver/exact_json.h"
 #include "prover/system/exit.h"
+#include "prover/system/words.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -44,6 +45,9 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t longest_quote = 60;  // of a file, in a message
+constexpr std::size_t longest_error = 300; // that the parser tells of
+
 /// A value of the file, and where it is.
 class Field {
 public:
@@ -51,10 +55,8 @@ public:
     Field(const Json& json, std::string place) : json_(json), place_(std::move(place)) {}
 
     [[noreturn]] void expect(const std::string& expected) const {
-        std::string found = json_.dump();
-        constexpr std::size_t longest = 60;
-        if (found.size() > longest) found = found.substr(0, longest) + "...";
-        throw BadInput(place() + ": expected " + expected + ", found " + found);
+        throw BadInput(place() + ": expected " + expected + ", found " +
+                       printable(json_.dump(), longest_quote));
     }
 
     bool is_null() const { return json_.is_null(); }
@@ -76,7 +78,8 @@ public:
                 std::string known;
                 for (const std::string& one : names)
                     known += (known.empty() ? "" : ", ") + one;
-                throw BadInput(place() + ": there is no member called \"" + name + "\" here, but " +
+                throw BadInput(place() + ": there is no member called \"" +
+                               printable(name, longest_quote) + "\" here, but " +
                                (known.empty() ? "none" : known));
             }
     }
@@ -104,6 +107,13 @@ public:
     std::string text() const {
         if (!json_.is_string()) expect("a text");
         return json_.get<std::string>();
+    }
+
+    /// A text that does nothing to a terminal.
+    std::string name() const {
+        const std::string name = text();
+        if (has_control_character(name)) expect("a name without control characters");
+        return name;
     }
 
 private:
@@ -211,7 +221,7 @@ void read_features(const Field& field, GivenImages& images) {
         const Feature& feature = images.problem[f];
         features[f].require_object({"views", "name"});
         const auto name = features[f].find("name");
-        images.names.push_back(name ? name->text() : "");
+        images.names.push_back(name ? name->name() : "");
         const Field all = features[f].at("views");
         const auto views = all.list("a list of views");
         if (std::ssize(views) != feature.views())
@@ -257,7 +267,7 @@ GivenImages read_images(const std::string& text, const std::string& name,
     try {
         json = parse_exact_json(text);
     } catch (const std::invalid_argument& error) {
-        throw BadInput(name + ": this is no JSON: " + error.what());
+        throw BadInput(name + ": this is no JSON: " + printable(error.what(), longest_error));
     }
     try {
         const Field file(json, "");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -33,14 +34,33 @@ std::size_t edits(const std::string& from, const std::string& to) {
     return rows.back().back();
 }
 
+bool is_printable(char c) {
+    return c >= ' ' && c <= '~';
+}
+
 } // namespace
 
 std::string in_quotes(std::string_view word) {
     constexpr std::size_t longest = 40;
-    const bool printable =
-        std::ranges::all_of(word, [](unsigned char c) { return c >= 0x20 && c < 0x7f; });
-    if (word.size() > longest || !printable) return "this";
+    if (word.size() > longest || !std::ranges::all_of(word, is_printable)) return "this";
     return "'" + std::string(word) + "'";
+}
+
+std::string printable(std::string_view text, std::size_t longest) {
+    std::string result(text.substr(0, longest));
+    std::ranges::replace_if(result, std::not_fn(is_printable), '?');
+    return text.size() > longest ? result + "..." : result;
+}
+
+bool has_control_character(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if (byte < 0x20 || byte == 0x7f) return true;
+        // U+0080 to U+009F, in two bytes
+        if (byte == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0)
+            return true;
+    }
+    return false;
 }
 
 std::optional<std::string> most_similar(const std::string& word,

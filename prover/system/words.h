@@ -11,6 +11,12 @@ namespace plprove {
 /// The word in quotes if it is short and fit for a terminal, else `this`.
 std::string in_quotes(std::string_view word);
 
+/// The text in printable ASCII: other bytes become `?`, and after `longest` follow three dots.
+std::string printable(std::string_view text, std::size_t longest);
+
+/// Whether UTF-8 text has a control character, which may move the cursor of a terminal.
+bool has_control_character(std::string_view text);
+
 /// The candidate that the fewest edits of the word reach, regardless of case: the insertion,
 /// removal or replacement of a letter, or an exchange of neighbours. Nothing if more than a third
 /// of the letters, or more than three, would change; the first one of several.

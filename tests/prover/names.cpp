@@ -102,3 +102,13 @@ TEST_CASE("a misspelled word is near the one that was meant") {
     CHECK(!most_similar("", words));
     CHECK(!most_similar(std::string(100'000, 'x'), words));
 }
+
+TEST_CASE("what others wrote is printed so that it leaves the terminal alone") {
+    CHECK(printable("plain text", 20) == "plain text");
+    CHECK(printable("a\x1b[2J\n\xc3\xa4", 20) == "a?[2J???");
+    CHECK(printable("0123456789", 4) == "0123...");
+    CHECK(!has_control_character("S\xc3\xbc"
+                                 "d, \xe2\x82\xac"));
+    for (const char* text : {"\x1b[2J", "a\nb", "\x7f", "\xc2\x9b"})
+        CHECK(has_control_character(text));
+}
