@@ -19,6 +19,7 @@
 #include "prover/system/atomic_file.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
+#include "prover/system/ranks.h"
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
@@ -177,6 +178,7 @@ std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
 
 int run(int argc, char** argv, const ComputeDegree& compute) {
     if (const std::optional<std::string> advice = renamed(argc, argv)) {
+        leave_words_to_rank_0(exit_usage);
         std::cerr << "plprove: " << *advice << '\n';
         return exit_usage;
     }
@@ -186,6 +188,7 @@ int run(int argc, char** argv, const ComputeDegree& compute) {
     try {
         program.parse(for_cli11(program, words));
     } catch (const CLI::ParseError& error) {
+        leave_words_to_rank_0(error.get_exit_code() == 0 ? 0 : exit_usage);
         if (error.get_exit_code() != 0) {
             std::cerr << "plprove: " << usage_advice(program, words, error) << '\n';
             return exit_usage;

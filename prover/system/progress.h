@@ -8,7 +8,7 @@ namespace plprove {
 
 /// Shows "label: done of total", and perhaps more, on standard error, rewriting its line; the line
 /// is wiped at the end. A total of 0 is not known and not shown. Silent where standard error is no
-/// terminal.
+/// terminal, nor passed on to one by mpirun.
 class ProgressLine {
 public:
     ProgressLine(std::string label, std::size_t total);

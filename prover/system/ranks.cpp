@@ -1,8 +1,10 @@
 #include "prover/system/ranks.h"
 
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
 #include <string_view>
+#include <thread>
 
 namespace plprove {
 
@@ -31,6 +33,18 @@ int ranks_started() {
     // Slurm sets the number of tasks for steps without MPI, too: only PMIx says that it starts MPI.
     if (number_in("PMIX_RANK")) return number_in("SLURM_STEP_NUM_TASKS").value_or(1);
     return 1;
+}
+
+int number_of_rank() {
+    for (const char* variable : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"})
+        if (const auto number = number_in(variable)) return *number;
+    return 0;
+}
+
+void leave_words_to_rank_0(int status) {
+    if (number_of_rank() == 0) return;
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    std::exit(status);
 }
 
 } // namespace plprove

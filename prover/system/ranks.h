@@ -33,6 +33,13 @@ Ranks only_rank();
 /// How many ranks were started together, as the environment says; 1 outside mpirun and srun.
 int ranks_started();
 
+/// The number of this rank, as the environment says; 0 outside mpirun and srun.
+int number_of_rank();
+
+/// For what is wrong with all ranks alike, as with their command line: rank 0 says it. Any other
+/// one ends here with this status, a second later: mpirun ends them all as soon as one has failed.
+void leave_words_to_rank_0(int status);
+
 /// Joins the ranks that were started together. MPI ends with the last copy of the result, and waits
 /// there for all ranks. Throws BadInput if there are several, and this plprove was built without
 /// MPI. A plprove that was started alone does not start MPI.

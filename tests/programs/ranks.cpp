@@ -252,6 +252,40 @@ TEST_CASE("what rank 0 refuses, or any rank cannot write, is said once and ends 
     CHECK(contains(full.err, "seed-0/060"));
 }
 
+TEST_CASE("wrong usage is said once, and so is the help") {
+    prepare_mpi();
+    for (const Arguments& wrong : {Arguments{"degrees", "--targte", "5"}, Arguments{"archive"}}) {
+        const Outcome outcome = run(shell(by_ranks(3), wrong));
+        CHECK(outcome.status == 3);
+        CHECK(outcome.out.empty());
+        CHECK(occurrences(outcome.err, "plprove: ") == 1);
+    }
+    const Outcome help = run(shell(by_ranks(3), {"degrees", "--help"}));
+    CHECK(help.status == 0);
+    CHECK(help.out == run(shell(PLPROVE_FAKE_ENGINE, {"degrees", "--help"})).out);
+}
+
+TEST_CASE("rank 0 shows its progress on the terminal of mpirun, and nothing in a pipe") {
+    prepare_mpi();
+    if (run("command -v script").status != 0) {
+        MESSAGE("there is no script(1) here: not tested");
+        return;
+    }
+    const TemporaryFolder folder;
+    const std::string ranks = "PLC_FAKE_ENGINE_MS=40 " + by_ranks(2) + " degrees --classes ";
+    const auto sweep = [&](const std::string& name) {
+        return ranks + "60000..60050 -o " + (folder / name).string();
+    };
+    write_file(folder / "shown.sh", sweep("shown"));
+    write_file(folder / "piped.sh", sweep("piped") + " 2>" + (folder / "errors").string());
+    const auto on_terminal = [&](const std::string& script) {
+        return run("script -qec 'sh " + (folder / script).string() + "' /dev/null");
+    };
+    CHECK(contains(on_terminal("shown.sh").out, "\rcomputing degrees: "));
+    CHECK(!contains(on_terminal("piped.sh").out, "computing degrees"));
+    CHECK(!contains(read_file(folder / "errors"), "computing degrees"));
+}
+
 TEST_CASE("the script for Slurm sweeps as one process does") {
     const SweepByOne one;
     const fs::path sweep = one.folder / "sweep";
