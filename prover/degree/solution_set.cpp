@@ -23,8 +23,8 @@ double norm(const CameraPoint& point) {
 
 } // namespace
 
-bool approximates(const CameraPoint& point, const CameraPoint& other) {
-    const double radius = SolutionSet::same * norm(point);
+bool approximates(const CameraPoint& point, const CameraPoint& other, double near) {
+    const double radius = near * norm(point);
     double distance = 0;
     for (std::size_t k = 0; k < point.size(); ++k)
         distance += std::norm(point[k] - other[k]);
@@ -32,11 +32,12 @@ bool approximates(const CameraPoint& point, const CameraPoint& other) {
 }
 
 std::optional<int> SolutionSet::find(const CameraPoint& point) const {
-    const double key_radius = 20 * same * norm(point);
+    const double key_radius = 20 * near_ * norm(point);
     const double centre = key(point);
     for (auto i = by_key_.lower_bound(centre - key_radius);
          i != by_key_.end() && i->first <= centre + key_radius; ++i)
-        if (approximates(point, points_[static_cast<std::size_t>(i->second)])) return i->second;
+        if (approximates(point, points_[static_cast<std::size_t>(i->second)], near_))
+            return i->second;
     return std::nullopt;
 }
 

@@ -9,14 +9,19 @@
 
 namespace plprove {
 
-/// Whether these are approximations of one solution, up to SolutionSet::same.
-bool approximates(const CameraPoint& point, const CameraPoint& other);
+/// The relative distance of approximations of one solution, where paths end.
+inline constexpr double near_at_path_ends = 1e-6;
+
+/// Whether these are approximations of one solution, up to this relative distance.
+bool approximates(const CameraPoint& point, const CameraPoint& other,
+                  double near = near_at_path_ends);
 
 /// Different solutions for the same images, which can be found again from a numerical
 /// approximation.
 class SolutionSet {
 public:
-    static constexpr double same = 1e-6; ///< relative distance of approximations of one solution
+    /// `near` is the relative distance of approximations of one solution.
+    explicit SolutionSet(double near = near_at_path_ends) : near_(near) {}
 
     std::optional<int> find(const CameraPoint& point) const;
     int add(const CameraPoint& point);
@@ -27,6 +32,7 @@ public:
     const std::vector<CameraPoint>& points() const { return points_; }
 
 private:
+    double near_;
     std::vector<CameraPoint> points_;
     std::multimap<double, int> by_key_;
 };

@@ -1,15 +1,19 @@
 #include "prover/solver/camera_solver.h"
 
 #include "prover/degree/scene.h"
+#include "prover/degree/solution_set.h"
 #include "prover/solver/alignment.h"
-#include "prover/solver/zero_set.h"
 
 namespace plprove {
 
 namespace {
 
-/// Zeros are as accurate as that, relative to their sizes; a ZeroSet tells them apart.
+/// Zeros are as accurate as that, relative to their sizes.
 constexpr double accuracy = 1e-13;
+
+/// So zeros are told apart that are very near each other, as those with nearly isotropic rotations
+/// are where fields of view are narrow.
+constexpr double near_zeros = 1e-11;
 
 /// Zeros that are no more than rounding errors away from being degenerate are no solutions.
 constexpr double least_nondegeneracy = 1e-13;
@@ -35,14 +39,14 @@ CameraPoint conjugate(const CameraChart& chart, const CameraPoint& zero) {
 
 /// Drops ends that two paths share: one of the paths has jumped.
 void drop_equal(PathFollower::Ends& ends) {
-    ZeroSet seen;
+    SolutionSet seen(near_zeros);
     std::vector<std::size_t> first; // which path leads to each of them
     std::vector<std::size_t> equal;
     for (std::size_t i = 0; i < ends.size(); ++i) {
         if (!ends[i]) continue;
         if (const auto known = seen.find(*ends[i])) {
             equal.push_back(i);
-            equal.push_back(first[*known]);
+            equal.push_back(first[static_cast<std::size_t>(*known)]);
         } else {
             seen.add(*ends[i]);
             first.push_back(i);
@@ -65,7 +69,7 @@ public:
         : solver_(solver), vectors_(image_vectors(solver.system_, solver.start_.constants, images)),
           at_rest_(moving_images(solver.system_, solver.start_.constants, images, images)) {}
 
-    const ZeroSet& found() const { return found_; }
+    const SolutionSet& found() const { return found_; }
     bool is_complete() const { return found_.size() >= solver_.start_.degree(); }
 
     /// Adds the zeros to which these ends lead by Newton's method. Two paths rarely have the same
@@ -82,20 +86,21 @@ public:
 private:
     void add(const CameraPoint& zero) {
         const QuaternionCameras cameras = solver_.start_.chart.cameras(zero);
-        if (nondegeneracy(solver_.system_, vectors_, cameras) > least_nondegeneracy)
+        if (nondegeneracy(solver_.system_, vectors_, cameras) > least_nondegeneracy &&
+            !found_.find(zero))
             found_.add(zero);
     }
 
     /// Conjugates of solutions are solutions, too: some paths need not have arrived.
     void add_conjugates() {
         PathFollower::Ends conjugates;
-        for (std::size_t i = conjugated_; i < found_.zeros().size() && !is_complete(); ++i) {
-            const CameraPoint zero = conjugate(solver_.start_.chart, found_.zeros()[i]);
+        for (std::size_t i = conjugated_; i < found_.points().size() && !is_complete(); ++i) {
+            const CameraPoint zero = conjugate(solver_.start_.chart, found_.points()[i]);
             if (!found_.find(zero)) conjugates.emplace_back(zero);
         }
         for (const auto& zero : polished(conjugates))
             if (zero) add(*zero);
-        conjugated_ = found_.zeros().size();
+        conjugated_ = found_.points().size();
     }
 
     /// In doubles where they are accurate enough; nothing where ends lead to no zero.
@@ -123,7 +128,7 @@ private:
     const CameraSolver& solver_;
     std::vector<Complex3> vectors_;
     TrackedImages at_rest_;
-    ZeroSet found_;
+    SolutionSet found_{near_zeros};
     std::size_t conjugated_ = 0; // so many zeros have their conjugates added
 };
 
@@ -146,7 +151,7 @@ FoundCameras CameraSolver::solve(const std::vector<Eigen::Vector3d>& images, Eff
                 follower.follow_double_double(straight, without_end(start_.solutions, ends).first));
     }
     FoundCameras result{{}, start_.degree() - search.found().size(), follower.counts().steps};
-    for (const CameraPoint& zero : search.found().zeros())
+    for (const CameraPoint& zero : search.found().points())
         result.cameras.push_back(turned_back(alignment, start_.chart.cameras(zero)));
     return result;
 }

@@ -1,10 +1,10 @@
 #include "prover/solver/placement.h"
 
 #include "prover/degree/path_follower.h"
+#include "prover/degree/solution_set.h"
 #include "prover/solver/alignment.h"
 #include "prover/solver/plan.h"
 #include "prover/solver/synthetic.h"
-#include "prover/solver/zero_set.h"
 
 #include <algorithm>
 
@@ -44,13 +44,12 @@ public:
         PathFollower::Ends ends = follower.follow_quickly(way, solutions);
         fill(ends, solutions,
              [&](const auto& open) { return follower.follow_double_double(way, open); });
-        ZeroSet different;
-        std::vector<CameraPoint> result;
+        SolutionSet different;
         for (const auto& end : ends) {
-            if (!end || !different.add(*end)) return std::nullopt;
-            result.push_back(*end);
+            if (!end || different.find(*end)) return std::nullopt;
+            different.add(*end);
         }
-        return result;
+        return different.points();
     }
 
     /// How many steps paths from these solutions of these images take to the targets.
