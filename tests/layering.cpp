@@ -33,7 +33,7 @@ const std::map<std::string, Folders> other_claims{
     {"conclusion", {"verdict", "degrees", "bounds", "counts", "digests", ""}}};
 
 /// The folders of prover/, from the bottom to the top.
-const Folders layers{"system",  "format",  "problem",   "geometry",     "classification",
+const Folders layers{"system",  "format",  "problem",   "geometry",     "general", "classification",
                      "bounds",  "degree",  "catalogue", "degree_sweep", "solver",
                      "drawing", "library", "scripts",   "bundle",       "cli"};
 

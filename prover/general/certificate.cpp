@@ -1,0 +1,123 @@
+#include "prover/general/certificate.h"
+
+#include "prover/general/notation.h"
+
+#include <random>
+#include <stdexcept>
+
+namespace plprove::general {
+
+namespace {
+
+constexpr int tries = 8;
+constexpr int largest_coordinate = 9;
+
+/// Small random integers, the same on every machine.
+class Coordinates {
+public:
+    explicit Coordinates(unsigned seed) : engine_(seed) {}
+
+    std::vector<std::int64_t> take(int count) {
+        std::vector<std::int64_t> result;
+        for (int i = 0; i < count; ++i)
+            result.push_back(static_cast<std::int64_t>(engine_() % (2 * largest_coordinate + 1)) -
+                             largest_coordinate);
+        return result;
+    }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+Instance random_instance(const Problem& problem, unsigned seed) {
+    Coordinates coordinates(seed);
+    Instance instance;
+    const bool calibrated = problem.model == CameraModel::calibrated;
+    for (int view = 1; view < problem.views; ++view)
+        instance.cameras.push_back(coordinates.take(calibrated ? 7 : 12));
+    if (!calibrated) {
+        const std::vector<std::int64_t> fixed_row{0, 0, 0, 1};
+        std::copy(fixed_row.begin(), fixed_row.end(), instance.cameras.front().begin());
+    }
+    instance.scene = coordinates.take(scene_coordinates(problem));
+    return instance;
+}
+
+std::optional<FullRank> find_full_rank(const Problem& problem) {
+    for (unsigned seed = 1; seed <= tries; ++seed) {
+        FullRank found{random_instance(problem, seed), 0};
+        const ResidueMatrix matrix = jacobian(problem, found.instance);
+        found.minor = nmod_mat_det(matrix.get());
+        if (found.minor != 0) return found;
+    }
+    return std::nullopt;
+}
+
+std::string plural(int count, const std::string& noun) {
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+struct Explain {
+    const Problem& problem;
+
+    std::string operator()(const FullRank&) const {
+        return "the images put as many conditions as cameras and scene have parameters, "
+               "independent at generic images";
+    }
+    std::string operator()(const Unbalanced&) const {
+        const int parameters =
+            dimension_in_space(problem) + camera_dimension(problem.model, problem.views);
+        const int images = dimension_in_views(problem);
+        return "cameras and scene have " + plural(parameters, "parameter") + ", the images " +
+               std::to_string(images);
+    }
+    std::string operator()(const FourCollinear& four) const {
+        return "points " + std::to_string(four.points[0] + 1) + ", " +
+               std::to_string(four.points[1] + 1) + ", " + std::to_string(four.points[2] + 1) +
+               " and " + std::to_string(four.points[3] + 1) +
+               " lie on a line: their cross-ratio is the same in views " +
+               std::to_string(four.views[0] + 1) + " and " + std::to_string(four.views[1] + 1);
+    }
+    std::string operator()(const OverconstrainedPart& reason) const {
+        const std::string what =
+            reason.motion.kind == MotionKind::none ? "has too few parameters for its images"
+            : reason.motion.kind == MotionKind::plane
+                ? "stays as it is when cameras move and keep what they see of a plane"
+                : "stays as it is when cameras move and keep the rays through point " +
+                      std::to_string(reason.motion.centre + 1);
+        return "a part of the problem " + what + ": its images satisfy at least " +
+               plural(reason.excess, "condition");
+    }
+};
+
+} // namespace
+
+bool is_minimal(const Certificate& certificate) {
+    return std::holds_alternative<FullRank>(certificate.evidence);
+}
+
+std::string verdict(const Certificate& certificate) {
+    if (is_minimal(certificate)) return "minimal";
+    return std::holds_alternative<Unbalanced>(certificate.evidence) ? "unbalanced" : "not minimal";
+}
+
+std::string explanation(const Certificate& certificate) {
+    return std::visit(Explain{certificate.problem}, certificate.evidence);
+}
+
+Certificate certify(const Problem& problem) {
+    const std::string text = notation(problem);
+    Certificate certificate{parse(text), Unbalanced{}};
+    if (!is_balanced(certificate.problem)) return certificate;
+    if (std::optional<FullRank> full_rank = find_full_rank(certificate.problem))
+        certificate.evidence = *std::move(full_rank);
+    else if (const std::optional<Reason> reason = find_reason(certificate.problem))
+        std::visit([&](const auto& found) { certificate.evidence = found; }, *reason);
+    else
+        throw std::runtime_error("no certificate found for " + text +
+                                 ": it looks as if it were not minimal, but no known reason "
+                                 "applies; please report it");
+    return certificate;
+}
+
+} // namespace plprove::general

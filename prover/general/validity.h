@@ -1,0 +1,13 @@
+// What a problem must satisfy beyond its notation, and what to write instead.
+#pragma once
+
+#include "prover/general/arrangement.h"
+
+namespace plprove::general {
+
+/// Throws NotationError if two lines share two points, a view sees two points of a line that it
+/// does not see, or two lines of a point that it does not see, or the points have no order of
+/// construction.
+void refuse_invalid(const Problem& problem);
+
+} // namespace plprove::general
