@@ -3,7 +3,11 @@
 #include "prover/catalogue/export.h"
 #include "prover/catalogue/spelling.h"
 #include "prover/cli/filter_options.h"
+#include "prover/cli/general_commands.h"
+#include "prover/cli/general_report.h"
+#include "prover/system/exit.h"
 
+#include <algorithm>
 #include <system_error>
 
 namespace plprove {
@@ -13,6 +17,7 @@ namespace {
 struct ListRequest {
     Filter filter;
     std::string format = "number";
+    std::string family;
     bool count = false;
 };
 
@@ -35,7 +40,9 @@ constexpr const char* list_examples =
     "                                               problems of such features only\n"
     "  plprove list --obstruction epipolar --rank ..7\n"
     "                                               far from minimal\n"
-    "  plprove list --five-point --format csv       with all columns (certs/CATALOGUE.md)\n";
+    "  plprove list --five-point --format csv       with all columns (certs/CATALOGUE.md)\n"
+    "  plprove list --family projective --minimal --format csv\n"
+    "                                               problems for projective cameras\n";
 
 constexpr const char* export_examples =
     "Examples:\n"
@@ -56,6 +63,27 @@ std::string list(const ListRequest& request) {
                                               : std::to_string(entry.number)) +
                 '\n';
     return text;
+}
+
+/// The problems of a family that pass --minimal and --not-minimal.
+std::string list_family(const ListRequest& request) {
+    if (request.format == "json")
+        throw BadInput("a family is not written as JSON: write --format csv");
+    std::vector<general::Certificate> chosen = certify_family(family_named(request.family));
+    std::erase_if(chosen, [&](const general::Certificate& certificate) {
+        const bool minimal = general::is_minimal(certificate);
+        return (request.filter.minimal && !minimal) || (request.filter.not_minimal && minimal);
+    });
+    return request.count ? std::to_string(chosen.size()) + '\n' : list_of(chosen, request.format);
+}
+
+/// Throws BadInput if an option is given that says nothing of a family.
+void refuse_other_filters(const CLI::App& command) {
+    const std::vector<std::string> allowed{"--family", "--minimal", "--not-minimal", "--count",
+                                           "--format"};
+    for (const CLI::Option* option : command.get_options())
+        if (option->count() > 0 && std::ranges::find(allowed, option->get_name()) == allowed.end())
+            throw BadInput(option->get_name() + " is no filter of a family: leave it out");
 }
 
 void export_files(const ExportRequest& request, const Deliver& deliver) {
@@ -94,9 +122,15 @@ Command add_list_command(CLI::App& program, Deliver deliver) {
         ->capture_default_str();
     command->add_flag("--count", request->count, "print only how many classes there are")
         ->excludes("--format");
+    add_family_option(*command, request->family,
+                      "instead of label classes: all balanced problems of a paper with complete "
+                      "visibility, with calibrated (plmp) or projective cameras");
     command->footer(list_examples);
-    return {command, [request, deliver = std::move(deliver)] {
-                return quiet_on_closed_pipe([&] { deliver("-", list(*request)); });
+    return {command, [request, command, deliver = std::move(deliver)] {
+                if (!request->family.empty()) refuse_other_filters(*command);
+                return quiet_on_closed_pipe([&] {
+                    deliver("-", request->family.empty() ? list(*request) : list_family(*request));
+                });
             }};
 }
 

@@ -1,8 +1,11 @@
 #include "prover/cli/problem_commands.h"
 
 #include "prover/classification/problem_certificate.h"
+#include "prover/cli/general_commands.h"
+#include "prover/cli/general_report.h"
 #include "prover/cli/problem_report.h"
 #include "prover/drawing/drawing.h"
+#include "prover/general/spec.h"
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
@@ -29,6 +32,11 @@ const std::string problem_examples =
     "  plprove problem '{{0,1},{{{1,1},{1,1,1}},{{1,1},{1,1,1}},{{1,1},{1,1,1}}}}'\n"
     "                                        Macaulay2: lines 0 and 1 pass through points 0 and\n"
     "                                        1; each view sees lines {1,1} and points {1,1,1}\n"
+    "  plprove problem 'projective: 3*PL/PL/PL + 4*P/P/P'\n"
+    "                                        uncalibrated cameras; L a line of three points.\n"
+    "                                        docs/notation.md says what else may be written\n"
+    "  plprove problem '(5,0,{{0,1,3},{0,2,4},{1,2}})'\n"
+    "                                        PLMP: 5 points, 0 free lines, points of each line\n"
     "  plprove problem '3*P/P/P + P/P/a' --certificate mine.plc\n"
     "  plcheck mine.plc\n\n"
     "Names: ";
@@ -54,12 +62,40 @@ struct ProblemRequest {
     bool json = false;
 };
 
+void decide_general_problem(const ProblemRequest& request, const general::Problem& problem,
+                            const Deliver& deliver) {
+    const general::Certificate certificate = general::certify(problem);
+    if (!request.certificate.empty())
+        deliver(request.certificate, general::write(std::span(&certificate, 1)));
+    deliver("-", request.json ? json_report(certificate) : text_report(certificate));
+}
+
 void decide_problem(const ProblemRequest& request, const Deliver& deliver) {
+    if (const std::optional<general::Problem> problem = general::parse_spec(request.spec))
+        return decide_general_problem(request, *problem, deliver);
     const Problem problem = parse_spec(request.spec);
     const ProblemReport report = report_on(problem);
     // The certificate first: where it fails, nothing is said that it was to prove.
     if (!request.certificate.empty()) deliver(request.certificate, write(certify_problem(problem)));
     deliver("-", request.json ? json_report(report) : text_report(report));
+}
+
+struct CertifyRequest {
+    std::string spec;
+    std::string family;
+    std::string path = "-";
+};
+
+std::string certificate_text(const CertifyRequest& request) {
+    if (!request.family.empty()) {
+        const general::Family family = family_named(request.family);
+        return general::write(certify_family(family), family);
+    }
+    if (const std::optional<general::Problem> problem = general::parse_spec(request.spec)) {
+        const general::Certificate certificate = general::certify(*problem);
+        return general::write(std::span(&certificate, 1));
+    }
+    return write(certify_problem(parse_spec(request.spec)));
 }
 
 struct ShowRequest {
@@ -104,21 +140,23 @@ Command add_problem_command(CLI::App& program, Deliver deliver) {
 }
 
 Command add_certify_command(CLI::App& program, Deliver deliver) {
-    struct Request {
-        std::string spec;
-        std::string path = "-";
-    };
-    auto request = std::make_shared<Request>();
-    CLI::App* app =
-        program.add_subcommand("certify", "Write a certificate of the verdict on one problem");
-    app->add_option("PROBLEM", request->spec, problem_help)->required();
+    auto request = std::make_shared<CertifyRequest>();
+    CLI::App* app = program.add_subcommand(
+        "certify", "Write a certificate of the verdict on one problem, or on a family");
+    CLI::Option_group* what = app->add_option_group("What to certify");
+    what->add_option("PROBLEM", request->spec, problem_help);
+    add_family_option(*what, request->family,
+                      "instead: all balanced problems of a paper with complete visibility, with "
+                      "calibrated (plmp) or projective cameras");
+    what->require_option(1);
     app->add_option("-o,--output", request->path, "the file to write, - for standard output")
         ->capture_default_str();
     app->footer("Examples:\n"
                 "  plprove certify 2394 -o chicago.plc\n"
-                "  plprove certify '3*P/P/P + P/P/a' | plcheck /dev/stdin");
+                "  plprove certify '3*P/P/P + P/P/a' | plcheck /dev/stdin\n"
+                "  plprove certify --family plmp -o plmp.plc");
     return {app, [request, deliver = std::move(deliver)] {
-                deliver(request->path, write(certify_problem(parse_spec(request->spec))));
+                deliver(request->path, certificate_text(*request));
                 return 0;
             }};
 }

@@ -1,0 +1,21 @@
+// What the subcommands `problem`, `certify` and `list` do with problems in general.
+#pragma once
+
+#include "prover/cli/command.h"
+#include "prover/general/certificate.h"
+
+namespace plprove {
+
+/// The names of the families, for options.
+inline constexpr const char* family_names[] = {"plmp", "projective"};
+
+/// The family with this name, which must be one of family_names.
+general::Family family_named(const std::string& name);
+
+/// Certificates of all problems of the family; shows progress on a terminal.
+std::vector<general::Certificate> certify_family(general::Family family);
+
+/// Adds `--family NAME` to a command or a group of options.
+CLI::Option* add_family_option(CLI::App& app, std::string& family, const std::string& help);
+
+} // namespace plprove

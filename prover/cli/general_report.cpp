@@ -1,0 +1,80 @@
+#include "prover/cli/general_report.h"
+
+#include "prover/general/notation.h"
+
+#include <nlohmann/json.hpp>
+
+namespace plprove {
+
+namespace {
+
+using general::Certificate;
+
+const char* model_name(const general::Problem& problem) {
+    return problem.model == general::CameraModel::calibrated ? "calibrated" : "projective";
+}
+
+std::string balance(const general::Problem& problem) {
+    const bool balanced = general::is_balanced(problem);
+    return "scene " + std::to_string(general::dimension_in_space(problem)) + " + cameras " +
+           std::to_string(general::camera_dimension(problem.model, problem.views)) +
+           (balanced ? " = " : " against ") + "images " +
+           std::to_string(general::dimension_in_views(problem)) +
+           (balanced ? ": balanced" : ": unbalanced");
+}
+
+std::string csv_line(const Certificate& certificate) {
+    const general::Problem& problem = certificate.problem;
+    const general::Counts counts = general::counts(problem);
+    std::string line;
+    for (const int number : {problem.views, counts.free_points, counts.dependent_points,
+                             counts.free_lines, counts.adjacent_lines})
+        line += std::to_string(number) + ',';
+    line += general::is_minimal(certificate) ? "1," : "0,";
+    line += ','; // no degree is computed
+    line += general::name(problem) + ',' + general::notation(problem) + ',';
+    if (!general::is_minimal(certificate)) line += '"' + general::explanation(certificate) + '"';
+    return line;
+}
+
+} // namespace
+
+std::string text_report(const Certificate& certificate) {
+    const general::Problem& problem = certificate.problem;
+    return "problem     " + general::notation(problem) + "\n" + "cameras     " +
+           std::to_string(problem.views) + ' ' + model_name(problem) + "\n" + "dimensions  " +
+           balance(problem) + "\n" + "verdict     " + general::verdict(certificate) + "\n" +
+           "            " + general::explanation(certificate) + "\n";
+}
+
+std::string json_report(const Certificate& certificate) {
+    const general::Problem& problem = certificate.problem;
+    const nlohmann::ordered_json report = {
+        {"problem", general::notation(problem)},
+        {"cameras", model_name(problem)},
+        {"views", problem.views},
+        {"dimensions",
+         {{"scene", general::dimension_in_space(problem)},
+          {"cameras", general::camera_dimension(problem.model, problem.views)},
+          {"images", general::dimension_in_views(problem)}}},
+        {"verdict", general::verdict(certificate)},
+        {"reason", general::explanation(certificate)}};
+    return report.dump(2) + '\n';
+}
+
+std::string list_of(std::span<const Certificate> certificates, const std::string& format) {
+    std::string text;
+    if (format == "csv")
+        text = "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,name,"
+               "notation,reason\n";
+    for (const Certificate& certificate : certificates) {
+        const general::Problem& problem = certificate.problem;
+        text += format == "csv"        ? csv_line(certificate)
+                : format == "notation" ? general::notation(problem)
+                                       : general::name(problem);
+        text += '\n';
+    }
+    return text;
+}
+
+} // namespace plprove
