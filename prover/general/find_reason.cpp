@@ -85,6 +85,41 @@ Part common_part(const Problem& problem, ViewSet views) {
     return part;
 }
 
+/// The part without the point and its pins, or without the line.
+Part without_point(const Problem& problem, Part part, int point) {
+    std::erase(part.points, point);
+    std::erase_if(part.lines, [&](int number) {
+        return problem.lines[static_cast<std::size_t>(number)].points == std::vector<int>{point};
+    });
+    return part;
+}
+
+Part without_line(Part part, int line) {
+    std::erase(part.lines, line);
+    return part;
+}
+
+/// Leaves out points and lines as long as the images of the rest have more parameters to spare.
+Part densest(const Problem& problem, Part part) {
+    const auto parameters_to_spare = [&](const Part& candidate) {
+        return is_part(problem, candidate) ? excess(problem, candidate, {}) : std::nullopt;
+    };
+    for (bool changed = true; changed;) {
+        changed = false;
+        std::vector<Part> candidates;
+        for (const int point : part.points)
+            candidates.push_back(without_point(problem, part, point));
+        for (const int line : part.lines)
+            candidates.push_back(without_line(part, line));
+        for (const Part& candidate : candidates)
+            if (!changed && parameters_to_spare(candidate) > parameters_to_spare(part)) {
+                part = candidate;
+                changed = true;
+            }
+    }
+    return part;
+}
+
 } // namespace
 
 std::optional<Reason> find_reason(const Problem& problem) {
@@ -97,10 +132,14 @@ std::optional<Reason> find_reason(const Problem& problem) {
     for (ViewSet views = 1; views <= all; ++views) {
         if (views != all) search.consider_motions(whole(problem), views);
         if (std::popcount(views) < 2) continue;
-        const Part part = common_part(problem, views);
-        if (!is_part(problem, part)) continue;
-        search.consider(part, {});
-        search.consider_motions(part, views);
+        Part in_these_views = whole(problem);
+        in_these_views.views = views;
+        for (const Part& part :
+             {common_part(problem, views), densest(problem, std::move(in_these_views))}) {
+            if (!is_part(problem, part)) continue;
+            search.consider(part, {});
+            search.consider_motions(part, views);
+        }
     }
     if (std::optional<OverconstrainedPart> found = search.take()) return *std::move(found);
     return std::nullopt;

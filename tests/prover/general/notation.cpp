@@ -1,0 +1,138 @@
+// The notation for problems in general: what it means, that it is read as it is written, and what
+// is refused.
+#include "prover/general/notation.h"
+#include "prover/general/spec.h"
+#include "tests/prover/general/random_problems.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <tuple>
+
+using namespace plprove;
+using namespace plprove::general;
+
+namespace {
+
+std::string refusal(const std::string& text) {
+    try {
+        general::parse(text);
+    } catch (const NotationError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// What an isomorphism keeps, in an order that does not depend on the numbers.
+auto invariants(const general::Problem& problem) {
+    std::vector<std::vector<ViewSet>> lines;
+    for (const Line& line : problem.lines) {
+        lines.push_back({line.seen});
+        for (const int point : line.points)
+            lines.back().push_back(problem.points[static_cast<std::size_t>(point)]);
+        std::sort(lines.back().begin() + 1, lines.back().end());
+    }
+    std::ranges::sort(lines);
+    std::vector<ViewSet> points = problem.points;
+    std::ranges::sort(points);
+    return std::tuple(problem.model, problem.views, points, lines, dimension_in_space(problem),
+                      dimension_in_views(problem));
+}
+
+} // namespace
+
+TEST_SUITE_BEGIN("problems in general: notation");
+
+TEST_CASE("what the notation means") {
+    const general::Problem collinear = general::parse("3*PL/PL/PL");
+    CHECK(collinear.points == std::vector<ViewSet>{7, 7, 7});
+    CHECK(collinear.lines == std::vector<Line>{{{0, 1, 2}, 7}});
+    CHECK(dimension_in_space(collinear) == 7);
+    CHECK(dimension_in_views(collinear) == 15);
+
+    const general::Problem pins = general::parse("projective: 2*Pab/Pa/P/a(c) + a/a/-/-");
+    CHECK(pins.model == CameraModel::projective);
+    CHECK(pins.points == std::vector<ViewSet>{7, 7});
+    CHECK(pins.lines ==
+          std::vector<Line>{{{0}, 11}, {{0}, 1}, {{0}, 0}, {{1}, 11}, {{1}, 1}, {{1}, 0}, {{}, 3}});
+
+    // Unseen points: mentioned, or the meet of two lines.
+    CHECK(general::parse("-/-(P)").points == std::vector<ViewSet>{0});
+    CHECK(general::parse("a/b").points == std::vector<ViewSet>{0});
+    CHECK(general::parse("a/a").points.empty());
+}
+
+TEST_CASE("dimensions do not depend on the order of the points") {
+    const general::Problem one = general::parse("2*PL/PL + PL/PL + PLM/PLM + PM/PM + PM/PM");
+    const general::Problem other = general::parse("2*PM/PM + PLM/PLM + PL/PL + 2*PL/PL");
+    CHECK(invariants(one) == invariants(other));
+    CHECK(is_constructible_in_order(other));
+    // Point 3 of the first text lies on two lines through earlier points: the points are put in
+    // another order.
+    const general::Problem crossing = general::parse("2*PL/PL + 2*PM/PM + PLM/PLM");
+    CHECK(is_constructible_in_order(crossing));
+    CHECK(dimension_in_space(crossing) == 3 * 5 - 2 * 2);
+}
+
+TEST_CASE("what is written is read as the same problem") {
+    plprove::general::RandomProblems random(24);
+    for (int i = 0; i < 500; ++i) {
+        const general::Problem problem = random.problem();
+        const std::string text = general::notation(problem);
+        CAPTURE(text);
+        const general::Problem again = general::parse(text);
+        CHECK(invariants(again) == invariants(problem));
+        CHECK(general::notation(general::parse(general::notation(again))) ==
+              general::notation(again));
+    }
+}
+
+TEST_CASE("what cannot be is refused, with what to write instead") {
+    const std::pair<const char*, const char*> refused[] = {
+        {"P", "expected '/'"},
+        {"", "found the end, expected what a view sees"},
+        {"P/P + P/P/P", "column 7: found 3 views, expected 2"},
+        {"P/P/P/P/P/P/P/P/P/P/P/P/P", "13 views: write at most 12 views"},
+        {"PL/P/PL + PL/P/PL", "view 2 sees point 1 and point 2, so it sees the line through them"},
+        {"PL/P/PL + PL/PL/PL", "write L in the same views at each of its points"},
+        {"2*PLM/PLM", "point 1 and point 2 lie on two lines"},
+        {"Pab/ab", "expected 'P' before two lines"},
+        {"PL/PL/PL + L/PL/PL + PLM/PLM/PLM + M/PM/PM + PMNA/PMNA/PMNA", "in alphabetical order"},
+        {"PLM/PLM + PLN/PLN + PLO/PLO + PMN/PMN + PMO/PMO + PNO/PNO", "leave out a point"},
+        {"L/L/L", "write a small letter for a line that meets no point"},
+        {"P/P(P)", "leave out '(P)'"},
+        {"Pa/P(a)", "leave it out there"},
+        {"-/-", "nothing is in this feature"},
+        {"Pba/P", "alphabetical order"},
+        {"0*P/P", "a multiplicity from 1 to 1000"},
+        {"P/P + ", "found the end"},
+        {"101*P/P", "at most 100 points"},
+        {"P/P\xc3\xa9", "the byte 195"},
+    };
+    for (const auto& [text, message] : refused) {
+        CAPTURE(text);
+        CHECK(refusal(text).find(message) != std::string::npos);
+    }
+}
+
+TEST_CASE("PLMP's encoding and names") {
+    const auto spec = [](const char* text) {
+        return general::notation(*general::parse_spec(text));
+    };
+    CHECK(spec("(5,0,{})") == "5*P/P");
+    CHECK(spec("(3, 1, {})") == "3*P/P/P + a/a/a");
+    CHECK(spec("(1,2,{{0}})") == spec("1021_1"));
+    CHECK(spec("(5,0,{{0,1,2,3}},2)") == "4*PL/PL + P/P");
+    CHECK(spec("projective: (6,0,{},3)") == "projective: 6*P/P/P");
+    CHECK(spec("5000_2") == "5*P/P");
+    CHECK_FALSE(general::parse_spec("3002_1")); // names.h has it
+    CHECK_FALSE(general::parse_spec("9999_9"));
+    CHECK_FALSE(general::parse_spec("Chicago"));
+    CHECK_FALSE(general::parse_spec("2*Pa/Pa/Pa + P/P/P"));
+    for (const char* wrong : {"(5,0,{{0,5}})", "(5,0", "(5,0,{}) x", "(0,0,{},3)", "(5,0,{{0,0}})",
+                              "(4,0,{})", "(3,0,{{0,1},{1,0}},3)", "(1,1,{},1)"}) {
+        CAPTURE(wrong);
+        CHECK_THROWS_AS(general::parse_spec(wrong), NotationError);
+    }
+}
+
+TEST_SUITE_END();
