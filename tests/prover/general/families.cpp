@@ -182,6 +182,57 @@ TEST_CASE("minimal problems: the papers' numbers, 30 and 291") {
     CHECK(in_three_views == 2);
 }
 
+/// The same points and lines in `views` views that see everything.
+general::Problem in_views(general::Problem problem, int views) {
+    problem.views = views;
+    std::ranges::fill(problem.points, all_views(views));
+    for (Line& line : problem.lines)
+        line.seen = all_views(views);
+    return problem;
+}
+
+TEST_CASE("seven points: the verdict of three views holds for any number of views") {
+    int problems = 0;
+    for (const Certificate& certificate : certificates_of(Family::projective)) {
+        if (certificate.problem.points.size() != 7 || certificate.problem.views != 3) continue;
+        ++problems;
+        CAPTURE(general::notation(certificate.problem));
+        for (int views = 4; views <= most_views; ++views) {
+            const general::Problem more = in_views(certificate.problem, views);
+            CHECK(is_balanced(more));
+            CHECK(is_minimal(certify(more)) == is_minimal(certificate));
+        }
+        // What proofs/families.md, Theorem 11, uses of the archive.
+        const auto* reason = std::get_if<OverconstrainedPart>(&certificate.evidence);
+        if (reason == nullptr) continue;
+        CHECK(reason->part.points == whole(certificate.problem).points);
+        CHECK(reason->part.lines == whole(certificate.problem).lines);
+        CHECK(reason->motion.moving == all_views(3));
+        const bool plane = reason->motion.kind == MotionKind::plane;
+        CHECK(reason->excess >= (plane ? 3 * 3 - 4 - 1 : 2));
+    }
+    CHECK(problems == 26);
+}
+
+TEST_CASE("not minimal, without four points on a line or six in a plane: the paper's 149") {
+    int not_minimal = 0, counted = 0;
+    for (const Certificate& certificate : certificates_of(Family::projective)) {
+        const general::Problem& problem = certificate.problem;
+        if (is_minimal(certificate) || problem.points.size() >= 7) continue;
+        ++not_minimal;
+        const bool four = std::ranges::any_of(
+            problem.lines, [](const Line& line) { return line.points.size() >= 4; });
+        // Points in general position on the lines of a plane: three lines, each of three points,
+        // and six points, without four on a line.
+        const auto lines_of_three = std::ranges::count_if(
+            problem.lines, [](const Line& line) { return line.points.size() == 3; });
+        const bool plane = problem.points.size() == 6 && lines_of_three == 3;
+        counted += four || plane ? 0 : 1;
+    }
+    CHECK(not_minimal == 330);
+    CHECK(counted == 149);
+}
+
 TEST_CASE("the committed archives are what the prover writes") {
     CHECK(write(certificates_of(Family::plmp), Family::plmp) == committed("plmp.plc"));
     CHECK(write(certificates_of(Family::projective), Family::projective) ==
