@@ -9,7 +9,7 @@ namespace plprove::general {
 
 namespace {
 
-constexpr int tries = 8;
+constexpr int tries = 100;
 constexpr int largest_coordinate = 9;
 
 /// Small random integers, the same on every machine.
@@ -57,6 +57,14 @@ std::string plural(int count, const std::string& noun) {
     return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
 
+/// The numbers from 1 of what is counted from 0, each after a blank.
+std::string list(const std::vector<int>& numbers) {
+    std::string text;
+    for (const int number : numbers)
+        text += ' ' + std::to_string(number + 1);
+    return text.empty() ? " -" : text;
+}
+
 struct Explain {
     const Problem& problem;
 
@@ -79,14 +87,31 @@ struct Explain {
                std::to_string(four.views[0] + 1) + " and " + std::to_string(four.views[1] + 1);
     }
     std::string operator()(const OverconstrainedPart& reason) const {
-        const std::string what =
-            reason.motion.kind == MotionKind::none ? "has too few parameters for its images"
-            : reason.motion.kind == MotionKind::plane
-                ? "stays as it is when cameras move and keep what they see of a plane"
-                : "stays as it is when cameras move and keep the rays through point " +
-                      std::to_string(reason.motion.centre + 1);
-        return "a part of the problem " + what + ": its images satisfy at least " +
-               plural(reason.excess, "condition");
+        const std::string conditions =
+            ", so its images satisfy at least " + plural(reason.excess, "condition");
+        return subject(reason.part) + ' ' + what_happens(reason.motion) + conditions;
+    }
+
+    std::string subject(const Part& part) const {
+        const Part all = whole(problem);
+        if (part.views == all.views && part.points == all.points && part.lines == all.lines)
+            return "the problem";
+        std::vector<int> views;
+        for (int view = 0; view < problem.views; ++view)
+            if (contains(part.views, view)) views.push_back(view);
+        return "the part of points" + list(part.points) + " and lines" + list(part.lines) +
+               " in views" + list(views);
+    }
+
+    std::string what_happens(const Motion& motion) const {
+        if (motion.kind == MotionKind::none) return "has fewer parameters than its images";
+        if (motion.kind == MotionKind::plane)
+            return "looks the same when cameras move and keep the images of a plane";
+        const std::string point = " point " + std::to_string(motion.centre + 1);
+        return problem.model == CameraModel::calibrated
+                   ? "looks the same when cameras slide along their rays to" + point
+                   : "looks the same when cameras move and keep the images of all lines through" +
+                         point;
     }
 };
 

@@ -17,7 +17,8 @@ constexpr int most_points_of(Family family) {
     return family == Family::plmp ? 5 : 8;
 }
 
-Problem problem_of(const Skeleton& skeleton, int free_lines, CameraModel model, int views) {
+Problem problem_of(const Skeleton& any_order, int free_lines, CameraModel model, int views) {
+    const Skeleton skeleton = in_order_of_lines(any_order);
     const ViewSet all = all_views(views);
     Problem problem{model, views, {}, {}};
     for (int point = 0; point < skeleton.points(); ++point) {

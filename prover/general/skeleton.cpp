@@ -4,6 +4,7 @@
 #include <functional>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 namespace plprove::general {
 
@@ -19,6 +20,28 @@ std::vector<int> invariant(const Skeleton& skeleton, int point) {
             result.push_back(static_cast<int>(line.size()));
     std::sort(result.begin() + 1, result.end());
     return result;
+}
+
+/// The lines through a point, by their numbers.
+std::vector<int> lines_of(const Skeleton& skeleton, int point) {
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < skeleton.lines.size(); ++i)
+        if (std::ranges::binary_search(skeleton.lines[i], point))
+            numbers.push_back(static_cast<int>(i));
+    return numbers;
+}
+
+/// Whether the point may come last among the points that are left: at most one of its lines has
+/// two others of them.
+bool may_come_last(const Skeleton& skeleton, int point, const std::vector<int>& left) {
+    int carriers = 0;
+    for (const int number : lines_of(skeleton, point)) {
+        const std::vector<int>& line = skeleton.lines[static_cast<std::size_t>(number)];
+        const auto on_line = std::ranges::count_if(
+            left, [&](int other) { return std::ranges::binary_search(line, other); });
+        carriers += on_line >= 3 ? 1 : 0;
+    }
+    return carriers <= 1;
 }
 
 /// The skeleton with point order[i] renamed i.
@@ -120,6 +143,29 @@ std::vector<std::vector<Skeleton>> skeletons(int most_points) {
         result.push_back(up_to_isomorphism(larger));
     }
     return result;
+}
+
+Skeleton in_order_of_lines(const Skeleton& skeleton) {
+    std::vector<int> left(skeleton.pins.size());
+    std::iota(left.begin(), left.end(), 0);
+    std::vector<int> order;
+    std::vector<int> lines_of_next;
+    const auto rank = [&](int point) {
+        const std::vector<int> lines = lines_of(skeleton, point);
+        const int pins = skeleton.pins[static_cast<std::size_t>(point)];
+        return std::tuple(lines.size(), lines != lines_of_next, -pins, -point);
+    };
+    while (!left.empty()) {
+        std::vector<int> candidates;
+        for (const int point : left)
+            if (may_come_last(skeleton, point, left)) candidates.push_back(point);
+        const int last = *std::ranges::min_element(candidates, {}, rank);
+        lines_of_next = lines_of(skeleton, last);
+        order.insert(order.begin(), last);
+        std::erase(left, last);
+    }
+    const Code code = renamed(skeleton, order);
+    return {code[0], {code.begin() + 1, code.end()}};
 }
 
 std::vector<Skeleton> with_pins(const Skeleton& skeleton, int pins) {

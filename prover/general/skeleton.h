@@ -19,6 +19,10 @@ int dependent_points(const Skeleton& skeleton);
 /// The skeletons without pins of 0, 1, ..., `most_points` points, in an order of construction.
 std::vector<std::vector<Skeleton>> skeletons(int most_points);
 
+/// The skeleton with its points in an order of construction that is short to write: points on many
+/// lines first, points on the same lines together.
+Skeleton in_order_of_lines(const Skeleton& skeleton);
+
 /// The ways to give the points of the skeleton so many pins in all.
 std::vector<Skeleton> with_pins(const Skeleton& skeleton, int pins);
 
