@@ -10,27 +10,29 @@ namespace plprove::general {
 namespace {
 
 constexpr int tries = 100;
-constexpr int largest_coordinate = 9;
+constexpr std::int64_t small = 9;
+constexpr std::int64_t large = 999999;
 
-/// Small random integers, the same on every machine.
+/// Random integers of at most this size, the same on every machine.
 class Coordinates {
 public:
-    explicit Coordinates(unsigned seed) : engine_(seed) {}
+    Coordinates(unsigned seed, std::int64_t largest) : engine_(seed), largest_(largest) {}
 
     std::vector<std::int64_t> take(int count) {
         std::vector<std::int64_t> result;
+        const auto range = static_cast<std::uint64_t>(2 * largest_ + 1);
         for (int i = 0; i < count; ++i)
-            result.push_back(static_cast<std::int64_t>(engine_() % (2 * largest_coordinate + 1)) -
-                             largest_coordinate);
+            result.push_back(static_cast<std::int64_t>(engine_() % range) - largest_);
         return result;
     }
 
 private:
     std::mt19937_64 engine_;
+    std::int64_t largest_;
 };
 
-Instance random_instance(const Problem& problem, unsigned seed) {
-    Coordinates coordinates(seed);
+Instance random_instance(const Problem& problem, unsigned seed, std::int64_t largest) {
+    Coordinates coordinates(seed, largest);
     Instance instance;
     const bool calibrated = problem.model == CameraModel::calibrated;
     for (int view = 1; view < problem.views; ++view)
@@ -43,11 +45,17 @@ Instance random_instance(const Problem& problem, unsigned seed) {
     return instance;
 }
 
+Residue minor_at(const Problem& problem, const Instance& instance) {
+    const ResidueMatrix matrix = jacobian(problem, instance);
+    return nmod_mat_det(matrix.get());
+}
+
+/// A point with small coordinates and full rank. Large coordinates tell whether there is one.
 std::optional<FullRank> find_full_rank(const Problem& problem) {
+    if (minor_at(problem, random_instance(problem, 1, large)) == 0) return std::nullopt;
     for (unsigned seed = 1; seed <= tries; ++seed) {
-        FullRank found{random_instance(problem, seed), 0};
-        const ResidueMatrix matrix = jacobian(problem, found.instance);
-        found.minor = nmod_mat_det(matrix.get());
+        FullRank found{random_instance(problem, seed, small), 0};
+        found.minor = minor_at(problem, found.instance);
         if (found.minor != 0) return found;
     }
     return std::nullopt;
