@@ -143,12 +143,15 @@ Command add_certify_command(CLI::App& program, Deliver deliver) {
     auto request = std::make_shared<CertifyRequest>();
     CLI::App* app = program.add_subcommand(
         "certify", "Write a certificate of the verdict on one problem, or on a family");
-    CLI::Option_group* what = app->add_option_group("What to certify");
-    what->add_option("PROBLEM", request->spec, problem_help);
-    add_family_option(*what, request->family,
-                      "instead: all balanced problems of a paper with complete visibility, with "
-                      "calibrated (plmp) or projective cameras");
-    what->require_option(1);
+    CLI::Option* const one = app->add_option("PROBLEM", request->spec, problem_help);
+    CLI::Option* const family = add_family_option(
+        *app, request->family,
+        "instead of PROBLEM: all balanced problems of a paper with complete visibility, with "
+        "calibrated (plmp) or projective cameras");
+    one->excludes(family);
+    app->callback([one, family] {
+        if (one->empty() && family->empty()) throw CLI::RequiredError("PROBLEM or --family");
+    });
     app->add_option("-o,--output", request->path, "the file to write, - for standard output")
         ->capture_default_str();
     app->footer("Examples:\n"

@@ -150,7 +150,15 @@ public:
                 problem_.lines.push_back({{point}, views});
     }
 
-    Problem take() { return std::move(problem_); }
+    /// The problem, when all features were added.
+    Problem take() {
+        for (const auto& [letter, number] : shared_)
+            if (problem_.lines[number].points.size() < 2)
+                throw NotationError(std::string("the line ") + letter +
+                                    " has only one point: write a small letter for it, or " +
+                                    letter + " at another point, too");
+        return std::move(problem_);
+    }
 
 private:
     [[noreturn]] static void fail(const WrittenFeature& feature, const std::string& message) {

@@ -121,13 +121,25 @@ private:
     std::size_t position_ = 0;
 };
 
+bool is_shared_letter(char c) {
+    return c >= 'A' && c <= 'Z' && c != 'P';
+}
+
+/// Whether a shared line stands after the `P` of a point, or in two places.
+bool has_shared_line(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (!is_shared_letter(text[i])) continue;
+        const bool after_point = i > 0 && text[i - 1] == 'P';
+        if (after_point || std::ranges::count(text, text[i]) > 1) return true;
+    }
+    return false;
+}
+
 /// Notation that only problems in general have.
 bool is_general_notation(std::string_view text) {
     if (text.find('/') == std::string_view::npos) return false;
-    const bool has_shared_line =
-        std::ranges::any_of(text, [](char c) { return c >= 'A' && c <= 'Z' && c != 'P'; });
     const std::string_view first = text.substr(0, text.find('+'));
-    return has_shared_line || std::ranges::count(first, '/') > 2;
+    return has_shared_line(text) || std::ranges::count(first, '/') > 2;
 }
 
 bool looks_like_plmp_name(std::string_view text) {

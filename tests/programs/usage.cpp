@@ -90,7 +90,7 @@ TEST_CASE("the help shows each way to name a problem, and each way works") {
         const std::string spec = in_quotes ? word.substr(1, end - 1) : word.substr(0, end);
         CHECK(run(plprove + " problem '" + spec + "'").status == 0);
     }
-    CHECK(shown == 6);
+    CHECK(shown == 8);
     CHECK(contains(help, "{{0,1},{{{1,1},{1,1,1}}"));
     for (const char* name : {"Chicago", "Cleveland", "five-point", "3002_1", "P3P+five-point"})
         CHECK(contains(help, name));

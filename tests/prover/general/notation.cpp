@@ -99,6 +99,7 @@ TEST_CASE("what cannot be is refused, with what to write instead") {
         {"PL/PL/PL + L/PL/PL + PLM/PLM/PLM + M/PM/PM + PMNA/PMNA/PMNA", "in alphabetical order"},
         {"PLM/PLM + PLN/PLN + PLO/PLO + PMN/PMN + PMO/PMO + PNO/PNO", "leave out a point"},
         {"L/L/L", "write a small letter for a line that meets no point"},
+        {"PL/PL + PM/PM + PM/PM", "the line L has only one point: write a small letter"},
         {"P/P(P)", "leave out '(P)'"},
         {"Pa/P(a)", "leave it out there"},
         {"-/-", "nothing is in this feature"},
