@@ -1,17 +1,36 @@
 #include "prover/cli/general_commands.h"
 
+#include "prover/general/notation.h"
+#include "prover/general/spec.h"
+#include "prover/system/exit.h"
 #include "prover/system/progress.h"
 
+#include <fstream>
+#include <iostream>
 #include <vector>
 
 namespace plprove {
 
-general::Family family_named(const std::string& name) {
-    return name == "plmp" ? general::Family::plmp : general::Family::projective;
+namespace {
+
+std::vector<general::Problem> problems_of(std::istream& in, const std::string& name) {
+    std::vector<general::Problem> problems;
+    std::size_t number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        if (line.empty() || line.front() == '#') continue;
+        try {
+            const std::optional<general::Problem> named = general::parse_spec(line);
+            problems.push_back(named ? *named : general::parse(line));
+        } catch (const NotationError& error) {
+            throw BadInput(name + ", line " + std::to_string(number) + ": " + error.what());
+        }
+    }
+    if (problems.empty()) throw BadInput(name + " has no problem: write one a line");
+    return problems;
 }
 
-std::vector<general::Certificate> certify_family(general::Family family) {
-    const std::vector<general::Problem> problems = general::family_problems(family);
+std::vector<general::Certificate> certify_all(const std::vector<general::Problem>& problems) {
     ProgressLine line("certifying problems", problems.size());
     std::vector<general::Certificate> certificates;
     for (const general::Problem& problem : problems) {
@@ -19,6 +38,23 @@ std::vector<general::Certificate> certify_family(general::Family family) {
         line.show(certificates.size());
     }
     return certificates;
+}
+
+} // namespace
+
+general::Family family_named(const std::string& name) {
+    return name == "plmp" ? general::Family::plmp : general::Family::projective;
+}
+
+std::vector<general::Certificate> certify_family(general::Family family) {
+    return certify_all(general::family_problems(family));
+}
+
+std::vector<general::Certificate> certify_listed(const std::string& path) {
+    if (path == "-") return certify_all(problems_of(std::cin, "standard input"));
+    std::ifstream file(path);
+    if (!file) throw BadInput("cannot read " + path + ": name a file with one problem a line");
+    return certify_all(problems_of(file, path));
 }
 
 CLI::Option* add_family_option(CLI::App& app, std::string& family, const std::string& help) {

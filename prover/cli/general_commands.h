@@ -15,6 +15,11 @@ general::Family family_named(const std::string& name);
 /// Certificates of all problems of the family; shows progress on a terminal.
 std::vector<general::Certificate> certify_family(general::Family family);
 
+/// Certificates of the problems in a file, or in standard input for the name "-": one a line, as
+/// general::parse_spec and general::parse read it; empty lines and lines that begin with # mean
+/// nothing. Throws BadInput with the line's number, or if the file cannot be read or has none.
+std::vector<general::Certificate> certify_listed(const std::string& path);
+
 /// Adds `--family NAME` to a command or a group of options.
 CLI::Option* add_family_option(CLI::App& app, std::string& family, const std::string& help);
 

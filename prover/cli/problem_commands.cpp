@@ -83,6 +83,7 @@ void decide_problem(const ProblemRequest& request, const Deliver& deliver) {
 struct CertifyRequest {
     std::string spec;
     std::string family;
+    std::string list;
     std::string path = "-";
 };
 
@@ -91,6 +92,7 @@ std::string certificate_text(const CertifyRequest& request) {
         const general::Family family = family_named(request.family);
         return general::write(certify_family(family), family);
     }
+    if (!request.list.empty()) return general::write(certify_listed(request.list));
     if (const std::optional<general::Problem> problem = general::parse_spec(request.spec)) {
         const general::Certificate certificate = general::certify(*problem);
         return general::write(std::span(&certificate, 1));
@@ -142,22 +144,30 @@ Command add_problem_command(CLI::App& program, Deliver deliver) {
 Command add_certify_command(CLI::App& program, Deliver deliver) {
     auto request = std::make_shared<CertifyRequest>();
     CLI::App* app = program.add_subcommand(
-        "certify", "Write a certificate of the verdict on one problem, or on a family");
+        "certify", "Write a certificate of the verdict on one problem, or on many");
     CLI::Option* const one = app->add_option("PROBLEM", request->spec, problem_help);
     CLI::Option* const family = add_family_option(
         *app, request->family,
         "instead of PROBLEM: all balanced problems of a paper with complete visibility, with "
         "calibrated (plmp) or projective cameras");
-    one->excludes(family);
-    app->callback([one, family] {
-        if (one->empty() && family->empty()) throw CLI::RequiredError("PROBLEM or --family");
+    CLI::Option* const list =
+        app->add_option("--list", request->list,
+                        "instead of PROBLEM: the problems in this file, one a line in the notation "
+                        "of docs/notation.md (- for standard input)")
+            ->type_name("FILE");
+    one->excludes(family)->excludes(list);
+    family->excludes(list);
+    app->callback([one, family, list] {
+        if (one->empty() && family->empty() && list->empty())
+            throw CLI::RequiredError("PROBLEM, --family or --list");
     });
     app->add_option("-o,--output", request->path, "the file to write, - for standard output")
         ->capture_default_str();
     app->footer("Examples:\n"
                 "  plprove certify 2394 -o chicago.plc\n"
                 "  plprove certify '3*P/P/P + P/P/a' | plcheck /dev/stdin\n"
-                "  plprove certify --family plmp -o plmp.plc");
+                "  plprove certify --family plmp -o plmp.plc\n"
+                "  plprove certify --list mine.txt -o mine.plc");
     return {app, [request, deliver = std::move(deliver)] {
                 deliver(request->path, certificate_text(*request));
                 return 0;

@@ -1,0 +1,67 @@
+// plprove asked about problems in general: other cameras, more views, shared lines, families.
+#include "tests/support/program.h"
+#include "tests/support/text.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+const std::string plprove = PLPROVE;
+const std::string certs = SOURCE_DIR "/certs/";
+
+} // namespace
+
+TEST_CASE("problems in general: verdict, JSON and certificate") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "one.plc").string();
+    const Outcome text = run(plprove + " problem 'projective: 7*P/P' --certificate " + file);
+    CHECK(text.status == 0);
+    CHECK(contains(text.out, "\ncameras     2 projective\n"));
+    CHECK(contains(text.out, "\nverdict     minimal\n"));
+    const std::string certificate = read_file(file);
+    CHECK(certificate.starts_with("plcert 2 problems\nmodulus 2305843009213693951\n"
+                                  "problem projective: 7*P/P\nminimal "));
+    CHECK(run(plprove + " certify 'projective: 7*P/P'").out == certificate);
+
+    const Outcome json = run(plprove + " problem '4*PL/PL + P/P' --json");
+    CHECK(json.status == 0);
+    CHECK(contains(json.out, "\"verdict\": \"not minimal\""));
+    CHECK(contains(json.out, "cross-ratio"));
+    CHECK(contains(run(plprove + " problem 'projective: 8*P/P'").out, "verdict     unbalanced"));
+}
+
+TEST_CASE("problems in general: families as CSV and as archives") {
+    const Outcome csv = run(plprove + " list --family projective --format csv");
+    CHECK(csv.status == 0);
+    CHECK(csv.out.starts_with(
+        "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,"));
+    CHECK(lines_of(csv.out).size() == 1 + 660);
+    CHECK(run(plprove + " list --family plmp --minimal --count").out == "30\n");
+    CHECK(run(plprove + " list --family plmp --not-minimal --count").out == "9\n");
+    for (const std::string family : {"plmp", "projective"})
+        CHECK(run(plprove + " certify --family " + family).out ==
+              read_file(certs + family + ".plc"));
+    const Outcome filter = run(plprove + " list --family plmp --pins 3");
+    CHECK(filter.status == 2);
+    CHECK(contains(filter.err, "--pins is no filter of a family: leave it out"));
+    CHECK(run(plprove + " list --family plmp --format json").status == 2);
+    CHECK(run(plprove + " list --family other").status == 3);
+}
+
+TEST_CASE("problems in general: certificates of a list") {
+    const std::string certify = plprove + " certify --list -";
+    const Outcome outcome =
+        run("printf '# mine\\n\\nprojective: 7*P/P\\n1021_1\\n3*P/P/P + a/a/a\\n' | " + certify);
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "\nproblem projective: 7*P/P\n"));
+    CHECK(contains(outcome.out, "\nproblem Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a\n"));
+    CHECK(contains(outcome.out, "\nproblem 3*P/P/P + a/a/a\n"));
+    const Outcome wrong = run("printf '5*P/P\\nPL/P + PL/PL\\n' | " + certify);
+    CHECK(wrong.status == 2);
+    CHECK(wrong.out.empty());
+    CHECK(contains(wrong.err, "standard input, line 2: column 8: other views see the line L"));
+    CHECK(contains(run("printf '' | " + certify).err, "has no problem: write one a line"));
+    CHECK(run(plprove + " certify --list /nonexistent").status == 2);
+    CHECK(run(plprove + " certify").status == 3);
+    CHECK(run(plprove + " certify 2394 --family plmp").status == 3);
+}
