@@ -41,6 +41,9 @@ What to print, beside a line for each file and a summary; the last line is the r
     --quiet              the last line only
     --json               a report for a program, see docs/report.schema.json
 
+    --threads N          replay a degree file by so many threads (default: one a core); the report
+                         is the same
+
     --version            the version, the format, and what you have to trust for each kind of claim
     --help               this text
 
@@ -107,13 +110,13 @@ static bool read(const char* path, std::string& bytes) {
 }
 
 static ReplayedFile read_and_replay(const Classification& classes, const char* path,
-                                    ProgressBar& bar) {
+                                    std::size_t threads, ProgressBar& bar) {
     std::string bytes;
     if (!read(path, bytes))
         return {.name = printable(path, 4096), .content = Unreadable{std::strerror(errno)}};
     bar.begin(bytes);
-    ReplayedFile file =
-        replay(classes, path, bytes, [&](const Progress& progress) { bar.update(progress); });
+    const Watch watch = [&](const Progress& progress) { bar.update(progress); };
+    ReplayedFile file = replay(classes, path, bytes, {watch, threads});
     bar.clear();
     return file;
 }
@@ -134,7 +137,7 @@ static std::vector<ReplayedFile> replay_all(const Classification& classes, const
     ProgressBar bar(size_of(options.paths), !options.quiet && isatty(STDERR_FILENO) == 1);
     std::vector<ReplayedFile> files;
     for (const char* path : options.paths) {
-        files.push_back(read_and_replay(classes, path, bar));
+        files.push_back(read_and_replay(classes, path, options.threads, bar));
         std::cerr << complaints(files.back());
         if (told) std::cout << finding(files.back()) << std::flush;
     }

@@ -5,7 +5,7 @@
 namespace checker {
 /// Takes the first line, and replays the rest as its kind of file. Throws Malformed.
 static FileContent replay_certificates(const Classification& classes, std::string_view bytes,
-                                       const Watch& watch) {
+                                       const Execution& execution) {
     Reader reader(bytes);
     reader.take("plcert");
     if (reader.comes("1"))
@@ -16,25 +16,25 @@ static FileContent replay_certificates(const Classification& classes, std::strin
     reader.end_line();
     if (kind == "classification") return replay_classification(reader, classes);
     if (kind == "problem") return replay_problem(reader, classes);
-    if (kind == "degrees") return replay_degrees(reader, classes, watch);
-    if (kind == "bounds") return replay_bounds(reader, watch);
+    if (kind == "degrees") return replay_degrees(reader, classes, execution);
+    if (kind == "bounds") return replay_bounds(reader, execution.watch);
     throw Malformed{{1, say("found `", printable(kind, 40),
                             "`, expected `classification`, `problem`, `degrees` or `bounds`")}};
 }
 
 static FileContent replay_content(const Classification& classes, std::string_view bytes,
-                                  const Watch& watch) {
+                                  const Execution& execution) {
     if (bytes.size() > largest_file) return Malformed{{0, "the file is larger than 64 MiB"}};
     try {
         if (is_digest_list(bytes)) return read_digest_list(bytes);
-        return replay_certificates(classes, bytes, watch);
+        return replay_certificates(classes, bytes, execution);
     } catch (const Malformed& malformed) {
         return malformed;
     }
 }
 
 ReplayedFile replay(const Classification& classes, std::string_view name, std::string_view bytes,
-                    const Watch& watch) {
-    return {printable(name, 4096), sha256(bytes), replay_content(classes, bytes, watch)};
+                    const Execution& execution) {
+    return {printable(name, 4096), sha256(bytes), replay_content(classes, bytes, execution)};
 }
 } // namespace checker

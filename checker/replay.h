@@ -25,8 +25,7 @@ struct ReplayedFile {
     FileContent content{};
 };
 
-/// Replays the bytes of a file. The watch is told how far it is.
-ReplayedFile replay(
-    const Classification& classes, std::string_view name, std::string_view bytes,
-    const Watch& watch = [](const Progress&) {});
+/// Replays the bytes of a file.
+ReplayedFile replay(const Classification& classes, std::string_view name, std::string_view bytes,
+                    const Execution& execution = {});
 } // namespace checker

@@ -1,8 +1,7 @@
 #include "checker/command/expected.h"
 
 namespace checker {
-/// Reads a positive number; none if it is not written as such.
-static std::optional<std::size_t> parse_number(std::string_view digits) {
+std::optional<std::size_t> parse_number(std::string_view digits) {
     std::size_t number = 0;
     const char* const end_of_digits = digits.data() + digits.size();
     const auto [end, error] = std::from_chars(digits.data(), end_of_digits, number);

@@ -17,6 +17,9 @@ struct WrongUsage {
     std::string reason;
 };
 
+/// Reads a positive number; none if it is not written as such.
+std::optional<std::size_t> parse_number(std::string_view digits);
+
 /// Throws WrongUsage.
 Expectation expectation_of(const ExpectedWords& words);
 } // namespace checker

@@ -1,6 +1,10 @@
 #include "checker/command/options.h"
 
+#include <thread>
+
 namespace checker {
+static constexpr std::size_t most_threads = 1024;
+
 /// The arguments that are left to read.
 class Arguments {
 public:
@@ -29,6 +33,15 @@ static void set(std::optional<std::string_view>& words, std::string_view option,
     words = value;
 }
 
+static std::size_t parse_threads(std::string_view text) {
+    const auto threads = parse_number(text);
+    if (!threads || *threads > most_threads)
+        throw WrongUsage{say("--threads ", printable(text, 40),
+                             " is no number of threads; write 1 to ", most_threads,
+                             ", like --threads 4")};
+    return *threads;
+}
+
 /// Whether the argument is this option, which has a value.
 static bool is(std::string_view argument, std::string_view option) {
     return argument.substr(0, argument.find('=')) == option;
@@ -54,6 +67,8 @@ static void take_option(Arguments& arguments, Options& options, ExpectedWords& e
         set(expected.verdict, "--verdict", arguments.value_of(option));
     else if (is(option, "--degree"))
         set(expected.degree, "--degree", arguments.value_of(option));
+    else if (is(option, "--threads"))
+        options.threads = parse_threads(arguments.value_of(option));
     else if (option == "--version" || option == "--help" || option == "-h")
         throw WrongUsage{say(option, " stands alone; put -- before files with such names")};
     else
@@ -76,6 +91,9 @@ Options parse_options(std::span<char* const> values) {
         options.paths.push_back(arguments.take());
     }
     options.expectation = expectation_of(expected);
+    if (options.threads == 0)
+        options.threads =
+            std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most_threads);
     if (options.paths.empty()) throw WrongUsage{"no file given, see --help"};
     return options;
 }

@@ -10,6 +10,7 @@ struct Options {
     bool json = false;                               // else text; then the next four do not matter
     bool quiet = false;                              // the last line only
     bool table = false, errata = false, why = false; // details
+    std::size_t threads = 0;                         // that replay a file
     Expectation expectation{};
     std::vector<const char*> paths{};
 };

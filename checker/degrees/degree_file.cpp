@@ -127,14 +127,13 @@ struct Found {
 /// degree at most, so it does not take long to compare them all.)
 class ProvedSolutions {
 public:
-    explicit ProvedSolutions(const CameraSystem& system) : system_(system) {}
-
     std::size_t count() const { return found_.size(); }
 
-    /// Proves a solution, and its conjugate unless it is real. Throws Refused if it cannot, or if
-    /// it may be one that is proved before.
-    void add(const ApproximateSolution& start) {
-        const Box box = certify(system_, start);
+    /// Adds what is proved of a starting value: a solution, and its conjugate unless it is real.
+    /// Throws Refused if nothing is, or if it may be one that is added before.
+    void add(const ApproximateSolution& start, const Proof& proof) {
+        if (const auto* refused = std::get_if<Refused>(&proof)) throw *refused;
+        const Box& box = std::get<Box>(proof);
         add({box, start.line});
         if (start.real) return;
         const Box conjugate = box.conjugate();
@@ -150,16 +149,15 @@ private:
         found_.push_back(solution);
     }
 
-    const CameraSystem& system_;
     std::vector<Found> found_;
 };
 
-/// Takes the solutions of a record and proves them as they come. After one that is refused, the
-/// others are only read.
+/// Takes the solutions of a record and proves them as they come, some at a time. After one that is
+/// refused, the others are only read.
 class RecordReplay {
 public:
-    RecordReplay(Reader& reader, DegreeFile& file, const Watch& watch, Progress& progress)
-        : reader_(reader), file_(file), watch_(watch), progress_(progress) {}
+    RecordReplay(Reader& reader, DegreeFile& file, const Execution& execution, Progress& progress)
+        : reader_(reader), file_(file), execution_(execution), progress_(progress) {}
 
     void run(const DegreeRecord& record, const Classification& classes) {
         ++progress_.records;
@@ -168,12 +166,16 @@ public:
             if (file_.refusals.count >= most_refusals)
                 throw Refused("not replayed, as ", most_refusals, " records are refused before it");
             const CameraSystem system = system_of(record, classes);
-            ProvedSolutions proved(system);
+            ProvedSolutions proved;
             do {
-                line = reader_.line();
-                proved.add(read_solution(reader_));
-                ++progress_.solutions;
-                watch_({reader_.line(), progress_.records, progress_.solutions});
+                const auto starts = read_some(proved.count());
+                const auto proofs = certify_all(system, starts, execution_.threads);
+                for (std::size_t i = 0; i < starts.size(); ++i) {
+                    line = starts[i].line;
+                    proved.add(starts[i], proofs[i]);
+                    ++progress_.solutions;
+                    execution_.watch({line, progress_.records, progress_.solutions});
+                }
             } while (has_more());
             file_.bounds.push_back({record.number, proved.count(), record.complete});
         } catch (const Refused& refused) {
@@ -185,6 +187,18 @@ public:
 private:
     bool has_more() const { return !reader_.at_end() && !reader_.comes("degree"); }
 
+    /// Reads as many solutions as the threads shall prove at a time. What comes after a flaw is
+    /// proved in vain; so at first these are few, as most flawed records have their flaw early.
+    std::vector<ApproximateSolution> read_some(std::size_t proved) {
+        const std::size_t threads = execution_.threads;
+        const std::size_t most = threads == 1 ? 1 : std::clamp(proved, threads, 64 * threads);
+        std::vector<ApproximateSolution> starts;
+        do
+            starts.push_back(read_solution(reader_));
+        while (starts.size() < most && has_more());
+        return starts;
+    }
+
     /// Reads the solutions that are left, one at least if none is read yet.
     void skip(bool none_is_read) {
         if (none_is_read) read_solution(reader_);
@@ -194,11 +208,12 @@ private:
 
     Reader& reader_;
     DegreeFile& file_;
-    const Watch& watch_;
+    const Execution& execution_;
     Progress& progress_;
 };
 
-DegreeFile replay_degrees(Reader& reader, const Classification& classes, const Watch& watch) {
+DegreeFile replay_degrees(Reader& reader, const Classification& classes,
+                          const Execution& execution) {
     DegreeFile file;
     if (!has_arb) {
         file.refusals.add(reader.line(), "this plcheck was built without Arb");
@@ -210,7 +225,7 @@ DegreeFile replay_degrees(Reader& reader, const Classification& classes, const W
         if (record.number < due)
             throw Malformed{{record.line, say("class ", record.number, ": is out of order")}};
         due = record.number + 1;
-        RecordReplay(reader, file, watch, progress).run(record, classes);
+        RecordReplay(reader, file, execution, progress).run(record, classes);
     }
     return file;
 }

@@ -20,5 +20,6 @@ struct DegreeFile {
 };
 
 /// Replays a file after its first line. Throws Malformed.
-DegreeFile replay_degrees(Reader& reader, const Classification& classes, const Watch& watch);
+DegreeFile replay_degrees(Reader& reader, const Classification& classes,
+                          const Execution& execution);
 } // namespace checker

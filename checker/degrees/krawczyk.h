@@ -4,6 +4,9 @@
 
 #include "checker/degrees/camera_equations.h"
 
+#include <span>
+#include <variant>
+
 namespace checker {
 /// The starting values of a solution: for each camera coordinate the real and the imaginary part,
 /// times 2^bits. All imaginary parts of a real one are 0.
@@ -40,4 +43,11 @@ extern const bool has_arb; // whether this program was built with Arb
 /// A box with one nondegenerate solution of the system, to which Newton steps from the starting
 /// values lead. The solution is real if these are. Throws Refused without a proof.
 Box certify(const CameraSystem& system, const ApproximateSolution& start);
+
+/// A box, or why there is none.
+using Proof = std::variant<Box, Refused>;
+
+/// What certify() makes of each starting value. So many threads do it, side by side.
+std::vector<Proof> certify_all(const CameraSystem& system,
+                               std::span<const ApproximateSolution> starts, std::size_t threads);
 } // namespace checker

@@ -1,4 +1,4 @@
-// How far the replay of a file is, told while it runs.
+// How a file is replayed: by how many threads, and who is told how far it is.
 #pragma once
 
 #include <cstddef>
@@ -17,4 +17,10 @@ inline constexpr std::size_t most_refusals = 100;
 
 /// Is told so after each solution, or each template.
 using Watch = std::function<void(const Progress&)>;
+
+/// What is proved does not depend on any of this.
+struct Execution {
+    Watch watch = [](const Progress&) {};
+    std::size_t threads = 1; // that prove solutions side by side
+};
 } // namespace checker
