@@ -177,7 +177,7 @@ static std::string summary_of_paper(const Report& report) {
         text += say("; degrees: ", rows_that(report.degrees, "agrees"), " rows agree, ",
                     rows_that(report.degrees, "differs"), " differ, ",
                     rows_that(report.degrees, "open"), " open");
-    return summary_line("paper", text + " (--table, --errata)");
+    return summary_line("paper", text + " (see --errata)");
 }
 
 std::string summary(const Report& report) {
@@ -194,18 +194,41 @@ std::string summary(const Report& report) {
 
 using Row = std::vector<std::string>;
 
-/// Rows of equal length, in columns: the first and the last from the left, numbers from the right.
-static std::string aligned(const std::vector<Row>& rows) {
+static constexpr std::size_t widest_line = 100;
+
+/// The widths of columns, two blanks apart. The first one gets what the others leave of a line; of
+/// a verdict like `differs: reason` only the word counts.
+static std::vector<std::size_t> widths_of(const std::vector<Row>& rows) {
     std::vector<std::size_t> widths(rows[0].size());
-    for (const Row& row : rows)
-        for (std::size_t c = 0; c < row.size(); ++c)
+    for (const Row& row : rows) {
+        for (std::size_t c = 0; c + 1 < row.size(); ++c)
             widths[c] = std::max(widths[c], row[c].size());
+        widths.back() = std::max(widths.back(), row.back().substr(0, row.back().find(": ")).size());
+    }
+    std::size_t others = 0;
+    for (std::size_t c = 1; c < widths.size(); ++c)
+        others += 2 + widths[c];
+    widths[0] = std::min(widths[0], widest_line - others);
+    return widths;
+}
+
+/// Rows of equal length, in columns: the first and the last from the left, numbers from the right.
+/// A first cell that is too wide has a line of its own, and so has the reason of a verdict.
+static std::string aligned(const std::vector<Row>& rows) {
+    const std::vector<std::size_t> widths = widths_of(rows);
     std::ostringstream lines;
     for (const Row& row : rows) {
-        lines << std::left << std::setw(static_cast<int>(widths[0])) << row[0] << std::right;
+        std::ostringstream line;
+        const bool fits = row[0].size() <= widths[0];
+        if (!fits) lines << row[0] << '\n';
+        line << std::left << std::setw(static_cast<int>(widths[0])) << (fits ? row[0] : "")
+             << std::right;
         for (std::size_t c = 1; c + 1 < row.size(); ++c)
-            lines << "  " << std::setw(static_cast<int>(widths[c])) << row[c];
-        lines << (row.back().empty() ? "" : "  ") << row.back() << '\n';
+            line << "  " << std::setw(static_cast<int>(widths[c])) << row[c];
+        const std::string& verdict = row.back();
+        std::string end = (verdict.empty() ? "" : "  ") + verdict;
+        if (line.str().size() + end.size() > widest_line) end.replace(end.find(": "), 2, "\n    ");
+        lines << line.str() << end << '\n';
     }
     return lines.str();
 }
