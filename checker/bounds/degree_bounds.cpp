@@ -14,21 +14,25 @@ static Signature signature_of(std::string_view problem) {
         std::string_view summand = problem.substr(0, problem.find(' '));
         problem.remove_prefix(std::min(summand.size() + 3, problem.size())); // with " + "
         unsigned count = 1;
-        if (summand.find('*') == 1) {
-            count = static_cast<unsigned>(summand[0] - '0');
-            summand.remove_prefix(2);
+        if (const std::size_t star = summand.find('*'); star != std::string_view::npos) {
+            std::from_chars(summand.data(), summand.data() + star, count);
+            summand.remove_prefix(star + 1);
         }
         signature[index_of(summand)] += count;
     }
     return signature;
 }
 
-/// The rows of the table of theorems, by constraint class.
-static std::map<Signature, TheoremRow> theorem_rows() {
-    std::map<Signature, TheoremRow> rows;
-    for (std::size_t row = 0; row < theorem_bounds.size(); ++row)
-        rows[constraint_class(signature_of(theorem_bounds[row].problem))] = {row};
-    return rows;
+/// The bounds by theorem, by constraint class. Where two theorems speak, the first row stays.
+static std::map<Signature, UpperBound> bounds_by_theorem() {
+    std::map<Signature, UpperBound> bounds;
+    const std::vector<TheoremBound> rows = all_theorem_bounds();
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const auto& [theorem, problem, bound] = rows[row];
+        const Signature key = constraint_class(signature_of(problem));
+        bounds.emplace(key, UpperBound{bound, TheoremRow{row, theorem}});
+    }
+    return bounds;
 }
 
 static void add_lower(DegreeBounds& known, const LowerBound& bound) {
@@ -45,9 +49,8 @@ static void add_upper(DegreeBounds& known, const UpperBound& bound) {
 /// The source of an upper bound, the same for problems that all have the same degree.
 static std::variant<Registration, TheoremRow> source(const UpperBound& bound) {
     const auto* theorem = std::get_if<TheoremRow>(&bound.by);
-    if (!theorem || theorem_bounds[theorem->row].theorem != theorem_of_equal_degrees)
-        return bound.by;
-    return TheoremRow{0}; // one for all of this theorem, which comes first
+    if (!theorem || theorem->theorem != theorem_of_equal_degrees) return bound.by;
+    return TheoremRow{0, theorem->theorem}; // one for all of this theorem, which comes first
 }
 
 /// Where one class attains its bound, so do all whose bound has the same source: the degree of an
@@ -67,15 +70,15 @@ DegreeTable combine(const Classification& classes, const std::vector<bool>& mini
     DegreeTable table;
     for (const LowerBound& bound : lower)
         add_lower(table[constraint_class(classes.representatives[bound.number])], bound);
-    const std::map<Signature, TheoremRow> theorems = theorem_rows();
+    const std::map<Signature, UpperBound> theorems = bounds_by_theorem();
     for (std::size_t n = 0; n < minimal.size(); ++n) {
         if (!minimal[n]) continue;
         const Signature& signature = classes.representatives[n];
         const Signature key = constraint_class(signature);
         if (const auto found = bound_by_registration(signature, upper))
             add_upper(table[key], {found->bound, found->type});
-        if (const auto row = theorems.find(key); row != theorems.end())
-            add_upper(table[key], {theorem_bounds[row->second.row].bound, row->second});
+        if (const auto bound = theorems.find(key); bound != theorems.end())
+            add_upper(table[key], bound->second);
     }
     spread_attained(table);
     return table;

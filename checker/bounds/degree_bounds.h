@@ -9,9 +9,10 @@
 #include <variant>
 
 namespace checker {
-/// A bound by theorem, by its place in the table.
+/// A bound by theorem, by its place among all rows.
 struct TheoremRow {
     std::size_t row = 0;
+    std::string_view theorem{};
     auto operator<=>(const TheoremRow&) const = default;
 };
 

@@ -1,9 +1,14 @@
-// Upper bounds that are theorems (proofs/upper_bounds.md): how many camera solutions the problems
-// of a constraint class have at most, if they are minimal. The proof prints the same table.
+// Upper bounds that are theorems: how many camera solutions the problems of a constraint class have
+// at most, if they are minimal. proofs/upper_bounds.md prints the first table. The second one, of
+// Theorem R (proofs/relations.md), is a text of its own.
 #pragma once
 
+#include "checker/bounds/central_views.h"
+
 #include <array>
+#include <charconv>
 #include <string_view>
+#include <vector>
 
 namespace checker {
 struct TheoremBound {
@@ -50,4 +55,26 @@ inline constexpr std::array<TheoremBound, 33> theorem_bounds{{
 
 /// The problems of this theorem have the same degree, all of them.
 inline constexpr std::string_view theorem_of_equal_degrees = "U8";
+
+/// The rows of Theorem R, from rows such as `4912 11*P/a/a;`.
+inline std::vector<TheoremBound> rows_of(std::string_view text) {
+    std::vector<TheoremBound> rows;
+    while (true) {
+        const std::size_t begin = text.find_first_not_of(" \n");
+        if (begin == std::string_view::npos) return rows;
+        const std::size_t space = text.find(' ', begin), end = text.find(';', space);
+        unsigned bound = 0;
+        std::from_chars(text.data() + begin, text.data() + space, bound);
+        rows.push_back({"R", text.substr(space + 1, end - space - 1), bound});
+        text.remove_prefix(end + 1);
+    }
+}
+
+/// All rows: those of the first table, then those of Theorem R.
+inline std::vector<TheoremBound> all_theorem_bounds() {
+    std::vector<TheoremBound> rows(theorem_bounds.begin(), theorem_bounds.end());
+    const std::vector<TheoremBound> central = rows_of(central_view_bounds);
+    rows.insert(rows.end(), central.begin(), central.end());
+    return rows;
+}
 } // namespace checker

@@ -133,8 +133,9 @@ static std::string in_words(const UpperBound& bound) {
         return say("at most ", bound.solutions,
                    ", by templates of relative pose and "
                    "registration");
-    return say("at most ", bound.solutions, ", by Theorem ", theorem_bounds[theorem->row].theorem,
-               " of proofs/upper_bounds.md");
+    const bool central = theorem->theorem == "R";
+    return say("at most ", bound.solutions, ", by Theorem ", theorem->theorem, " of proofs/",
+               central ? "relations.md" : "upper_bounds.md");
 }
 
 static void add_file(Judgement& judgement, const std::string& file) {

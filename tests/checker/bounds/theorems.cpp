@@ -99,9 +99,15 @@ unsigned bound_by_statements(const Signature& signature) {
     return bound_by_lines_through_a_point(traits);
 }
 
-/// By theorem alone.
+/// By theorem alone, of the first table: without Theorem R.
 const DegreeTable& table_by_theorem() {
-    static const DegreeTable table = table_of({});
+    static const DegreeTable table = [] {
+        DegreeTable all = table_of({});
+        std::erase_if(all, [](const auto& entry) {
+            return std::get<TheoremRow>(entry.second.at_most->by).theorem == "R";
+        });
+        return all;
+    }();
     return table;
 }
 

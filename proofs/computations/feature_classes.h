@@ -1,0 +1,94 @@
+// The classes of the features that Theorem R of proofs/relations.md speaks of (section 5 there).
+// View 1 sees the points.
+#pragma once
+
+#include "checker/degrees/constraint_class.h"
+#include "proofs/computations/camera_space.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace proofs {
+
+/// The classes of Lemmas R3 to R8, named as there.
+struct FeatureClasses {
+    Cycle k_2 = class_of(k2), k_3 = class_of(k3);
+    Cycle T = class_of(xi) - class_of(e);              // P/a/a
+    Cycle E_2 = 2 * class_of(h3) + k_3 - class_of(y3); // P/-/P
+    Cycle E_3 = 2 * class_of(h2) + k_2 - class_of(y2); // P/P/-
+    Cycle s_2 = class_of(xi) - 2 * class_of(h3) - k_2; // the centres 1 and 2 agree
+    Cycle s_3 = class_of(xi) - 2 * class_of(h2) - k_3; // the centres 1 and 3 agree
+    Cycle Y_2 = class_of(y2) - class_of(e);
+    Cycle Y_3 = class_of(y3) - class_of(e);
+    Cycle Z_2 = k_2 * (E_3 - k_2); // the epipolar line of an image point in view 2 is given
+    Cycle Z_3 = k_3 * (E_2 - k_3); // the same in view 3
+    Cycle S_2 = E_2 * T - Z_3;     // Pa/a/P
+    Cycle S_3 = E_3 * T - Z_2;     // Pa/P/a
+    Cycle Q = E_2 * E_3 * T - Z_2 * E_2 - Z_3 * E_3;                             // P/P/P
+    Cycle L = T * T - k_2 * k_3 - s_2 * k_3 - s_3 * k_2 - Y_2 * k_2 - Y_3 * k_3; // a/a/a
+    Cycle W_2 = S_2 * T - (k_2 + s_2) * k_3 * k_3 - (s_3 + Y_2) * k_2 * E_2;     // Pa/a/Pa
+    Cycle W_3 = S_3 * T - (k_3 + s_3) * k_2 * k_2 - (s_2 + Y_3) * k_3 * E_3;     // Pa/Pa/a
+    Cycle A = Q * T - k_2 * k_2 * k_3 * k_3 - s_2 * k_3 * k_3 * E_3 - s_3 * k_2 * k_2 * E_2;
+};
+
+/// A feature and its class.
+struct FeatureClass {
+    std::string_view notation;
+    const Cycle& cycle;
+    bool once; // at most one feature of this kind may occur, and then no P/P/P
+};
+
+inline std::vector<FeatureClass> feature_classes() {
+    static const FeatureClasses c;
+    return {{"P/a/a", c.T, false},    {"P/-/P", c.E_2, false},  {"P/P/-", c.E_3, false},
+            {"P/a/Pa", c.S_2, false}, {"P/Pa/a", c.S_3, false}, {"P/P/P", c.Q, false},
+            {"a/a/a", c.L, true},     {"Pa/a/Pa", c.W_2, true}, {"Pa/Pa/a", c.W_3, true},
+            {"Pa/Pa/Pa", c.A, true}};
+}
+
+/// The degree by Theorem R of problems with a signature of which view 1 sees all points, where
+/// feature_classes() has all features; none if the theorem does not speak of it.
+inline std::optional<std::int64_t> degree_in_view_1(const checker::Signature& signature) {
+    unsigned weight = 0, once = 0;
+    for (const auto& [notation, cycle, only_once] : feature_classes()) {
+        const std::size_t index = checker::index_of(notation);
+        weight += signature[index] * checker::features[index].weight();
+        if (only_once) once += signature[index];
+    }
+    if (weight != checker::camera_unknowns) return std::nullopt; // there are other features
+    const bool has_points = signature[checker::index_of("P/P/P")] > 0;
+    if (once > 1 || (once == 1 && has_points)) return std::nullopt;
+    Cycle product{{Monomial{}, 1}};
+    for (const auto& [notation, cycle, only_once] : feature_classes())
+        product = product * power(cycle, signature[checker::index_of(notation)]);
+    return degree_of(product);
+}
+
+/// The signature with each feature replaced by the one with the same constraint that
+/// feature_classes() may have.
+inline checker::Signature merged(const checker::Signature& signature) {
+    checker::Signature result{};
+    for (std::size_t i = 0; i < checker::feature_count; ++i) {
+        std::size_t letter = checker::exchanged(i);
+        const std::string_view notation = checker::features[letter].notation;
+        if (notation == "Pa/a/P") letter = checker::index_of("P/a/Pa");
+        if (notation == "Pa/P/a") letter = checker::index_of("P/Pa/a");
+        result[letter] += signature[i];
+    }
+    return result;
+}
+
+/// The degree by Theorem R, in whichever view sees all points; none if the theorem does not speak
+/// of the signature.
+inline std::optional<std::int64_t> degree_by_theorem(const checker::Signature& signature) {
+    for (const checker::FeatureMap& map : checker::relabelings) {
+        checker::Signature image{};
+        for (std::size_t i = 0; i < checker::feature_count; ++i)
+            image[i] = signature[map[i]];
+        if (const auto found = degree_in_view_1(merged(image))) return found;
+    }
+    return std::nullopt;
+}
+
+} // namespace proofs
