@@ -36,7 +36,7 @@ struct FeatureClasses {
 struct FeatureClass {
     std::string_view notation;
     const Cycle& cycle;
-    bool once; // at most one feature of this kind may occur, and then no P/P/P
+    bool once; // at most one feature of this kind may occur, and then one P/P/P at most
 };
 
 inline std::vector<FeatureClass> feature_classes() {
@@ -57,8 +57,8 @@ inline std::optional<std::int64_t> degree_in_view_1(const checker::Signature& si
         if (only_once) once += signature[index];
     }
     if (weight != checker::camera_unknowns) return std::nullopt; // there are other features
-    const bool has_points = signature[checker::index_of("P/P/P")] > 0;
-    if (once > 1 || (once == 1 && has_points)) return std::nullopt;
+    const unsigned points = signature[checker::index_of("P/P/P")];
+    if (once > 1 || (once == 1 && points > 1)) return std::nullopt;
     Cycle product{{Monomial{}, 1}};
     for (const auto& [notation, cycle, only_once] : feature_classes())
         product = product * power(cycle, signature[checker::index_of(notation)]);
