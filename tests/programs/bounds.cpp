@@ -56,7 +56,8 @@ TEST_CASE("plcheck tells how many problems are bounded, where they are proved mi
         most = count["at_most"].get<int>();
     }
     CHECK(by_templates == 3615); // extensions of the five-point problem
-    // Six or five lines through a point; three points; two, and a line; a view that sees all points.
+    // Six or five lines through a point; three points; two, and a line; a view that sees all
+    // points.
     CHECK(by_theorem == 28 + 18 + 5 + 1703);
 }
 
@@ -148,6 +149,19 @@ TEST_CASE(
                                                     {6733, 520},
                                                     {6734, 448},
                                                     {6735, 520}});
+}
+
+TEST_CASE(
+    "plcheck says that a degree of a problem of which one view sees all points is by theorem") {
+    const TemporaryFolder folder;
+    const std::string problem = " '2*P/P/P + a/P/Pa + P/a/Pa + -/P/P' ";
+    const std::string degrees = (folder / "degrees.plc").string();
+    REQUIRE(run(plprove + " degree" + problem + "-o " + degrees).status == 0);
+    const Outcome outcome =
+        run(plcheck + " --expect" + problem + "--degree 416 --why " + classification + degrees);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out.find("\n- at most 416, by Theorem R of proofs/relations.md\n") !=
+          std::string::npos);
 }
 
 TEST_CASE("an altered file of bounds is refused with the line of the template") {
