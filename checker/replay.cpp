@@ -18,8 +18,9 @@ static FileContent replay_certificates(const Classification& classes, std::strin
     if (kind == "problem") return replay_problem(reader, classes);
     if (kind == "degrees") return replay_degrees(reader, classes, execution);
     if (kind == "bounds") return replay_bounds(reader, execution.watch);
-    throw Malformed{{1, say("found `", printable(kind, 40),
-                            "`, expected `classification`, `problem`, `degrees` or `bounds`")}};
+    if (kind == "problems") return general::replay_problems(reader);
+    throw Malformed{{1, say("found `", printable(kind, 40), "`, expected `classification`, ",
+                            "`problem`, `problems`, `degrees` or `bounds`")}};
 }
 
 static FileContent replay_content(const Classification& classes, std::string_view bytes,

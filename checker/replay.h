@@ -5,6 +5,7 @@
 #include "checker/classification/classification_file.h"
 #include "checker/degrees/degree_file.h"
 #include "checker/digests/digest_list.h"
+#include "checker/general/problems_file.h"
 #include "checker/verdict/problem_file.h"
 
 #include <variant>
@@ -17,7 +18,7 @@ struct Unreadable {
 
 /// What a file proves. Malformed: it does not conform to FORMAT.md, and proves nothing.
 using FileContent = std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile,
-                                 DigestList, Unreadable>;
+                                 DigestList, general::ProblemsFile, Unreadable>;
 
 struct ReplayedFile {
     std::string name{}; // printable

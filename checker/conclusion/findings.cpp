@@ -8,6 +8,8 @@ const Refusals& refusals_of(const ReplayedFile& file) {
     if (const auto* content = std::get_if<ProblemFile>(&file.content)) return content->refusals;
     if (const auto* content = std::get_if<DegreeFile>(&file.content)) return content->refusals;
     if (const auto* content = std::get_if<BoundsFile>(&file.content)) return content->refusals;
+    if (const auto* content = std::get_if<general::ProblemsFile>(&file.content))
+        return content->refusals;
     return none;
 }
 

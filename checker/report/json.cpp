@@ -88,6 +88,15 @@ static std::string members(const BoundsFile& file) {
     return say(", \"templates\": ", file.templates);
 }
 
+static std::string members(const general::ProblemsFile& file) {
+    std::vector<std::string> items;
+    for (const auto& [notation, problem, minimal] : file.verdicts)
+        items.push_back(say("{\"problem\": ", json_string(notation), ", \"minimal\": ",
+                            truth(minimal), "}"));
+    return say(", \"family\": ", json_string(file.family), ", \"missing\": ", file.missing,
+               ", \"problems\": ", array_of(items));
+}
+
 static std::string members(const DigestList& list) {
     return say(", \"digests\": ", list.files.size());
 }

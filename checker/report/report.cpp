@@ -2,8 +2,8 @@
 
 namespace checker {
 std::string_view kind_of(const ReplayedFile& file) {
-    constexpr std::array<std::string_view, 7> kinds{
-        "", "classification", "problem", "degrees", "bounds", "digests", ""};
+    constexpr std::array<std::string_view, 8> kinds{
+        "", "classification", "problem", "degrees", "bounds", "digests", "problems", ""};
     static_assert(kinds.size() == std::variant_size_v<FileContent>);
     return kinds[file.content.index()];
 }

@@ -50,8 +50,19 @@ static std::string in_words(const BoundsFile& file) {
     return held(file.templates, "template", file.refusals.count);
 }
 
+static std::string in_words(const general::Verdict& verdict) {
+    return say(verdict.notation, verdict.minimal ? " is minimal" : " is not minimal");
+}
+
 static std::string in_words(const DigestList& list) {
     return "a list of " + counted(list.files.size(), "digest");
+}
+
+static std::string in_words(const general::ProblemsFile& file) {
+    std::string text = held(file.verdicts.size(), "certificate", file.refusals.count);
+    if (file.verdicts.size() == 1) text += say(": ", in_words(file.verdicts[0]));
+    if (file.missing > 0) text += say("; the family has ", file.missing, " more problems");
+    return text;
 }
 
 std::string finding(const ReplayedFile& file) {

@@ -1,0 +1,31 @@
+// When two problems are the same but for the names of points and lines (FORMAT.md, section 13).
+#pragma once
+
+#include "checker/general/problem.h"
+
+#include <compare>
+#include <utility>
+
+namespace checker::general {
+/// What a renaming keeps of a point: who sees it, and of each of its lines, in order, how many
+/// points it has and who sees it.
+struct PointType {
+    Views seen_by = 0;
+    std::vector<std::pair<std::size_t, Views>> lines{};
+    auto operator<=>(const PointType&) const = default;
+};
+
+/// What a renaming keeps of a problem. Isomorphic problems have equal invariants.
+struct Invariant {
+    bool projective = false;
+    Views views = 0;
+    std::vector<PointType> points{}; // in order
+    std::vector<Views> free_lines{}; // who sees each, in order
+    auto operator<=>(const Invariant&) const = default;
+};
+
+Invariant invariant(const Problem& problem);
+
+/// Whether problems with equal invariants are isomorphic.
+bool isomorphic(const Problem& a, const Problem& b);
+} // namespace checker::general

@@ -1,0 +1,69 @@
+#include "checker/general/problem.h"
+
+#include <algorithm>
+
+namespace checker::general {
+std::size_t earlier_points(const Problem& problem, std::size_t line, std::size_t point,
+                           std::optional<unsigned> view) {
+    std::size_t count = 0;
+    for (const std::size_t other : problem.lines[line].points) {
+        const bool is_seen = !view || has_view(problem.points[other].seen_by, *view);
+        if (other < point && is_seen) ++count;
+    }
+    return count;
+}
+
+std::optional<std::size_t> carrier(const Problem& problem, std::size_t point) {
+    for (const std::size_t line : problem.points[point].lines)
+        if (earlier_points(problem, line, point) >= 2) return line;
+    return std::nullopt;
+}
+
+/// Whether two lines share two points.
+static bool share_two_points(const Line& a, const Line& b) {
+    Indices common;
+    std::ranges::set_intersection(a.points, b.points, std::back_inserter(common));
+    return common.size() >= 2;
+}
+
+const char* violation(const Problem& problem) {
+    for (std::size_t i = 0; i < problem.lines.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (share_two_points(problem.lines[i], problem.lines[j]))
+                return "two lines to share at most one point";
+    for (const Line& line : problem.lines)
+        for (const std::size_t p : line.points)
+            for (const std::size_t q : line.points) {
+                const Views both = problem.points[p].seen_by & problem.points[q].seen_by;
+                if (p != q && (both & ~line.seen_by) != 0)
+                    return "a view that sees two points of a line to see the line";
+            }
+    // Item 3, that a view which sees two lines of a point sees the point, is part of the spelling.
+    for (std::size_t p = 0; p < problem.points.size(); ++p) {
+        const auto holds_two = [&](std::size_t line) {
+            return earlier_points(problem, line, p) >= 2;
+        };
+        if (std::ranges::count_if(problem.points[p].lines, holds_two) > 1)
+            return "each point to lie on at most one line with two earlier points";
+    }
+    return "";
+}
+
+int surplus(const Problem& problem) {
+    const int views = std::popcount(problem.views);
+    const int cameras = problem.projective ? 11 * views - 15 : 6 * views - 7;
+    int space = 0;
+    int images = 0;
+    for (std::size_t p = 0; p < problem.points.size(); ++p) {
+        space += carrier(problem, p) ? 1 : 3;
+        images += 2 * std::popcount(problem.points[p].seen_by);
+    }
+    for (const Line& line : problem.lines) {
+        space += std::max(0, 4 - 2 * static_cast<int>(line.points.size()));
+        images += 2 * std::popcount(line.seen_by);
+        for (const std::size_t p : line.points)
+            images -= std::popcount(line.seen_by & problem.points[p].seen_by);
+    }
+    return images - space - cameras;
+}
+} // namespace checker::general

@@ -1,0 +1,25 @@
+// Files of problems (FORMAT.md, section 13): single problems, or all of a family.
+#pragma once
+
+#include "checker/file/reader.h"
+#include "checker/general/problem.h"
+
+namespace checker::general {
+/// What a record proves.
+struct Verdict {
+    std::string notation{};
+    Problem problem{};
+    bool minimal = false;
+};
+
+/// What a file of problems proves.
+struct ProblemsFile {
+    std::string family{};    // empty if the file claims none
+    std::size_t missing = 0; // problems of the family that have no record that holds
+    std::vector<Verdict> verdicts{};
+    Refusals refusals{};
+};
+
+/// Replays a file after its first line. Throws Malformed.
+ProblemsFile replay_problems(Reader& reader);
+} // namespace checker::general
