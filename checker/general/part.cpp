@@ -158,12 +158,15 @@ static int kernel_dimension(const Problem& part, const Motion& motion) {
            gain(part, motion, span.rank) - cost;
 }
 
+int excess_of(const Problem& problem, const Selection& selection, const Motion& motion) {
+    if (!arises(problem, selection)) throw Refused("the part does not arise by leaving out");
+    const Problem part = part_of(problem, selection);
+    if (motion.kind == Motion::Kind::none) return surplus(part);
+    return surplus(part) + kernel_dimension(part, motion_in(selection, motion));
+}
+
 void check_part(const Problem& problem, const PartClaim& claim) {
-    if (!arises(problem, claim.part)) throw Refused("the part does not arise by leaving out");
-    const Problem part = part_of(problem, claim.part);
-    const Motion motion = motion_in(claim.part, claim.motion);
-    const bool moves = motion.kind != Motion::Kind::none;
-    const int excess = surplus(part) + (moves ? kernel_dimension(part, motion) : 0);
+    const int excess = excess_of(problem, claim.part, claim.motion);
     if (excess != claim.excess) throw Refused("the excess is ", excess);
     if (excess < 1) throw Refused("an excess of ", excess, " proves nothing");
 }

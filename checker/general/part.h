@@ -37,6 +37,10 @@ struct Span {
 
 Span span_of(const Problem& problem, const Indices& points, const Indices& lines);
 
+/// How many conditions the images satisfy by such a part and motion, whatever is claimed; perhaps
+/// none. Throws Refused if it is no part, or if the motion does not keep the images.
+int excess_of(const Problem& problem, const Selection& part, const Motion& motion);
+
 /// Throws Refused unless the claim holds.
 void check_part(const Problem& problem, const PartClaim& claim);
 

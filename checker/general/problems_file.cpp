@@ -44,6 +44,9 @@ ProblemsFile replay_problems(Reader& reader) {
         }
     } while (!reader.at_end());
     file.missing = size_of(classes) - decided.size();
+    if (file.missing > 0)
+        file.refusals.add(reader.line(), say("the family ", file.family, " has ", file.missing,
+                                             " more problems; each needs a record that holds"));
     return file;
 }
 } // namespace checker::general

@@ -1,0 +1,185 @@
+// The families of problems, counted by a second method: all ways to place lines on numbered points,
+// and the orbits of their renamings by Burnside's lemma. And what a file of a family must have.
+#include "checker/general/family.h"
+#include "checker/general/rows.h"
+#include "tests/checker/general/outcome.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+#include <set>
+
+using namespace checker::general;
+
+namespace {
+
+/// A line with three points or more: the set of its points.
+using Mask = unsigned;
+using Lines = std::vector<Mask>; // ascending
+
+/// Whether one can take points away one by one, each on one line with two others at most.
+bool can_be_built(const Lines& lines, int points) {
+    Mask left = (1U << points) - 1;
+    for (bool goes_on = true; goes_on;) {
+        goes_on = false;
+        for (int p = 0; p < points; ++p) {
+            const Mask point = 1U << p;
+            const auto matters = [&](Mask line) {
+                return (line & point) != 0 && std::popcount(line & left) >= 3;
+            };
+            if ((left & point) == 0 || std::ranges::count_if(lines, matters) > 1) continue;
+            left &= ~point;
+            goes_on = true;
+        }
+    }
+    return left == 0;
+}
+
+/// All sets of lines on numbered points, two of which share at most one point.
+void add_lines(std::vector<Lines>& all, Lines& lines, Mask next, int points) {
+    if (can_be_built(lines, points)) all.push_back(lines);
+    for (; next < 1U << points; ++next) {
+        if (std::popcount(next) < 3) continue;
+        const auto crosses = [&](Mask line) { return std::popcount(line & next) > 1; };
+        if (std::ranges::any_of(lines, crosses)) continue;
+        lines.push_back(next);
+        add_lines(all, lines, next + 1, points);
+        lines.pop_back();
+    }
+}
+
+Mask renamed(Mask line, const std::vector<int>& names) {
+    Mask result = 0;
+    for (std::size_t p = 0; p < names.size(); ++p)
+        if (line >> p & 1) result |= 1U << names[p];
+    return result;
+}
+
+bool is_kept(const Lines& lines, const std::vector<int>& names) {
+    return std::ranges::all_of(lines, [&](Mask line) {
+        return std::ranges::binary_search(lines, renamed(line, names));
+    });
+}
+
+/// The lengths of the cycles of a renaming.
+std::vector<int> cycles_of(const std::vector<int>& names) {
+    std::vector<int> cycles;
+    std::vector<bool> seen(names.size());
+    for (std::size_t p = 0; p < names.size(); ++p) {
+        int length = 0;
+        for (std::size_t q = p; !seen[q]; q = static_cast<std::size_t>(names[q]), ++length)
+            seen[q] = true;
+        if (length > 0) cycles.push_back(length);
+    }
+    return cycles;
+}
+
+/// In how many ways a renaming keeps so many pins: equal numbers of them on the points of a cycle.
+int pins_kept(const std::vector<int>& cycles, int pins) {
+    std::vector<int> ways(static_cast<std::size_t>(pins) + 1);
+    ways[0] = 1;
+    for (const int length : cycles)
+        for (std::size_t n = static_cast<std::size_t>(length); n < ways.size(); ++n)
+            ways[n] += ways[n - static_cast<std::size_t>(length)];
+    return ways.back();
+}
+
+/// How many points are on a line with two points before them.
+int dependent_points(const Lines& lines) {
+    int dependent = 0;
+    for (const Mask line : lines)
+        dependent += std::popcount(line) - 2;
+    return dependent;
+}
+
+/// By the formula of section 13: the dimension of the images less that of scenes and cameras.
+int surplus_by_formula(bool projective, int m, int p, int d, int f, int a) {
+    const int cameras = projective ? 11 * m - 15 : 6 * m - 7;
+    return m * (2 * p - d + 2 * f + a) - (3 * p - 2 * d + 4 * f + 2 * a + cameras);
+}
+
+/// Of the balanced problems with these lines, in m views: how many of them a renaming keeps, over
+/// all numbers of free lines and of pins.
+int problems_kept(bool projective, int m, const Lines& lines, const std::vector<int>& names) {
+    const int p = static_cast<int>(names.size());
+    const int most = m == 2 ? 0 : 40;
+    int kept = 0;
+    for (int f = 0; f <= most; ++f)
+        for (int a = 0; a <= (p > 0 ? most : 0); ++a)
+            if (surplus_by_formula(projective, m, p, dependent_points(lines), f, a) == 0)
+                kept += pins_kept(cycles_of(names), a);
+    return kept;
+}
+
+/// The classes of the family with p points in m views, by Burnside's lemma.
+int orbits(bool projective, int m, int p) {
+    std::vector<Lines> all;
+    Lines none;
+    add_lines(all, none, 0, p);
+    std::vector<int> names(static_cast<std::size_t>(p));
+    std::iota(names.begin(), names.end(), 0);
+    int kept = 0, renamings = 0;
+    do {
+        ++renamings;
+        for (const Lines& lines : all)
+            if (is_kept(lines, names)) kept += problems_kept(projective, m, lines, names);
+    } while (std::ranges::next_permutation(names).found);
+    CHECK(kept % renamings == 0);
+    return kept / renamings;
+}
+
+/// By views and points, how many classes the checker has.
+std::map<std::pair<int, int>, int> sizes(const char* name) {
+    std::map<std::pair<int, int>, int> result;
+    for (const auto& [key, problems] : family(name))
+        for (const Problem& problem : problems)
+            ++result[{std::popcount(problem.views), static_cast<int>(problem.points.size())}];
+    return result;
+}
+
+std::string archive(const char* name) {
+    std::ifstream stream(std::string(CERTS_DIR) + '/' + name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The archive without its first line.
+std::string rest_of(const char* name) {
+    const std::string bytes = archive(name);
+    return bytes.substr(bytes.find('\n') + 1);
+}
+
+} // namespace
+
+TEST_CASE("the families have as many problems as orbits, with up to six points") {
+    for (const char* name : {"plmp", "projective"}) {
+        const auto found = sizes(name);
+        for (int p = 0; p <= 6; ++p)
+            for (int m = 2; m <= 12; ++m) {
+                CAPTURE(m);
+                CAPTURE(p);
+                const auto place = found.find({m, p});
+                const int size = place == found.end() ? 0 : place->second;
+                CHECK(size == orbits(std::string(name) == "projective", m, p));
+            }
+    }
+}
+
+TEST_CASE("the families have the bounds that section 13 states, and no problem twice") {
+    for (const auto& [name, most_views, most_points] :
+         {std::tuple{"plmp", 6, 5}, {"projective", 9, 8}}) {
+        int views = 0, points = 0;
+        for (const auto& [place, size] : sizes(name)) {
+            views = std::max(views, place.first);
+            points = std::max(points, place.second);
+        }
+        CHECK(views == most_views);
+        CHECK(points == most_points);
+        for (const auto& [key, problems] : family(name))
+            for (std::size_t i = 0; i < problems.size(); ++i)
+                for (std::size_t j = 0; j < problems.size(); ++j)
+                    CHECK(isomorphic(problems[i], problems[j]) == (i == j));
+    }
+}

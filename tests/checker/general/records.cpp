@@ -1,0 +1,193 @@
+// Records of problems in general: what holds, and what is refused for which reason if anything is
+// altered in it.
+#include "tests/checker/general/image_rank.h"
+#include "tests/checker/general/outcome.h"
+
+namespace {
+
+const std::string five_points = "problem 5*P/P\n"
+                                "minimal 2057337849540660835\n"
+                                "camera 9 -9 4 -7 3 0 -7\n"
+                                "scene -6 2 -6 8 -1 -1 -5 7 -6 -4 6 4 -1 -7 4\n";
+const std::string seven_points = "problem projective: 7*P/P\n"
+                                 "minimal 2086694600815326076\n"
+                                 "camera 0 0 0 1 3 0 -7 -6 2 -6 8 -1\n"
+                                 "scene -1 -5 7 -6 -4 6 4 -1 -7 4 9 -9 -9 -1 -1 9 -5 -7 1 9 -7\n";
+const std::string four_on_a_line = "problem 2*PL/PL + P/P + 2*PL/PL\n"
+                                   "collinear 1 2 4 5 views 1 2\n";
+const std::string star = "problem Pabcdef/Pabcdef/Pabcdef + a/a/a\n"
+                         "excess 1\n"
+                         "part views 1 2 3 points 1 lines 1 2 3 4 5 6 7\n"
+                         "motion star 1 views 1 2 3 points lines\n";
+const std::string plane = "problem projective: PLMN/PLMN + PLO/PLO + PMO/PMO + PL/PL + PM/PM + "
+                          "PNO/PNO + PN/PN\n"
+                          "excess 2\n"
+                          "part views 1 2 points 1 2 3 4 5 6 7 lines 1 2 3 4\n"
+                          "motion plane views 1 2 points 1 2 3 4 5 6 7 lines\n";
+
+/// What the checker makes of a record with another part in the place of the first such one.
+std::string altered(const std::string& record, const char* old, const char* replacement) {
+    return outcome_of_record(with(record, old, replacement));
+}
+
+} // namespace
+
+TEST_CASE("a record of each kind holds") {
+    for (const std::string& record : {five_points, seven_points, four_on_a_line, star, plane})
+        CHECK(outcome_of_record(record) == "holds");
+    CHECK(outcome_of_record("problem 4*P/P\nunbalanced\n") == "holds");
+    CHECK(outcome_of_record(five_points + star + plane + star) == "holds");
+}
+
+TEST_CASE("a minor that is not that of J is refused, and so is any other place") {
+    CHECK(contains(altered(five_points, "minimal 2", "minimal 1"), "3: 5*P/P: the minor is 2057"));
+    CHECK(contains(altered(five_points, "camera 9", "camera 8"), "3: 5*P/P: the minor is "));
+    CHECK(contains(altered(five_points, "scene -6", "scene -5"), "3: 5*P/P: the minor is "));
+    CHECK(contains(altered(five_points, "camera 9 -9 4 -7", "camera 0 0 0 0"), "the minor is 0 "));
+    CHECK(contains(altered(five_points, "3 0 -7", "0 0 0"), "the minor is 0 "));
+    CHECK(contains(altered(seven_points, "camera 0 0 0 1", "camera 0 0 1 1"),
+                   "camera 2 does not begin with 0 0 0 1"));
+    CHECK(contains(altered(seven_points, "camera 0 0 0 1", "camera 0 0 0 2"),
+                   "camera 2 does not begin with 0 0 0 1"));
+}
+
+TEST_CASE("a minor of a problem that is not balanced is refused") {
+    const std::string four = with(with(five_points, "5*", "4*"), " -7 4\n", "\n");
+    CHECK(contains(outcome_of_record(with(four, " -1\n", "\n")), "it is not balanced"));
+}
+
+TEST_CASE("so many cameras, and so many numbers, as the problem has") {
+    for (const auto& [old, replacement] : {std::pair{"3 0 -7", "3 0"},
+                                           {"3 0 -7", "3 0 -7 1"},
+                                           {"4 -1 -7 4", "4 -1 -7"},
+                                           {"-7 4\n", "-7 4 1\n"},
+                                           {"camera 9", "camera 1000000"},
+                                           {"camera 9", "camera 09"},
+                                           {"5*P/P\n", "5*P/P/P\n"},
+                                           {"5*P/P\n", "projective: 5*P/P\n"},
+                                           {"minimal 2057", "minimal 9057"},
+                                           {"minimal 2057337849540660835", "minimal 0"},
+                                           {"camera 9 -9 4 -7 3 0 -7\n", ""}}) {
+        CAPTURE(replacement);
+        CHECK(altered(five_points, old, replacement).starts_with("syntax, "));
+    }
+}
+
+TEST_CASE("the notation decides what a record means") {
+    CHECK(contains(altered(five_points, "5*P/P\nminimal", "4*P/P + P/P\nminimal"), "syntax"));
+    CHECK(contains(altered(four_on_a_line, "2*PL/PL + P/P + 2*PL/PL", "5*PL/PL"), "holds"));
+    CHECK(contains(altered(four_on_a_line, "2*PL/PL + P/P + 2*PL/PL", "3*PL/PL + P/P + PL/PL"),
+                   "the four points are not on one line"));
+}
+
+TEST_CASE("unbalanced is a claim like any other") {
+    CHECK(contains(outcome_of_record("problem 5*P/P\nunbalanced\n"), "3: 5*P/P: it is balanced"));
+    CHECK(contains(outcome_of_record("problem projective: 7*P/P\nunbalanced\n"), "it is balanced"));
+    CHECK(outcome_of_record("problem projective: 5*P/P\nunbalanced\n") == "holds");
+}
+
+TEST_CASE("four points must be on one line, and both views must see them") {
+    CHECK(contains(altered(four_on_a_line, "1 2 4 5", "1 2 3 4"), "not on one line"));
+    CHECK(contains(altered(four_on_a_line, "2*PL/PL + P/P + 2*PL/PL", "4*PL/PL/PL + PL/L/PL"),
+                   "one of the views does not see point 5"));
+    for (const auto& [old, replacement] : {std::pair{"1 2 4 5", "1 2 4"},
+                                           {"1 2 4 5", "1 2 3 4 5"},
+                                           {"1 2 4 5", "2 1 4 5"},
+                                           {"1 2 4 5", "1 2 4 6"},
+                                           {"1 2 4 5", "0 2 4 5"},
+                                           {"views 1 2", "views 1"},
+                                           {"views 1 2", "views 1 3"},
+                                           {"views 1 2", "views 2 1"},
+                                           {"views 1 2", "views 1 1"}}) {
+        CAPTURE(replacement);
+        CHECK(altered(four_on_a_line, old, replacement).starts_with("syntax, "));
+    }
+    CHECK(altered(four_on_a_line, "2*PL/PL + P/P + 2*PL/PL\ncollinear 1 2 4 5 views 1 2",
+                  "5*PL/PL/PL\ncollinear 1 2 4 5 views 1 2 3")
+              .starts_with("syntax, "));
+}
+
+TEST_CASE("the excess must be that of the part and of its motion") {
+    for (const std::string& record : {star, plane})
+        for (const char* wrong : {"excess 3", "excess 999999"}) {
+            const std::string stated = record == star ? "excess 1" : "excess 2";
+            CHECK(contains(altered(record, stated.c_str(), wrong), ": the excess is "));
+        }
+    CHECK(contains(altered(star, "motion star 1 views 1 2 3", "motion star 1 views 2"),
+                   ": the excess is 0"));
+    CHECK(contains(altered(star, "motion star 1 views 1 2 3 points lines", "motion none"),
+                   ": the excess is "));
+    CHECK(contains(altered(star, "lines 1 2 3 4 5 6 7", "lines 1 2 3 4 5 6"), ": the excess is 0"));
+    CHECK(altered(star, "excess 1", "excess 0").starts_with("syntax, "));
+}
+
+TEST_CASE("a part arises by leaving out lines with two points, and points on two lines") {
+    // Line 1 of `plane` has four points.
+    CHECK(contains(altered(plane, "lines 1 2 3 4\n", "lines 2 3 4\n"), "does not arise"));
+    // Without point 7, line 3 has two points.
+    const std::string part = "part views 1 2 points 1 2 3 4 5 6 lines 1 2 4\n";
+    const std::string smaller =
+        with(plane, "part views 1 2 points 1 2 3 4 5 6 7 lines 1 2 3 4\n", part.c_str());
+    CHECK(!contains(outcome_of_record(with(smaller, "5 6 7", "5 6")), "does not arise"));
+}
+
+TEST_CASE("a motion keeps the images of its part") {
+    CHECK(contains(altered(star, "motion star 1 views 1 2 3 points lines",
+                           "motion plane views 1 2 3 points 1 lines"),
+                   "calibrated cameras have no `plane`"));
+    CHECK(contains(altered(star, "3 points lines", "3 points 1 lines"),
+                   "a star of calibrated cameras has no generators"));
+    CHECK(contains(altered(star, "points 1 lines 1 2 3 4 5 6 7", "points lines 7"),
+                   "point 1 is not in the part"));
+    CHECK(contains(altered(star, "part views 1 2 3", "part views 1 2"),
+                   "a moving view is not in the part"));
+    CHECK(contains(altered(plane, "motion plane views 1 2 points 1 2 3 4 5 6 7",
+                           "motion plane views 1 2 points 1 2"),
+                   "the motion does not keep the image of point 3"));
+    CHECK(contains(outcome_of_record("problem projective: 7*P/P\nexcess 1\n"
+                                     "part views 1 2 points 1 2 3 4 5 6 7 lines\n"
+                                     "motion plane views 1 2 points 1 2 3 4 lines\n"),
+                   "the rank of the generators is 4, more than 3"));
+}
+
+TEST_CASE("a part-record is spelled as section 13 says") {
+    for (const auto& [old, replacement] : {std::pair{"part views 1 2 3", "part views 1"},
+                                           {"part views 1 2 3", "part views 1 3 2"},
+                                           {"part views 1 2 3", "part views 1 2 3 4"},
+                                           {"points 1 lines", "points 2 lines"},
+                                           {"lines 1 2 3 4 5 6 7", "lines 1 2 3 4 5 6 8"},
+                                           {"lines 1 2", "lines 2 1"},
+                                           {"star 1", "star"},
+                                           {"star 1", "star 2"},
+                                           {"star 1", "motion 1"},
+                                           {"star 1", "plane 1"},
+                                           {"views 1 2 3 points lines", "views points lines"},
+                                           {"views 1 2 3 points lines", "views 1 2 3 points"},
+                                           {"motion", "moves"},
+                                           {"excess 1\n", "excess 1 "},
+                                           {"3 points lines\n", "3 points lines\nmotion none\n"}}) {
+        CAPTURE(replacement);
+        CHECK(altered(star, old, replacement).starts_with("syntax, "));
+    }
+}
+
+TEST_CASE("a file has a modulus, and a record") {
+    CHECK(outcome_of_problems("").starts_with("syntax, "));
+    CHECK(outcome_of_problems("modulus 2305843009213693951\n").starts_with("syntax, "));
+    CHECK(outcome_of_problems(five_points).starts_with("syntax, "));
+    CHECK(
+        outcome_of_problems("modulus 2305843009213693952\n" + five_points).starts_with("syntax, "));
+    CHECK(outcome_of_problems("family pl1p\nmodulus 2305843009213693951\n" + five_points)
+              .starts_with("syntax, "));
+}
+
+TEST_CASE("a refused record leaves the others") {
+    const std::string bytes = "plcert 2 problems\nmodulus 2305843009213693951\n" + star +
+                              with(five_points, "minimal 2", "minimal 1") + plane;
+    const checker::ReplayedFile file = checker::replay(all_classes(), "file", bytes);
+    const auto& content = std::get<checker::general::ProblemsFile>(file.content);
+    CHECK(content.refusals.count == 1);
+    REQUIRE(content.verdicts.size() == 2);
+    CHECK(!content.verdicts[0].minimal);
+    CHECK(content.verdicts[1].notation.starts_with("projective: PLMN/PLMN + PLO/PLO"));
+}
