@@ -5,12 +5,11 @@
 #include "tests/checker/general/outcome.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <numeric>
-#include <set>
 
 using namespace checker::general;
 
@@ -59,9 +58,8 @@ Mask renamed(Mask line, const std::vector<int>& names) {
 }
 
 bool is_kept(const Lines& lines, const std::vector<int>& names) {
-    return std::ranges::all_of(lines, [&](Mask line) {
-        return std::ranges::binary_search(lines, renamed(line, names));
-    });
+    return std::ranges::all_of(
+        lines, [&](Mask line) { return std::ranges::binary_search(lines, renamed(line, names)); });
 }
 
 /// The lengths of the cycles of a renaming.
@@ -101,34 +99,40 @@ int surplus_by_formula(bool projective, int m, int p, int d, int f, int a) {
     return m * (2 * p - d + 2 * f + a) - (3 * p - 2 * d + 4 * f + 2 * a + cameras);
 }
 
-/// Of the balanced problems with these lines, in m views: how many of them a renaming keeps, over
-/// all numbers of free lines and of pins.
-int problems_kept(bool projective, int m, const Lines& lines, const std::vector<int>& names) {
-    const int p = static_cast<int>(names.size());
-    const int most = m == 2 ? 0 : 40;
-    int kept = 0;
-    for (int f = 0; f <= most; ++f)
-        for (int a = 0; a <= (p > 0 ? most : 0); ++a)
-            if (surplus_by_formula(projective, m, p, dependent_points(lines), f, a) == 0)
-                kept += pins_kept(cycles_of(names), a);
-    return kept;
-}
-
-/// The classes of the family with p points in m views, by Burnside's lemma.
-int orbits(bool projective, int m, int p) {
+/// How many sets of lines the renamings of p points keep: by the number of dependent points, and by
+/// the cycles of the renaming.
+std::map<std::pair<int, std::vector<int>>, int> kept_lines(int p) {
     std::vector<Lines> all;
     Lines none;
     add_lines(all, none, 0, p);
     std::vector<int> names(static_cast<std::size_t>(p));
     std::iota(names.begin(), names.end(), 0);
-    int kept = 0, renamings = 0;
+    std::map<std::pair<int, std::vector<int>>, int> kept;
     do {
-        ++renamings;
+        std::vector<int> cycles = cycles_of(names);
+        std::ranges::sort(cycles);
         for (const Lines& lines : all)
-            if (is_kept(lines, names)) kept += problems_kept(projective, m, lines, names);
+            if (is_kept(lines, names)) ++kept[{dependent_points(lines), cycles}];
     } while (std::ranges::next_permutation(names).found);
-    CHECK(kept % renamings == 0);
-    return kept / renamings;
+    return kept;
+}
+
+int factorial(int p) {
+    return p == 0 ? 1 : p * factorial(p - 1);
+}
+
+/// The classes of a family with p points in m views, by Burnside's lemma.
+int orbits(bool projective, int m, int p,
+           const std::map<std::pair<int, std::vector<int>>, int>& kept_lines) {
+    const int most = m == 2 ? 0 : 40; // free lines, pins
+    int kept = 0;
+    for (const auto& [key, sets] : kept_lines)
+        for (int f = 0; f <= most; ++f)
+            for (int a = 0; a <= (p > 0 ? most : 0); ++a)
+                if (surplus_by_formula(projective, m, p, key.first, f, a) == 0)
+                    kept += sets * pins_kept(key.second, a);
+    CHECK(kept % factorial(p) == 0);
+    return kept / factorial(p);
 }
 
 /// By views and points, how many classes the checker has.
@@ -154,16 +158,18 @@ std::string rest_of(const char* name) {
 } // namespace
 
 TEST_CASE("the families have as many problems as orbits, with up to six points") {
-    for (const char* name : {"plmp", "projective"}) {
-        const auto found = sizes(name);
-        for (int p = 0; p <= 6; ++p)
+    for (int p = 0; p <= 6; ++p) {
+        const auto kept = kept_lines(p);
+        for (const std::string name : {"plmp", "projective"}) {
+            const auto found = sizes(name.c_str());
             for (int m = 2; m <= 12; ++m) {
                 CAPTURE(m);
                 CAPTURE(p);
                 const auto place = found.find({m, p});
                 const int size = place == found.end() ? 0 : place->second;
-                CHECK(size == orbits(std::string(name) == "projective", m, p));
+                CHECK(size == orbits(name == "projective", m, p, kept));
             }
+        }
     }
 }
 
@@ -182,4 +188,54 @@ TEST_CASE("the families have the bounds that section 13 states, and no problem t
                 for (std::size_t j = 0; j < problems.size(); ++j)
                     CHECK(isomorphic(problems[i], problems[j]) == (i == j));
     }
+}
+
+TEST_CASE("the archives decide all problems of their families") {
+    for (const char* name : {"plmp.plc", "projective.plc"})
+        CHECK(outcome_of_problems(rest_of(name)) == "holds");
+}
+
+TEST_CASE("a problem of the family without a record is missed, and its numbers are not stated") {
+    const std::string rest = rest_of("plmp.plc");
+    const std::size_t last = rest.rfind("problem ");
+    CHECK(
+        contains(outcome_of_problems(rest.substr(0, last)), "the family plmp has 1 more problem"));
+    const std::string bytes = "plcert 2 problems\n" + rest.substr(0, last);
+    const checker::ReplayedFile file = checker::replay(all_classes(), "file", bytes);
+    const auto& content = std::get<ProblemsFile>(file.content);
+    CHECK(content.verdicts.size() == 38);
+    CHECK(content.missing == 1);
+    CHECK(rows_of(content).empty());
+}
+
+TEST_CASE("a file without a family states no numbers") {
+    const std::string rest = rest_of("plmp.plc");
+    const std::string bytes = "plcert 2 problems\n" + rest.substr(rest.find("modulus"));
+    const checker::ReplayedFile file = checker::replay(all_classes(), "file", bytes);
+    CHECK(std::get<ProblemsFile>(file.content).refusals.count == 0);
+    CHECK(rows_of(std::get<ProblemsFile>(file.content)).empty());
+}
+
+TEST_CASE("a family has each problem once, however it is written, and no others") {
+    const std::string twice = "problem PL/PL + PM/PM + PLM/PLM + PL/PL + PM/PM\n";
+    CHECK(contains(outcome_of_problems(rest_of("plmp.plc") + twice + "unbalanced\n"),
+                   "a record before decides it"));
+    for (const char* other : {"projective: 7*P/P", "4*P/P", "5*P/P + a/a", "4*P/P + Pa/Pa",
+                              "P/P/- + 3*P/P/P + a/a/a", "3*P/P + 2*PL/PL", "5*P/P/P"}) {
+        CAPTURE(other);
+        const std::string record = std::string("problem ") + other + "\nunbalanced\n";
+        CHECK(contains(outcome_of_problems(rest_of("plmp.plc") + record),
+                       "it is not in the family plmp"));
+    }
+}
+
+TEST_CASE("a record that does not hold leaves its place to another") {
+    const std::string rest = rest_of("plmp.plc");
+    const std::string wrong = "problem 5*P/P\nunbalanced\nproblem 5*P/P\nminimal";
+    const std::string bytes =
+        "plcert 2 problems\n" + with(rest, "problem 5*P/P\nminimal", wrong.c_str());
+    const checker::ReplayedFile file = checker::replay(all_classes(), "file", bytes);
+    const auto& content = std::get<ProblemsFile>(file.content);
+    CHECK(content.refusals.count == 1);
+    CHECK(content.missing == 0);
 }

@@ -97,7 +97,7 @@ TEST_CASE(
     "the images of a part satisfy as many conditions as its excess says, by the rank of FLINT") {
     Dice dice(3);
     int proved = 0, by_motion = 0;
-    while (proved < 300 || by_motion < 100) {
+    while (proved < 150 || by_motion < 50) {
         const Problem problem = random_problem(dice, dice.one_in(2));
         Selection part{problem.views, random_subset(problem.points.size(), dice),
                        random_subset(problem.lines.size(), dice)};
