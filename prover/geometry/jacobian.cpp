@@ -137,8 +137,9 @@ FeatureBlock feature_block(const PlacedFeature& placed, const Cameras& cameras) 
 std::optional<CameraPart> eliminate(const FeatureBlock& block) {
     const auto order = pivot_order(block);
     if (!order) return std::nullopt;
-    const std::span<const int> upper(order->begin(), order->begin() + block.own);
-    const std::span<const int> lower(order->begin() + block.own, order->end());
+    const std::span<const int> rows(*order);
+    const std::span<const int> upper = rows.first(static_cast<std::size_t>(block.own));
+    const std::span<const int> lower = rows.subspan(static_cast<std::size_t>(block.own));
     const int end = block.own + block.cameras;
     const int weight = block.rows - block.own;
 

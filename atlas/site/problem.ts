@@ -1,0 +1,136 @@
+// The page of one problem: what is known of it, its certificate, and the button that checks it.
+import { certificateView } from "./certificate_view.js";
+import { CheckView } from "./check_view.js";
+import { degreeChecks } from "./degree_checks.js";
+import { byId, make } from "./elements.js";
+import { picture } from "./picture.js";
+import { line, problemAddress } from "./problem_links.js";
+import { Complaint, type FileKind, type ProblemAnswer, Prover, type Row } from "./prover.js";
+import { factRows, facts, hintsView, notation, verdictView } from "./verdict_view.js";
+
+const prover = new Prover();
+const place = byId("problem", HTMLElement);
+
+/** A word for names of files. */
+function fileName(answer: ProblemAnswer): string {
+    const { number, standing } = answer.report;
+    return number !== undefined && standing === "member" ? `class-${number}` : "problem";
+}
+
+function download(name: string, text: string): void {
+    const address = URL.createObjectURL(new Blob([text], { type: "application/octet-stream" }));
+    make("a", { href: address, download: name }).click();
+    URL.revokeObjectURL(address);
+}
+
+function downloads(answer: ProblemAnswer): HTMLElement {
+    const kinds: [FileKind, string, string][] = [
+        ["certificate", "certificate (.plc)", "plc"],
+        ["svg", "picture (SVG)", "svg"],
+        ["tikz", "picture (TikZ)", "tex"],
+        ["macaulay2", "equations (Macaulay2)", "m2"],
+        ["julia", "equations (Julia)", "jl"],
+    ];
+    const buttons = kinds.map(([kind, label, ending]) => {
+        const save = async () => {
+            const text = await prover.file(answer.report.problem, kind);
+            download(`${fileName(answer)}.${ending}`, text);
+        };
+        return make("button", { type: "button", click: () => void save() }, label);
+    });
+    return make("p", { class: "buttons" }, ...buttons);
+}
+
+/** The verdict's certificate: a button that replays it, and its numbers. */
+async function showCertificate(answer: ProblemAnswer, section: HTMLElement): Promise<void> {
+    const { problem, verdict } = answer.report;
+    const certificate = await prover.certificate(problem);
+    const view = new CheckView();
+    const run = () =>
+        view.run({
+            options: ["--expect", problem, "--verdict", verdict],
+            files: [{
+                name: `${fileName(answer)}.plc`,
+                bytes: new TextEncoder().encode(certificate.text).buffer as ArrayBuffer,
+            }],
+        });
+    section.append(
+        make("p", {}, "The prover found this certificate just now, in this browser. The checker " +
+            "shares no source with it, and believes nothing that stands in it."),
+        make("p", { class: "buttons" },
+            make("button", { type: "button", id: "check-now", class: "primary",
+                click: () => void run() }, "Check it now")),
+        view.element,
+        certificateView(certificate),
+    );
+}
+
+function related(title: string, explanation: string, rows: Row[]): HTMLElement[] {
+    if (rows.length === 0) return [];
+    const most = 12;
+    const list = make("ul", { class: "plain columns" }, ...rows.slice(0, most).map(line));
+    const parts: HTMLElement[] = [make("h3", {}, `${title} (${rows.length})`), make("p", {}, explanation), list];
+    if (rows.length > most)
+        parts.push(make("details", {}, make("summary", {}, `${rows.length - most} more`),
+            make("ul", { class: "plain columns" }, ...rows.slice(most).map(line))));
+    return parts;
+}
+
+async function showRelatives(answer: ProblemAnswer, section: HTMLElement): Promise<void> {
+    const { report } = answer;
+    if (report.hints)
+        section.append(make("h3", {}, "What makes it minimal"), hintsView(report.hints));
+    if (report.number === undefined) return;
+    const { swap, constraint, exchanges } = await prover.relatives(report.number);
+    section.append(
+        ...related("The same swap class", "They have the same terminal problem.", swap),
+        ...related("The same constraint class",
+            "They have the same camera equations, and so the same degree.", constraint),
+        ...related("One feature exchanged", "For another of the same weight.", exchanges),
+    );
+}
+
+function section(id: string, title: string): HTMLElement {
+    return make("section", { "aria-labelledby": id }, make("h2", { id }, title));
+}
+
+async function show(spec: string): Promise<void> {
+    const answer = await prover.problem(spec);
+    const { report } = answer;
+    const number = report.number !== undefined && report.standing === "member" ? `#${report.number}` : "";
+    const title = [...answer.names.slice(0, 1), number].filter((word) => word !== "").join(", ");
+    document.title = `${title || report.problem} · Atlas of point-line problems`;
+    const certificate = section("certificate", "Certificate");
+    const degree = section("degree", "Degree");
+    const relatives = section("related", "Related problems");
+    place.replaceChildren(
+        make("h1", {}, title || "A problem"),
+        make("p", { class: "asked" }, notation(report.problem)),
+        make("p", { class: "quiet" }, `${answer.description}.`),
+        make("figure", {}, picture(answer.picture)),
+        verdictView(report),
+        facts(factRows(answer)),
+        make("p", {}, make("a", { href: problemAddress(spec).replace("problem", "search") },
+            "Change it on the drawing board")),
+        section("downloads", "Downloads"),
+        downloads(answer),
+        certificate,
+        degree,
+        relatives,
+    );
+    await showCertificate(answer, certificate);
+    await degreeChecks(report, degree);
+    await showRelatives(answer, relatives);
+    place.dataset.ready = "yes";
+}
+
+function complain(error: unknown): void {
+    const words = error instanceof Complaint ? error.message : `The program failed: ${String(error)}`;
+    place.replaceChildren(
+        make("h1", {}, "No such problem"),
+        make("p", { class: "complaint" }, words),
+        make("p", {}, make("a", { href: "search.html" }, "Search the atlas")),
+    );
+}
+
+show(new URLSearchParams(location.search).get("p") ?? "").catch(complain);

@@ -1,0 +1,168 @@
+// Asks the prover's code, which runs in a worker. The types are those of the answers in
+// atlas/wasm/answers.h, and of `plprove problem --json`.
+
+export interface Degree {
+    value: number;
+    bound: "exact" | "at-least";
+    status: "certified" | "evidence" | "claimed";
+    source: string;
+    number: number;
+}
+
+export interface Hint {
+    add: string | null;
+    drop: string | null;
+    problem: string;
+    verdict: string;
+    number?: number;
+    degree?: Degree;
+}
+
+export interface Families {
+    pl0p: boolean;
+    at_most_one_pin: boolean;
+    plmp: string | null;
+    five_point_extension: boolean;
+    registration: boolean;
+    trifocal_linear: boolean;
+}
+
+export interface Report {
+    problem: string;
+    views: number;
+    features: { feature: string; count: number; scene: number; images: number }[];
+    dimensions: { scene: number; cameras: number; images: number; balanced: boolean };
+    reduction: { rule: string; feature: string; result: string | null }[];
+    reduced: string;
+    constraints: number;
+    verdict: string;
+    minimal: boolean;
+    camera_minimal: boolean;
+    reasons: string[];
+    terminal?: string;
+    number?: number;
+    standing?: string;
+    class?: string;
+    swap_class?: number;
+    constraint_class?: number;
+    families?: Families;
+    degree?: Degree;
+    degrees?: Degree[];
+    hints?: Hint[];
+}
+
+/** What the views see of one feature; bit i of `lines` is its pin i. */
+export interface FeatureSights {
+    point: boolean;
+    lines: number;
+    views: { point: boolean; lines: number }[];
+}
+
+export interface ProblemAnswer {
+    report: Report;
+    description: string;
+    names: string[];
+    features: FeatureSights[];
+    explanations: string[];
+    picture: string;
+}
+
+export interface Row {
+    number: number;
+    notation: string;
+    minimal: boolean;
+    obstruction: string;
+    points: number;
+    lines: number;
+    degree?: { words: string; status: Degree["status"] };
+    picture?: string;
+    dropped?: string;
+    added?: string;
+}
+
+export interface SearchAnswer {
+    total: number;
+    rows: Row[];
+}
+
+export interface Relatives {
+    swap: Row[];
+    constraint: Row[];
+    exchanges: Row[];
+}
+
+export interface Evidence {
+    kind: "dimension count" | "minimal" | "camera-minimal" | "deficient";
+    minor?: string;
+    deleted_rows?: number[];
+    deleted_columns?: number[];
+    kernel?: string[][];
+}
+
+export interface CertificateAnswer {
+    text: string;
+    modulus: string;
+    cameras: { quaternion: number[]; translation: number[] }[];
+    features: { feature: string; point: number[]; directions: number[][] }[];
+    jacobian: { own: number; cameras: number; rows: string[][] }[];
+    evidence: Evidence;
+}
+
+export type FileKind = "svg" | "tikz" | "macaulay2" | "julia" | "certificate";
+
+/** What the program says of a question that makes no sense. */
+export class Complaint extends Error {}
+
+export class Prover {
+    private readonly worker = new Worker(new URL("./prover_worker.js", import.meta.url), {
+        type: "module",
+    });
+    private readonly waiting = new Map<number, (answer: string) => void>();
+    private asked = 0;
+
+    constructor() {
+        this.worker.addEventListener(
+            "message",
+            (event: MessageEvent<{ id: number; answer: string }>) => {
+                this.waiting.get(event.data.id)?.(event.data.answer);
+                this.waiting.delete(event.data.id);
+            },
+        );
+    }
+
+    problem(spec: string): Promise<ProblemAnswer> {
+        return this.ask<ProblemAnswer>({ ask: "problem", spec });
+    }
+
+    certificate(spec: string): Promise<CertificateAnswer> {
+        return this.ask<CertificateAnswer>({ ask: "certificate", spec });
+    }
+
+    async file(spec: string, kind: FileKind): Promise<string> {
+        return (await this.ask<{ text: string }>({ ask: "file", spec, kind })).text;
+    }
+
+    relatives(number: number): Promise<Relatives> {
+        return this.ask<Relatives>({ ask: "relatives", number });
+    }
+
+    /** `filter` are options of `plprove list`. */
+    search(
+        filter: string[],
+        sort: string,
+        descending: boolean,
+        first: number,
+        most: number,
+    ): Promise<SearchAnswer> {
+        return this.ask<SearchAnswer>({ ask: "search", filter, sort, descending, first, most });
+    }
+
+    private async ask<Answer extends object>(request: object): Promise<Answer> {
+        const id = ++this.asked;
+        const answer = new Promise<string>((resolve) => this.waiting.set(id, resolve));
+        this.worker.postMessage({ id, request: JSON.stringify(request) });
+        const parsed = JSON.parse(await answer) as Answer | { error: string };
+        if ("error" in parsed) throw new Complaint(parsed.error);
+        return parsed;
+    }
+}

@@ -1,0 +1,126 @@
+// What the program decides of a problem, for people: the verdict, why, and what follows.
+import { make, type Child } from "./elements.js";
+import { degreeInWords, problemLink, statusMark } from "./problem_links.js";
+import type { Degree, Families, Hint, ProblemAnswer, Report } from "./prover.js";
+
+const verdicts: Readonly<Record<string, string>> = {
+    minimal: "Minimal",
+    "camera-minimal": "Camera-minimal, but not minimal",
+    obstructed: "Neither minimal nor camera-minimal: obstructed",
+    "under-constrained": "Neither minimal nor camera-minimal: under-constrained",
+    "over-constrained": "Neither minimal nor camera-minimal: over-constrained",
+};
+
+export function verdictInWords(report: Report): string {
+    return verdicts[report.verdict] ?? report.verdict;
+}
+
+export function notation(text: string): HTMLElement {
+    return make("span", { class: "notation" }, text === "" ? "nothing" : text);
+}
+
+/** The verdict as a heading, and the reasons. */
+export function verdictView(report: Report): HTMLElement {
+    return make(
+        "div",
+        { class: `verdict ${report.camera_minimal ? "holds" : "fails"}` },
+        make("p", { class: "verdict-word" }, verdictInWords(report)),
+        ...report.reasons.map((reason) => make("p", {}, sentence(reason))),
+    );
+}
+
+function sentence(text: string): string {
+    return `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+}
+
+export function familyNames(families: Families): string[] {
+    const names: [boolean, string][] = [
+        [families.pl0p, "free points and free lines only (PL0P)"],
+        [families.at_most_one_pin, "at most one pin per point"],
+        [families.plmp !== null, `complete visibility: ${families.plmp ?? ""} in PLMP`],
+        [families.five_point_extension, "extension of the five-point problem"],
+        [families.registration, "camera registration"],
+        [families.trifocal_linear, "one of the 66 problems linear in the trifocal tensor"],
+    ];
+    return names.filter(([member]) => member).map(([, name]) => name);
+}
+
+/** A degree, how sure it is, and what it rests on. */
+export function degreeView(degree: Degree): HTMLElement {
+    return make(
+        "span",
+        {},
+        make("strong", {}, degreeInWords(degree)),
+        " ",
+        statusMark(degree.status),
+        ` ${degree.source} (#${degree.number})`,
+    );
+}
+
+/** A table of names and what stands for them. */
+export function facts(rows: [string, Child[]][]): HTMLElement {
+    const list = make("dl", { class: "facts-list" });
+    for (const [name, value] of rows)
+        list.append(make("dt", {}, name), make("dd", {}, ...value));
+    return list;
+}
+
+/** The rows of facts that search and the page of a problem share. */
+export function factRows(answer: ProblemAnswer): [string, Child[]][] {
+    const { report, explanations } = answer;
+    const rows: [string, Child[]][] = [];
+    if (report.number !== undefined) {
+        const standing = report.standing === "member" ? "" : " (it is decided by this class)";
+        rows.push(["class", [problemLink(report.number, `#${report.number}`), standing]]);
+    }
+    if (answer.names.length > 0) rows.push(["name", [answer.names.join(", ")]]);
+    const degrees = report.degrees ?? [];
+    if (degrees.length > 0)
+        rows.push(["degree", [make("ul", { class: "plain" }, ...degrees.map((degree) =>
+            make("li", {}, degreeView(degree))))]]);
+    else if (report.camera_minimal) rows.push(["degree", ["none on file"]]);
+    rows.push(["dimensions", [dimensionsInWords(report)]]);
+    if (report.reduction.length > 0) {
+        const steps = report.reduction.map((step, index) =>
+            make("li", {}, notation(step.feature), " becomes ", notation(step.result ?? ""),
+                `: ${explanations[index] ?? ""}`));
+        rows.push(["reduction", [make("ol", { class: "plain" }, ...steps)]]);
+        rows.push(["reduced", [notation(report.reduced)]]);
+    }
+    if (report.terminal !== undefined && report.views === 3)
+        rows.push(["terminal", [notation(report.terminal)]]);
+    if (report.families) {
+        const names = familyNames(report.families);
+        rows.push(["families", [names.length > 0 ? names.join("; ") : "none of the named ones"]]);
+    }
+    return rows;
+}
+
+function dimensionsInWords({ dimensions }: Report): string {
+    const { scene, cameras, images, balanced } = dimensions;
+    return balanced
+        ? `scene ${scene} + cameras ${cameras} = images ${images}: balanced`
+        : `scene ${scene} + cameras ${cameras} against images ${images}: unbalanced`;
+}
+
+function hintInWords(hint: Hint): string {
+    if (hint.add && hint.drop) return `Put ${hint.add} for ${hint.drop}`;
+    return hint.add ? `Add ${hint.add}` : `Drop ${hint.drop ?? ""}`;
+}
+
+/** What makes the problem minimal: changes by one feature. */
+export function hintsView(hints: Hint[]): HTMLElement {
+    const items = hints.map((hint) => {
+        const item = make(
+            "li",
+            {},
+            problemLink(hint.problem, hintInWords(hint)),
+            `: ${hint.verdict}`,
+            hint.number === undefined ? "" : `, #${hint.number}`,
+        );
+        if (hint.degree)
+            item.append(`, degree ${degreeInWords(hint.degree)} `, statusMark(hint.degree.status));
+        return item;
+    });
+    return make("ul", { class: "plain columns" }, ...items);
+}

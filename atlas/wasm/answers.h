@@ -1,0 +1,46 @@
+// What pages ask of the prover, and what it answers, in JSON.
+#pragma once
+
+#include "prover/catalogue/catalogue.h"
+
+#include <nlohmann/json.hpp>
+
+namespace atlas {
+
+using Json = nlohmann::ordered_json;
+
+/// What is known of all label classes, made when it is first wanted.
+class Library {
+public:
+    /// The label classes by their numbers.
+    const std::vector<plprove::Entry>& classes();
+
+private:
+    std::vector<plprove::Entry> classes_;
+};
+
+/// {"spec": ...}, a problem in any of the ways of parse_spec: what `plprove problem --json` says of
+/// it, its notation, its names, and a picture (SVG). Throws NotationError.
+Json problem_answer(const Json& request);
+
+/// {"spec": ..., "kind": "svg", "tikz", "macaulay2", "julia" or "certificate"}: the file of that
+/// kind, as plprove writes it. Throws NotationError.
+Json file_answer(const Json& request);
+
+/// {"spec": ...}: the certificate of the verdict as text and as numbers: cameras, features with
+/// their coordinates, the Jacobian, and what is said of it. Throws NotationError.
+Json certificate_answer(const Json& request);
+
+/// {"filter": options of `plprove list`, "sort": a column, "descending": bool, "first": N, "most":
+/// N}: how many classes pass, and the rows wanted, each with a picture. Throws
+/// std::invalid_argument.
+Json search_answer(Library& library, const Json& request);
+
+/// {"number": N}: the classes that share swap class or constraint class with a class, and those
+/// that come of it when one feature is exchanged.
+Json relatives_answer(Library& library, const Json& request);
+
+/// What a list says of a class: number, notation, verdict, degree.
+Json row_of(const plprove::Entry& entry);
+
+} // namespace atlas

@@ -1,0 +1,71 @@
+#include "atlas/wasm/answers.h"
+
+#include "prover/classification/problem_certificate.h"
+#include "prover/cli/problem_facts.h"
+#include "prover/cli/problem_report.h"
+#include "prover/drawing/caption.h"
+#include "prover/drawing/drawing.h"
+#include "prover/problem/names.h"
+#include "prover/problem/spec.h"
+#include "prover/scripts/scripts.h"
+
+namespace atlas {
+
+using namespace plprove;
+
+namespace {
+
+/// The names of the problem in the literature.
+Json names_of(const Problem& problem) {
+    Json names = Json::array();
+    for (const NamedProblem& named : named_problems())
+        if (same_features(problem, parse_problem(named.notation))) names.push_back(named.name);
+    return names;
+}
+
+/// The features one by one, as a drawing board needs them: what each view sees.
+Json features_of(const Problem& problem) {
+    Json features = Json::array();
+    for (const Feature& feature : problem) {
+        Json views = Json::array();
+        for (const Sight& sight : feature.sights)
+            views.push_back({{"point", sight.point}, {"lines", sight.pins}});
+        features.push_back(
+            {{"point", feature.has_point}, {"lines", feature.lines}, {"views", views}});
+    }
+    return features;
+}
+
+/// What each rule of the reduction does, in words.
+Json explanations_of(const Reduction& reduction) {
+    Json words = Json::array();
+    for (const ReductionStep& step : reduction.steps)
+        words.push_back(explanation(step.rule));
+    return words;
+}
+
+} // namespace
+
+Json problem_answer(const Json& request) {
+    const Problem problem = parse_spec(request.at("spec").get<std::string>());
+    const ProblemReport report = report_on(problem);
+    return {{"report", Json::parse(json_report(report))},
+            {"description", describe(problem)},
+            {"names", names_of(problem)},
+            {"features", features_of(problem)},
+            {"explanations", explanations_of(report.decision.reduction)},
+            {"picture", draw_svg(problem)}};
+}
+
+Json file_answer(const Json& request) {
+    const Problem problem = parse_spec(request.at("spec").get<std::string>());
+    const std::string kind = request.at("kind");
+    if (kind == "svg") return {{"text", draw_svg(problem)}};
+    if (kind == "tikz") return {{"text", draw_tikz(problem)}};
+    if (kind == "macaulay2") return {{"text", macaulay2_script(problem)}};
+    if (kind == "julia") return {{"text", julia_script(problem)}};
+    if (kind == "certificate") return {{"text", write(certify_problem(problem))}};
+    throw std::invalid_argument("there are no files of the kind '" + kind + "'");
+}
+
+} // namespace atlas
