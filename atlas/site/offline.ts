@@ -1,30 +1,30 @@
 // The service worker: what was loaded once is kept, so that the atlas can be read without a
-// network. With a network the newest files are taken.
-export {};
+// network. With a network the newest files are taken. This file is no module: not every browser
+// takes modules as service workers.
 
-interface Worker {
-    addEventListener(type: "install" | "activate" | "fetch", listener: (event: FetchLike) => void): void;
+interface OfflineScope {
+    addEventListener(type: "install" | "activate" | "fetch", listener: (event: OfflineEvent) => void): void;
     skipWaiting(): Promise<void>;
     clients: { claim(): Promise<void> };
 }
 
-interface FetchLike {
+interface OfflineEvent {
     request: Request;
     waitUntil(promise: Promise<unknown>): void;
     respondWith(response: Promise<Response>): void;
 }
 
-const worker = self as unknown as Worker;
-const store = "atlas";
+const offlineScope = self as unknown as OfflineScope;
+const offlineStore = "atlas";
 
-async function keepAll(): Promise<void> {
-    const cache = await caches.open(store);
+async function keepAllFiles(): Promise<void> {
+    const cache = await caches.open(offlineStore);
     const list = (await (await fetch("data/offline.json")).json()) as string[];
     await cache.addAll(list);
 }
 
-async function answer(request: Request): Promise<Response> {
-    const cache = await caches.open(store);
+async function answerFromNetworkOrStore(request: Request): Promise<Response> {
+    const cache = await caches.open(offlineStore);
     try {
         const response = await fetch(request);
         if (response.ok) await cache.put(request, response.clone());
@@ -36,10 +36,10 @@ async function answer(request: Request): Promise<Response> {
     }
 }
 
-worker.addEventListener("install", (event) => {
-    event.waitUntil(keepAll().then(() => worker.skipWaiting()));
+offlineScope.addEventListener("install", (event) => {
+    event.waitUntil(keepAllFiles().then(() => offlineScope.skipWaiting()));
 });
-worker.addEventListener("activate", (event) => event.waitUntil(worker.clients.claim()));
-worker.addEventListener("fetch", (event) => {
-    if (event.request.method === "GET") event.respondWith(answer(event.request));
+offlineScope.addEventListener("activate", (event) => event.waitUntil(offlineScope.clients.claim()));
+offlineScope.addEventListener("fetch", (event) => {
+    if (event.request.method === "GET") event.respondWith(answerFromNetworkOrStore(event.request));
 });

@@ -74,10 +74,7 @@ export function factRows(answer: ProblemAnswer): [string, Child[]][] {
         rows.push(["class", [problemLink(report.number, `#${report.number}`), standing]]);
     }
     if (answer.names.length > 0) rows.push(["name", [answer.names.join(", ")]]);
-    const degrees = report.degrees ?? [];
-    if (degrees.length > 0)
-        rows.push(["degree", [make("ul", { class: "plain" }, ...degrees.map((degree) =>
-            make("li", {}, degreeView(degree))))]]);
+    if (report.degree) rows.push(["degree", [degreeView(report.degree)]]);
     else if (report.camera_minimal) rows.push(["degree", ["none on file"]]);
     rows.push(["dimensions", [dimensionsInWords(report)]]);
     if (report.reduction.length > 0) {

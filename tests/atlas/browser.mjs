@@ -1,0 +1,79 @@
+// A browser on the built atlas, as a reader has it: Debian's Chromium, and Python's web server.
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { createRequire } from "node:module";
+import { fileURLToPath } from "node:url";
+import assert from "node:assert/strict";
+import path from "node:path";
+
+const require = createRequire(new URL("../../atlas/package.json", import.meta.url));
+const { chromium } = require("playwright-core");
+const axeSource = require("axe-core").source;
+
+export const root = path.resolve(fileURLToPath(import.meta.url), "../../..");
+export const atlas = path.join(root, "build/atlas");
+
+/** Serves build/atlas; resolves to its address and the process. */
+async function serve() {
+    const options = ["-u", "-m", "http.server", "0", "--bind", "127.0.0.1", "--directory", atlas];
+    const server = spawn("/usr/bin/python3", options, { stdio: ["ignore", "pipe", "ignore"] });
+    const [line] = await once(server.stdout, "data");
+    const port = /port (\d+)/.exec(String(line))?.[1];
+    return { server, address: `http://127.0.0.1:${port}/` };
+}
+
+/** A browser for one file of tests. Every page that it opens has to stay without errors. */
+export async function open() {
+    const { server, address } = await serve();
+    const browser = await chromium.launch({
+        executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+        args: ["--no-sandbox"], // Chromium refuses to run as root otherwise
+    });
+    const errors = [];
+    const watch = (page) => {
+        page.setDefaultTimeout(60_000);
+        page.on("pageerror", (error) => errors.push(error.message));
+        page.on("console", (message) => {
+            if (message.type() === "error") errors.push(message.text());
+        });
+        page.on("request", (request) => {
+            const own = request.url().startsWith(address) || /^(blob|data):/.test(request.url());
+            if (!own) errors.push(`another host is asked: ${request.url()}`);
+        });
+        return page;
+    };
+    return {
+        address,
+        /** A page at an address in the atlas, in a context of its own. */
+        async visit(where, options = {}) {
+            const context = await browser.newContext({ reducedMotion: "reduce", ...options });
+            const page = watch(await context.newPage());
+            await page.addInitScript(axeSource); // the page's policy keeps scripts out, but not these
+            await page.goto(address + where);
+            return page;
+        },
+        assertNoErrors: () => assert.deepEqual(errors, []),
+        async close() {
+            await browser.close();
+            server.kill();
+        },
+    };
+}
+
+/** What axe finds wrong with a page. */
+export async function violationsOf(page) {
+    const { violations } = await page.evaluate(() => globalThis.axe.run());
+    return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join("; ")}`);
+}
+
+/** The text of an element, once it is there. */
+export async function textOf(page, selector) {
+    await page.waitForSelector(selector);
+    return page.textContent(selector);
+}
+
+/** Waits for the end of a check; resolves to the line that says how it ended, and the output. */
+export async function outcomeOf(page, within = "") {
+    const state = await textOf(page, `${within} .state.verified, ${within} .state.refused`);
+    return { state, output: await textOf(page, `${within} .check .output`) };
+}
