@@ -93,8 +93,8 @@ export class Board {
         this.changed(this.features.map(notationOf).join(" + "));
     }
 
-    /** In a panel each feature has its lines that the view does not see, those that it sees, and its
-     * point, in this order: so the program draws. */
+    /** In a panel each feature has the lines that the view does not see, then those that it sees,
+     * then its point: so the program draws. */
     private makeClickable(panel: SVGElement[], view: number): void {
         let next = 0;
         for (const feature of this.features) {
@@ -165,31 +165,66 @@ export class Board {
         const cells = feature.views.map((sight, view) => {
             const cell = make("td");
             if (feature.point)
-                cell.append(this.toggle("P", sight.point, `point of ${name}, view ${view + 1}`,
-                    () => this.togglePoint(feature, view)));
+                cell.append(
+                    this.toggle("P", sight.point, `point of ${name}, view ${view + 1}`, () =>
+                        this.togglePoint(feature, view),
+                    ),
+                );
             for (let line = 0; line < feature.lines; ++line)
-                cell.append(this.toggle(letter(line), (sight.lines >> line & 1) === 1,
-                    `line ${letter(line)} of ${name}, view ${view + 1}`,
-                    () => this.toggleLine(feature, view, line)));
+                cell.append(
+                    this.toggle(
+                        letter(line),
+                        ((sight.lines >> line) & 1) === 1,
+                        `line ${letter(line)} of ${name}, view ${view + 1}`,
+                        () => this.toggleLine(feature, view, line),
+                    ),
+                );
             return cell;
         });
         const actions = make("td");
         if (feature.point && feature.lines < mostPins)
-            actions.append(make("button", { type: "button", click: () => this.addPin(feature),
-                "aria-label": `Add a pin to ${name}` }, "+ pin"));
-        actions.append(make("button", { type: "button", click: () => this.remove(feature),
-            "aria-label": `Remove ${name}` }, "remove"));
-        return make("tr", {},
-            make("th", { scope: "row", class: "notation" }, notationOf(feature)), ...cells, actions);
+            actions.append(
+                make(
+                    "button",
+                    {
+                        type: "button",
+                        click: () => this.addPin(feature),
+                        "aria-label": `Add a pin to ${name}`,
+                    },
+                    "+ pin",
+                ),
+            );
+        actions.append(
+            make(
+                "button",
+                {
+                    type: "button",
+                    click: () => this.remove(feature),
+                    "aria-label": `Remove ${name}`,
+                },
+                "remove",
+            ),
+        );
+        return make(
+            "tr",
+            {},
+            make("th", { scope: "row", class: "notation" }, notationOf(feature)),
+            ...cells,
+            actions,
+        );
     }
 
     private toggle(text: string, on: boolean, label: string, action: () => void): HTMLElement {
-        return make("button", {
-            type: "button",
-            class: "toggle",
-            "aria-pressed": String(on),
-            "aria-label": label,
-            click: action,
-        }, text);
+        return make(
+            "button",
+            {
+                type: "button",
+                class: "toggle",
+                "aria-pressed": String(on),
+                "aria-label": label,
+                click: action,
+            },
+            text,
+        );
     }
 }

@@ -13,7 +13,9 @@ let files: File[] = [];
 
 function choose(list: FileList | null | undefined): void {
     files = [...(list ?? [])];
-    chosen.replaceChildren(...files.map((file) => make("li", {}, `${file.name}, ${file.size} bytes`)));
+    chosen.replaceChildren(
+        ...files.map((file) => make("li", {}, `${file.name}, ${file.size} bytes`)),
+    );
     if (files.length > 0) form.requestSubmit();
 }
 
@@ -38,8 +40,10 @@ form.addEventListener("submit", async (event) => {
     const own: CheckFile[] = [];
     for (const file of files) own.push({ name: file.name, bytes: await file.arrayBuffer() });
     const helped = new FormData(form).has("archive")
-        ? [{ name: "certs/classification.plc", address: "../certs/classification.plc" },
-            { name: "certs/bounds.plc", address: "../certs/bounds.plc" }]
+        ? [
+              { name: "certs/classification.plc", address: "../certs/classification.plc" },
+              { name: "certs/bounds.plc", address: "../certs/bounds.plc" },
+          ]
         : [];
     await view.run({ options: options(), files: [...helped, ...own] });
 });

@@ -37,7 +37,8 @@ export class CheckView {
             return outcome;
         } catch (error) {
             this.state.className = "state refused";
-            this.state.textContent = `The checker could not run: ${String(error)}. Load the page again.`;
+            this.state.textContent =
+                `The checker could not run: ${String(error)}. ` + "Load the page again.";
             return null;
         } finally {
             this.bar.hidden = true;
@@ -49,7 +50,7 @@ export class CheckView {
         const word = verified ? "VERIFIED" : "NOT VERIFIED";
         this.state.className = verified ? "state verified" : "state refused";
         this.state.textContent =
-            `${word} in this browser, in ${seconds} s (exit status ${outcome.status})`;
+            `${word} in this browser, in ${seconds} s ` + `(exit status ${outcome.status})`;
         this.output.textContent = outcome.errors + outcome.output;
         this.output.hidden = false;
     }

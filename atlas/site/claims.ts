@@ -41,7 +41,8 @@ export function cell(value: number | string | null | undefined): string {
 
 /** Whether a count is the paper's, in the program's words. */
 export function verdictMark(verdict: string): HTMLElement {
-    const kind = verdict === "confirmed" ? "confirmed" : verdict.startsWith("differs") ? "differs" : "other";
+    const kind =
+        verdict === "confirmed" ? "confirmed" : verdict.startsWith("differs") ? "differs" : "other";
     return make("span", { class: `claim ${kind}` }, verdict);
 }
 
@@ -55,12 +56,18 @@ export function withLinks(text: string): (Node | string)[] {
 
 function row(claim: Claim): HTMLElement {
     const indent = /^(- )*/.exec(claim.claim)?.[0].length ?? 0;
-    return make("tr", {},
-        make("th", { scope: "row", class: `indent-${indent / 2}` },
-            ...withLinks(claim.claim.slice(indent))),
+    return make(
+        "tr",
+        {},
+        make(
+            "th",
+            { scope: "row", class: `indent-${indent / 2}` },
+            ...withLinks(claim.claim.slice(indent)),
+        ),
         make("td", { class: "number" }, cell(claim.paper)),
         make("td", { class: "number" }, cell(claim.certified)),
-        make("td", {}, verdictMark(claim.verdict)));
+        make("td", {}, verdictMark(claim.verdict)),
+    );
 }
 
 /** Fills the table `counts` with the claims that are wanted. */

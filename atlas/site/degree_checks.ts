@@ -27,36 +27,63 @@ function checkOf(report: Report, degree: Degree): HTMLElement {
     const names = exact ? ["certs/classification.plc", "certs/bounds.plc", file] : [file];
     const run = () =>
         view.run({
-            options: ["--expect", report.class ?? report.problem,
-                "--degree", exact ? String(degree.value) : `>=${degree.value}`],
+            options: [
+                "--expect",
+                report.class ?? report.problem,
+                "--degree",
+                exact ? String(degree.value) : `>=${degree.value}`,
+            ],
             files: names.map((name) => ({ name, address: `../${name}` })),
         });
-    return make("div", {},
-        make("p", { class: "buttons" },
-            make("button", { type: "button", id: "check-degree", click: () => void run() },
-                exact ? "Check the degree" : "Check the lower bound"),
-            make("a", { href: file, download: "" }, "the solutions on file")),
-        view.element);
+    return make(
+        "div",
+        {},
+        make(
+            "p",
+            { class: "buttons" },
+            make(
+                "button",
+                { type: "button", id: "check-degree", click: () => void run() },
+                exact ? "Check the degree" : "Check the lower bound",
+            ),
+            make("a", { href: file, download: "" }, "the solutions on file"),
+        ),
+        view.element,
+    );
 }
 
 /** Fills the section on the degree. */
 export async function degreeChecks(report: Report, section: HTMLElement): Promise<void> {
     const degrees = report.degrees ?? [];
     if (!report.camera_minimal || degrees.length === 0) {
-        section.append(make("p", {}, report.camera_minimal
-            ? "No degree is on file."
-            : "A problem that does not fix the cameras has no degree."));
+        section.append(
+            make(
+                "p",
+                {},
+                report.camera_minimal
+                    ? "No degree is on file."
+                    : "A problem that does not fix the cameras has no degree.",
+            ),
+        );
         return;
     }
-    const items = degrees.map((degree) => make("li", {}, degreeView(degree), ". ", meaning(degree)));
+    const items = degrees.map((degree) =>
+        make("li", {}, degreeView(degree), ". ", meaning(degree)),
+    );
     section.append(make("ul", { class: "plain" }, ...items));
     const onFile = await classesOnFile();
-    const certified = degrees.find((degree) =>
-        degree.status === "certified" && onFile.has(degree.number));
+    const certified = degrees.find(
+        (degree) => degree.status === "certified" && onFile.has(degree.number),
+    );
     if (certified) section.append(checkOf(report, certified));
     else if (degrees.some((degree) => degree.status === "certified"))
-        section.append(make("p", {}, "The atlas does not carry the certificates of this bound: " +
-            "they are large. ",
-            make("code", {}, `plprove degree ${report.number ?? ""} -o degree.plc`),
-            " computes them again."));
+        section.append(
+            make(
+                "p",
+                {},
+                "The atlas does not carry the certificates of this bound: " + "they are large. ",
+                make("code", {}, `plprove degree ${report.number ?? ""} -o degree.plc`),
+                " computes them again.",
+            ),
+        );
 }

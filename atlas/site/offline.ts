@@ -3,7 +3,10 @@
 // takes modules as service workers.
 
 interface OfflineScope {
-    addEventListener(type: "install" | "activate" | "fetch", listener: (event: OfflineEvent) => void): void;
+    addEventListener(
+        type: "install" | "activate" | "fetch",
+        listener: (event: OfflineEvent) => void,
+    ): void;
     skipWaiting(): Promise<void>;
     clients: { claim(): Promise<void> };
 }

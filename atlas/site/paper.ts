@@ -1,20 +1,39 @@
 // The paper's tables beside what the certificates say: in the run with which the atlas was built,
 // and in the reader's own run.
 import { CheckView } from "./check_view.js";
-import { builtCaption, builtReport, cell, type DegreeClaim, ownCaption, type ReportOfChecker,
-    showCounts, verdictMark, withLinks } from "./claims.js";
+import {
+    builtCaption,
+    builtReport,
+    cell,
+    type DegreeClaim,
+    ownCaption,
+    type ReportOfChecker,
+    showCounts,
+    verdictMark,
+    withLinks,
+} from "./claims.js";
 import { byId, make } from "./elements.js";
 
 /** Each count that differs, why, and a witness. */
 function showDifferences(report: ReportOfChecker): void {
     const differing = report.claims.filter((claim) => claim.verdict.startsWith("differs"));
     const entries = differing.flatMap((claim) => [
-        make("dt", {}, `${claim.claim.replace(/^(- )*/, "")}: paper ${cell(claim.paper)}, ` +
-            `certified ${cell(claim.certified)}`),
-        make("dd", {},
+        make(
+            "dt",
+            {},
+            `${claim.claim.replace(/^(- )*/, "")}: paper ${cell(claim.paper)}, ` +
+                `certified ${cell(claim.certified)}`,
+        ),
+        make(
+            "dd",
+            {},
             make("p", {}, `${claim.verdict.replace("differs: ", "Why: ")}.`),
             make("p", {}, "Counted: ", ...withLinks(claim.counted.split("\n")[0] ?? "")),
-            ...claim.counted.split("\n").slice(1).map((text) => make("p", {}, ...withLinks(text.trim())))),
+            ...claim.counted
+                .split("\n")
+                .slice(1)
+                .map((text) => make("p", {}, ...withLinks(text.trim()))),
+        ),
     ]);
     byId("differences", HTMLElement).replaceChildren(...entries);
 }
@@ -25,11 +44,16 @@ function certified(claim: DegreeClaim): string {
 }
 
 function showDegrees(report: ReportOfChecker): void {
-    const rows = report.degree_claims.map((claim) => make("tr", {},
-        make("th", { scope: "row" }, ...withLinks(claim.claim)),
-        make("td", { class: "number" }, cell(claim.claimed_exactly)),
-        make("td", { class: "number" }, certified(claim)),
-        make("td", {}, verdictMark(claim.verdict))));
+    const rows = report.degree_claims.map((claim) =>
+        make(
+            "tr",
+            {},
+            make("th", { scope: "row" }, ...withLinks(claim.claim)),
+            make("td", { class: "number" }, cell(claim.claimed_exactly)),
+            make("td", { class: "number" }, certified(claim)),
+            make("td", {}, verdictMark(claim.verdict)),
+        ),
+    );
     byId("degrees", HTMLTableElement).tBodies[0]?.replaceChildren(...rows);
 }
 

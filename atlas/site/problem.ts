@@ -49,17 +49,29 @@ async function showCertificate(answer: ProblemAnswer, section: HTMLElement): Pro
     const run = () =>
         view.run({
             options: ["--expect", problem, "--verdict", verdict],
-            files: [{
-                name: `${fileName(answer)}.plc`,
-                bytes: new TextEncoder().encode(certificate.text).buffer as ArrayBuffer,
-            }],
+            files: [
+                {
+                    name: `${fileName(answer)}.plc`,
+                    bytes: new TextEncoder().encode(certificate.text).buffer as ArrayBuffer,
+                },
+            ],
         });
     section.append(
-        make("p", {}, "The prover found this certificate just now, in this browser. The checker " +
-            "shares no source with it, and believes nothing that stands in it."),
-        make("p", { class: "buttons" },
-            make("button", { type: "button", id: "check-now", class: "primary",
-                click: () => void run() }, "Check it now")),
+        make(
+            "p",
+            {},
+            "The prover found this certificate just now, in this browser. The checker " +
+                "shares no source with it, and believes nothing that stands in it.",
+        ),
+        make(
+            "p",
+            { class: "buttons" },
+            make(
+                "button",
+                { type: "button", id: "check-now", class: "primary", click: () => void run() },
+                "Check it now",
+            ),
+        ),
         view.element,
         certificateView(certificate),
     );
@@ -69,10 +81,20 @@ function related(title: string, explanation: string, rows: Row[]): HTMLElement[]
     if (rows.length === 0) return [];
     const most = 12;
     const list = make("ul", { class: "plain columns" }, ...rows.slice(0, most).map(line));
-    const parts: HTMLElement[] = [make("h3", {}, `${title} (${rows.length})`), make("p", {}, explanation), list];
+    const parts: HTMLElement[] = [
+        make("h3", {}, `${title} (${rows.length})`),
+        make("p", {}, explanation),
+        list,
+    ];
     if (rows.length > most)
-        parts.push(make("details", {}, make("summary", {}, `${rows.length - most} more`),
-            make("ul", { class: "plain columns" }, ...rows.slice(most).map(line))));
+        parts.push(
+            make(
+                "details",
+                {},
+                make("summary", {}, `${rows.length - most} more`),
+                make("ul", { class: "plain columns" }, ...rows.slice(most).map(line)),
+            ),
+        );
     return parts;
 }
 
@@ -84,8 +106,11 @@ async function showRelatives(answer: ProblemAnswer, section: HTMLElement): Promi
     const { swap, constraint, exchanges } = await prover.relatives(report.number);
     section.append(
         ...related("The same swap class", "They have the same terminal problem.", swap),
-        ...related("The same constraint class",
-            "They have the same camera equations, and so the same degree.", constraint),
+        ...related(
+            "The same constraint class",
+            "They have the same camera equations, and so the same degree.",
+            constraint,
+        ),
         ...related("One feature exchanged", "For another of the same weight.", exchanges),
     );
 }
@@ -97,9 +122,12 @@ function section(id: string, title: string): HTMLElement {
 async function show(spec: string): Promise<void> {
     const answer = await prover.problem(spec);
     const { report } = answer;
-    const number = report.number !== undefined && report.standing === "member" ? `#${report.number}` : "";
+    const number =
+        report.number !== undefined && report.standing === "member" ? `#${report.number}` : "";
     const title = [...answer.names.slice(0, 1), number].filter((word) => word !== "").join(", ");
     document.title = `${title || report.problem} · Atlas of point-line problems`;
+    const files = section("downloads", "Downloads");
+    files.append(downloads(answer));
     const certificate = section("certificate", "Certificate");
     const degree = section("degree", "Degree");
     const relatives = section("related", "Related problems");
@@ -110,10 +138,16 @@ async function show(spec: string): Promise<void> {
         make("figure", {}, picture(answer.picture)),
         verdictView(report),
         facts(factRows(answer)),
-        make("p", {}, make("a", { href: problemAddress(spec).replace("problem", "search") },
-            "Change it on the drawing board")),
-        section("downloads", "Downloads"),
-        downloads(answer),
+        make(
+            "p",
+            {},
+            make(
+                "a",
+                { href: problemAddress(spec).replace("problem", "search") },
+                "Change it on the drawing board",
+            ),
+        ),
+        files,
         certificate,
         degree,
         relatives,
@@ -125,7 +159,8 @@ async function show(spec: string): Promise<void> {
 }
 
 function complain(error: unknown): void {
-    const words = error instanceof Complaint ? error.message : `The program failed: ${String(error)}`;
+    const words =
+        error instanceof Complaint ? error.message : `The program failed: ${String(error)}`;
     place.replaceChildren(
         make("h1", {}, "No such problem"),
         make("p", { class: "complaint" }, words),

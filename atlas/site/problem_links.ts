@@ -4,7 +4,8 @@ import { picture } from "./picture.js";
 import type { Degree, Row } from "./prover.js";
 
 export function problemAddress(spec: string | number): string {
-    return `problem.html?p=${encodeURIComponent(String(spec)).replaceAll("%20", "+").replaceAll("%2F", "/")}`;
+    const encoded = encodeURIComponent(String(spec));
+    return `problem.html?p=${encoded.replaceAll("%20", "+").replaceAll("%2F", "/")}`;
 }
 
 export function problemLink(spec: string | number, ...text: Child[]): HTMLAnchorElement {
@@ -48,7 +49,11 @@ export function line(row: Row): HTMLElement {
         "li",
         {},
         exchange,
-        problemLink(row.number, `#${row.number} `, make("span", { class: "notation" }, row.notation)),
+        problemLink(
+            row.number,
+            `#${row.number} `,
+            make("span", { class: "notation" }, row.notation),
+        ),
         row.minimal ? "" : ` (not minimal: ${row.obstruction})`,
     );
     if (row.degree) item.append(`, degree ${row.degree.words} `, statusMark(row.degree.status));

@@ -41,7 +41,8 @@ async function decide(text: string): Promise<void> {
 }
 
 function showComplaint(error: unknown): void {
-    const words = error instanceof Complaint ? error.message : `The program failed: ${String(error)}`;
+    const words =
+        error instanceof Complaint ? error.message : `The program failed: ${String(error)}`;
     spec.setAttribute("aria-invalid", "true");
     answerPlace.replaceChildren(make("p", { class: "complaint" }, words));
 }
@@ -86,7 +87,12 @@ async function search(): Promise<void> {
     try {
         const start = performance.now();
         const answer = await prover.search(
-            options(), String(data.get("sort")), descending, first, rowsOfPage);
+            options(),
+            String(data.get("sort")),
+            descending,
+            first,
+            rowsOfPage,
+        );
         resultPlace.dataset.milliseconds = String(Math.round(performance.now() - start));
         totalPlace.textContent = `${withCommas(answer.total)} of 143,494 classes`;
         resultPlace.replaceChildren(...answer.rows.map(card));
@@ -100,16 +106,20 @@ async function search(): Promise<void> {
 
 function showPager(total: number): void {
     const turn = (label: string, to: number, possible: boolean) =>
-        make("button", {
-            type: "button",
-            disabled: !possible,
-            click: () => {
-                first = to;
-                keepInAddress();
-                void search();
-                totalPlace.scrollIntoView();
+        make(
+            "button",
+            {
+                type: "button",
+                disabled: !possible,
+                click: () => {
+                    first = to;
+                    keepInAddress();
+                    void search();
+                    totalPlace.scrollIntoView();
+                },
             },
-        }, label);
+            label,
+        );
     const last = Math.min(first + rowsOfPage, total);
     pager.replaceChildren(
         turn("Previous", Math.max(0, first - rowsOfPage), first > 0),
@@ -122,7 +132,8 @@ function keepInAddress(): void {
     const address = new URLSearchParams();
     if (spec.value.trim() !== "") address.set("p", spec.value);
     for (const [name, value] of new FormData(form))
-        if (String(value) !== "" && !isDefault(name, String(value))) address.append(name, String(value));
+        if (String(value) !== "" && !isDefault(name, String(value)))
+            address.append(name, String(value));
     if (first > 0) address.set("first", String(first));
     const query = address.toString();
     history.replaceState(null, "", query === "" ? location.pathname : `?${query}`);
@@ -147,20 +158,26 @@ function readAddress(): void {
 readAddress();
 void decide(spec.value);
 void search();
-spec.addEventListener("input", afterPause(() => {
-    keepInAddress();
-    void decide(spec.value);
-}));
+spec.addEventListener(
+    "input",
+    afterPause(() => {
+        keepInAddress();
+        void decide(spec.value);
+    }),
+);
 byId("ask", HTMLFormElement).addEventListener("submit", (event) => {
     event.preventDefault();
     void decide(spec.value);
 });
 form.addEventListener("submit", (event) => event.preventDefault());
-form.addEventListener("input", afterPause(() => {
-    first = 0;
-    keepInAddress();
-    void search();
-}));
+form.addEventListener(
+    "input",
+    afterPause(() => {
+        first = 0;
+        keepInAddress();
+        void search();
+    }),
+);
 byId("reset", HTMLButtonElement).addEventListener("click", () => {
     form.reset();
     first = 0;

@@ -1,7 +1,13 @@
 // The start page: the main counts of the paper, and the button that derives them anew.
 import { CheckView } from "./check_view.js";
-import { builtCaption, builtReport, type Claim, ownCaption, type ReportOfChecker,
-    showCounts } from "./claims.js";
+import {
+    builtCaption,
+    builtReport,
+    type Claim,
+    ownCaption,
+    type ReportOfChecker,
+    showCounts,
+} from "./claims.js";
 import { byId } from "./elements.js";
 
 const main = new Set([

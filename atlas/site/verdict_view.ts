@@ -60,8 +60,7 @@ export function degreeView(degree: Degree): HTMLElement {
 /** A table of names and what stands for them. */
 export function facts(rows: [string, Child[]][]): HTMLElement {
     const list = make("dl", { class: "facts-list" });
-    for (const [name, value] of rows)
-        list.append(make("dt", {}, name), make("dd", {}, ...value));
+    for (const [name, value] of rows) list.append(make("dt", {}, name), make("dd", {}, ...value));
     return list;
 }
 
@@ -79,8 +78,15 @@ export function factRows(answer: ProblemAnswer): [string, Child[]][] {
     rows.push(["dimensions", [dimensionsInWords(report)]]);
     if (report.reduction.length > 0) {
         const steps = report.reduction.map((step, index) =>
-            make("li", {}, notation(step.feature), " becomes ", notation(step.result ?? ""),
-                `: ${explanations[index] ?? ""}`));
+            make(
+                "li",
+                {},
+                notation(step.feature),
+                " becomes ",
+                notation(step.result ?? ""),
+                `: ${explanations[index] ?? ""}`,
+            ),
+        );
         rows.push(["reduction", [make("ol", { class: "plain" }, ...steps)]]);
         rows.push(["reduced", [notation(report.reduced)]]);
     }

@@ -85,8 +85,7 @@ EMSCRIPTEN_KEEPALIVE void replay_file(Run* run, const char* name, const char* by
 
 /// Says what the files prove together, once all are replayed.
 EMSCRIPTEN_KEEPALIVE void conclude_run(Run* run) {
-    const Report report =
-        summarize(run->classes, std::move(run->files), run->options.expectation);
+    const Report report = summarize(run->classes, std::move(run->files), run->options.expectation);
     run->errors += objections(report);
     run->output += rest_of(report, run->options);
     run->report = json(report);

@@ -88,12 +88,10 @@ const std::vector<Entry>& Library::classes() {
 }
 
 Json row_of(const Entry& entry) {
-    Json row = {{"number", entry.number},
-                {"notation", notation(entry.signature)},
-                {"minimal", entry.minimal()},
-                {"obstruction", obstruction_name(entry.obstruction)},
-                {"points", entry.counts.points},
-                {"lines", entry.counts.lines()}};
+    Json row = {
+        {"number", entry.number},        {"notation", notation(entry.signature)},
+        {"minimal", entry.minimal()},    {"obstruction", obstruction_name(entry.obstruction)},
+        {"points", entry.counts.points}, {"lines", entry.counts.lines()}};
     if (entry.degree)
         row["degree"] = {{"words", in_words(*entry.degree)},
                          {"status", name(entry.degree->status)}};

@@ -113,11 +113,10 @@ template <class Range, class Value, class Compare = std::less<void>,
           class Projection = std::identity>
 auto lower_bound(Range&& range, const Value& value, Compare compare = {},
                  Projection projection = {}) {
-    return std::lower_bound(std::begin(range), std::end(range), value,
-                            [&](const auto& element, const Value& sought) {
-                                return std::invoke(compare, std::invoke(projection, element),
-                                                   sought);
-                            });
+    return std::lower_bound(
+        std::begin(range), std::end(range), value, [&](const auto& element, const Value& sought) {
+            return std::invoke(compare, std::invoke(projection, element), sought);
+        });
 }
 
 template <class Range, class Value>

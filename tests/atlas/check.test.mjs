@@ -28,7 +28,10 @@ test("the whole classification is replayed in under 15 s, and fills the table", 
     assert.match(output, /all 143494 label classes are certified, 140616 minimal/);
     assert.ok(Date.now() - start < 15_000);
     assert.match(await page.textContent("#counts-caption"), /your browser just derived/);
-    assert.match(await page.textContent("#counts tbody"), /label classes, minimal140,616140,616confirmed/);
+    assert.match(
+        await page.textContent("#counts tbody"),
+        /label classes, minimal140,616140,616confirmed/,
+    );
 });
 
 test("a problem's certificate is found and checked on its page", async () => {
@@ -37,7 +40,8 @@ test("a problem's certificate is found and checked on its page", async () => {
     const { output } = await outcomeOf(page);
     assert.match(output, /VERIFIED: 2\*Pa\/Pa\/Pa \+ P\/P\/P is minimal \(class-2394\.plc\)/);
     const minor = /^minimal 2394 1 (\d+)$/m.exec(
-        execFileSync(plprove, ["certify", "2394"], { encoding: "utf8" }))[1];
+        execFileSync(plprove, ["certify", "2394"], { encoding: "utf8" }),
+    )[1];
     assert.ok((await page.textContent("#problem")).includes(minor));
 });
 
@@ -95,18 +99,25 @@ test("the checker says of every file what the program says, to the letter", asyn
     const corpus = path.join(root, "tests/fuzz/corpus/certificate");
     const regressions = path.join(root, "tests/fuzz/regressions/certificate");
     const files = [corpus, regressions].flatMap((from) =>
-        readdirSync(from).map((name) => path.join(from, name)));
+        readdirSync(from).map((name) => path.join(from, name)),
+    );
     files.push(path.join(root, "certs/bounds.plc"));
     assert.ok(files.length > 20);
     const page = await atlas.visit("check.html");
     for (const file of files) {
-        const native = spawnSync(plcheck, ["--json", path.basename(file)],
-            { cwd: path.dirname(file), encoding: "utf8", maxBuffer: 1 << 26 });
-        const outcome = await page.evaluate(async ([name, base64]) => {
-            const { check } = await import("./site/checker.js");
-            const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
-            return check({ options: [], files: [{ name, bytes: bytes.buffer }] }, () => {});
-        }, [path.basename(file), readFileSync(file).toString("base64")]);
+        const native = spawnSync(plcheck, ["--json", path.basename(file)], {
+            cwd: path.dirname(file),
+            encoding: "utf8",
+            maxBuffer: 1 << 26,
+        });
+        const outcome = await page.evaluate(
+            async ([name, base64]) => {
+                const { check } = await import("./site/checker.js");
+                const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+                return check({ options: [], files: [{ name, bytes: bytes.buffer }] }, () => {});
+            },
+            [path.basename(file), readFileSync(file).toString("base64")],
+        );
         // A page has no working folder, which one message names.
         const nowhere = (text) => text.replaceAll(`folder, ${path.dirname(file)};`, "folder, ;");
         assert.equal(outcome.status, native.status, file);
@@ -117,8 +128,20 @@ test("the checker says of every file what the program says, to the letter", asyn
 
 test("the prover says of a problem what the program says, to the letter", async () => {
     const page = await atlas.visit("check.html");
-    const specs = ["Chicago", "five-point", "P3P+five-point", "0", "2394", "72050", "143493",
-        "3*P/P/P + P/P/a + Pa/-/-", "7*P/P/P", "P/P/P", "6*P/P", "2*Pa/Pa/Pa + a/a/-"];
+    const specs = [
+        "Chicago",
+        "five-point",
+        "P3P+five-point",
+        "0",
+        "2394",
+        "72050",
+        "143493",
+        "3*P/P/P + P/P/a + Pa/-/-",
+        "7*P/P/P",
+        "P/P/P",
+        "6*P/P",
+        "2*Pa/Pa/Pa + a/a/-",
+    ];
     for (const spec of specs) {
         const run = (...words) => execFileSync(plprove, words, { encoding: "utf8" });
         const answers = await page.evaluate(async (asked) => {
@@ -146,6 +169,8 @@ test("a download has the bytes that the program writes", async () => {
         page.getByRole("button", { name: "certificate (.plc)" }).click(),
     ]);
     assert.equal(download.suggestedFilename(), "class-2394.plc");
-    assert.equal(readFileSync(await download.path(), "utf8"),
-        execFileSync(plprove, ["certify", "2394"], { encoding: "utf8" }));
+    assert.equal(
+        readFileSync(await download.path(), "utf8"),
+        execFileSync(plprove, ["certify", "2394"], { encoding: "utf8" }),
+    );
 });

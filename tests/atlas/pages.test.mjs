@@ -86,7 +86,11 @@ test("every page has a strict policy and no script of its own", () => {
     for (const name of readdirSync(folder).filter((file) => file.endsWith(".html"))) {
         const text = readFileSync(path.join(folder, name), "utf8");
         assert.match(text, /default-src 'none'; script-src 'self' 'wasm-unsafe-eval';/, name);
-        assert.doesNotMatch(text, /unsafe-inline|'unsafe-eval'|<script(?![^>]* src=)|\son[a-z]+=|<style|@[A-Z]+@/, name);
+        assert.doesNotMatch(
+            text,
+            /unsafe-inline|'unsafe-eval'|<script(?![^>]* src=)|\son[a-z]+=|<style|@[A-Z]+@/,
+            name,
+        );
     }
 });
 
@@ -95,16 +99,23 @@ test("the scripts never make HTML of text", () => {
     assert.ok(scripts.length > 10);
     for (const name of scripts) {
         const text = readFileSync(path.join(folder, "site", name), "utf8");
-        assert.doesNotMatch(text, /innerHTML|outerHTML|insertAdjacentHTML|document\.write|\beval\(|"text\/html"/, name);
+        assert.doesNotMatch(
+            text,
+            /innerHTML|outerHTML|insertAdjacentHTML|document\.write|\beval\(|"text\/html"/,
+            name,
+        );
     }
 });
 
 test("the files are those of the digests, and 80 MB at most", () => {
     const listed = readFileSync(path.join(folder, "SHA256SUMS"), "utf8").trim().split("\n");
-    const all = readdirSync(folder, { recursive: true })
-        .filter((name) => statSync(path.join(folder, name)).isFile());
-    assert.deepEqual(listed.map((line) => line.slice(66)).sort(),
-        all.filter((name) => name !== "SHA256SUMS").sort());
+    const all = readdirSync(folder, { recursive: true }).filter((name) =>
+        statSync(path.join(folder, name)).isFile(),
+    );
+    assert.deepEqual(
+        listed.map((line) => line.slice(66)).sort(),
+        all.filter((name) => name !== "SHA256SUMS").sort(),
+    );
     execFileSync("sha256sum", ["--check", "--quiet", "SHA256SUMS"], { cwd: folder });
     const bytes = all.reduce((sum, name) => sum + statSync(path.join(folder, name)).size, 0);
     assert.ok(bytes < 80e6, `${bytes} bytes`);
@@ -114,7 +125,9 @@ test("every link in the atlas leads somewhere", async () => {
     for (const [address, ready] of Object.entries(pages)) {
         const page = await atlas.visit(address);
         await page.waitForSelector(ready);
-        const links = await page.locator("a[href]").evaluateAll((all) => all.map((link) => link.href));
+        const links = await page
+            .locator("a[href]")
+            .evaluateAll((all) => all.map((link) => link.href));
         assert.ok(links.length > 4);
         for (const link of links.filter((link) => link.startsWith(atlas.address))) {
             const file = decodeURIComponent(new URL(link).pathname.slice(1)) || "index.html";

@@ -68,21 +68,27 @@ test("a line in the drawing is hidden in the view that is clicked", async () => 
 });
 
 test("filters find what plprove list finds, in under 200 ms", async () => {
-    const page = await atlas.visit("search.html?verdict=terminal&one-pin=on&points=..3&free-lines=0");
+    const page = await atlas.visit(
+        "search.html?verdict=terminal&one-pin=on&points=..3&free-lines=0",
+    );
     await page.waitForSelector(".card");
     assert.deepEqual(await page.locator(".card-number").allTextContents(), ["#2394", "#2395"]);
     assert.match(await page.textContent("#total"), /^2 of 143,494/);
     await page.selectOption("[name=verdict]", "minimal");
-    await page.waitForFunction(() => !document.querySelector("#total").textContent.startsWith("2 of"));
+    await page.waitForFunction(
+        () => !document.querySelector("#total").textContent.startsWith("2 of"),
+    );
     await page.getByRole("button", { name: "Clear the filters" }).click();
     await page.waitForFunction(() =>
-        document.querySelector("#total").textContent.startsWith("143,494 of"));
+        document.querySelector("#total").textContent.startsWith("143,494 of"),
+    );
     const times = [];
     for (const points of ["4", "5", "3"]) {
         await page.fill("[name=points]", points);
         await page.waitForFunction(
             (was) => document.querySelector("#total").textContent !== was,
-            await page.textContent("#total"));
+            await page.textContent("#total"),
+        );
         times.push(Number(await page.getAttribute("#results", "data-milliseconds")));
     }
     assert.ok(Math.min(...times) < 200, `a search took ${times} ms`);
@@ -90,11 +96,15 @@ test("filters find what plprove list finds, in under 200 ms", async () => {
 
 test("a filter that makes no sense is refused with what was expected", async () => {
     const page = await atlas.visit("search.html?points=many");
-    await page.waitForFunction(() => /expected N or N\.\.M/.test(document.querySelector("#total").textContent));
+    await page.waitForFunction(() =>
+        /expected N or N\.\.M/.test(document.querySelector("#total").textContent),
+    );
 });
 
 test("an address restores search and page; back leads to it", async () => {
-    const page = await atlas.visit("search.html?verdict=minimal&sort=degree&order=descending&first=24");
+    const page = await atlas.visit(
+        "search.html?verdict=minimal&sort=degree&order=descending&first=24",
+    );
     await page.waitForSelector(".card");
     assert.match(await page.textContent("#pager"), /25 to 48/);
     const first = await page.textContent(".card-number");
