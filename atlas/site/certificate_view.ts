@@ -138,8 +138,8 @@ function conclusion(evidence: Evidence, modulus: string): Child[] {
             minor,
             " modulo the prime ",
             prime,
-            ". So it is not 0: the images determine the cameras near this scene up to finitely many " +
-                "choices, and the same holds for generic images: the problem is minimal.",
+            ". So it is not 0. The images determine the cameras near this scene up to finitely " +
+                "many choices. The same holds for generic images: the problem is minimal.",
         ];
     if (evidence.kind === "camera-minimal")
         return [
