@@ -108,6 +108,9 @@ struct ShowRequest {
 };
 
 void show(const ShowRequest& request, const Deliver& deliver) {
+    if (general::parse_spec(request.spec))
+        throw BadInput("problems with shared lines, with more than three views or for projective "
+                       "cameras are not drawn: `plprove problem` says what is known of them");
     const Problem problem = parse_spec(request.spec);
     Highlight highlight = Highlight::nothing;
     if (!request.highlight.empty()) {

@@ -28,6 +28,9 @@ TEST_CASE("problems in general: verdict, JSON and certificate") {
     CHECK(contains(json.out, "\"verdict\": \"not minimal\""));
     CHECK(contains(json.out, "cross-ratio"));
     CHECK(contains(run(plprove + " problem 'projective: 8*P/P'").out, "verdict     unbalanced"));
+    const Outcome drawn = run(plprove + " show 'projective: 7*P/P'");
+    CHECK(drawn.status == 2);
+    CHECK(contains(drawn.err, "for projective cameras are not drawn"));
 }
 
 TEST_CASE("problems in general: families as CSV and as archives") {

@@ -115,6 +115,36 @@ TEST_CASE("what cannot be is refused, with what to write instead") {
     }
 }
 
+TEST_CASE("any text is a problem, or refused with a message") {
+    plprove::general::RandomProblems random(26);
+    const std::string letters = "PLMabc/-+*()0123: projective";
+    int problems = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::string text = general::notation(random.problem());
+        for (int edits = random.below(4); edits > 0; --edits) {
+            const auto place =
+                static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
+            const char letter =
+                letters[static_cast<std::size_t>(random.below(static_cast<int>(letters.size())))];
+            if (random.below(2) == 0)
+                text[place] = letter;
+            else
+                text.erase(place, 1);
+        }
+        CAPTURE(text);
+        try {
+            const general::Problem problem = general::parse(text);
+            CHECK(is_constructible_in_order(problem));
+            CHECK(dimension_in_space(problem) >= 0);
+            ++problems;
+        } catch (const NotationError& error) {
+            CHECK(std::string(error.what()).size() > 10);
+        }
+    }
+    CHECK(problems > 5000);
+    CHECK(problems < 19000);
+}
+
 TEST_CASE("PLMP's encoding and names") {
     const auto spec = [](const char* text) {
         return general::notation(*general::parse_spec(text));
