@@ -46,16 +46,18 @@ public:
 
     void consider_motions(const Part& part, ViewSet moving) {
         const bool calibrated = problem_.model == CameraModel::calibrated;
-        constexpr int most_lines_of_generators = 2;
+        // Lines among the generators are worth a search only where all cameras move: there are
+        // up to 4,096 choices of moving views.
+        const int most_lines = moving == part.views ? 2 : 0;
         if (!calibrated) {
             Motion plane{MotionKind::plane, 0, moving, seen_by(part, moving), {}};
-            consider_with_lines(part, plane, 0, most_lines_of_generators);
+            consider_with_lines(part, plane, 0, most_lines);
         }
         for (const int centre : part.points) {
             Motion star{MotionKind::star, centre, moving, {}, {}};
             if (!calibrated) star.points = seen_by(part, moving);
             std::erase(star.points, centre);
-            consider_with_lines(part, star, 0, calibrated ? 0 : most_lines_of_generators);
+            consider_with_lines(part, star, 0, calibrated ? 0 : most_lines);
         }
     }
 
