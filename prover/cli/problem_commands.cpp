@@ -9,6 +9,7 @@
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
+#include "prover/system/words.h"
 
 #include <sstream>
 
@@ -40,21 +41,6 @@ const std::string problem_examples =
     "  plprove problem '3*P/P/P + P/P/a' --certificate mine.plc\n"
     "  plcheck mine.plc\n\n"
     "Names: ";
-
-/// In lines of at most 80 characters.
-std::string wrapped(const std::string& text) {
-    constexpr std::size_t columns = 80;
-    std::string result;
-    std::size_t column = 0;
-    std::istringstream words(text);
-    for (std::string word; words >> word; column += word.size() + 1) {
-        const bool fits = column + word.size() <= columns;
-        if (!result.empty()) result += fits ? ' ' : '\n';
-        if (!fits) column = 0;
-        result += word;
-    }
-    return result;
-}
 
 struct ProblemRequest {
     std::string spec;
@@ -137,7 +123,7 @@ Command add_problem_command(CLI::App& program, Deliver deliver) {
     app->add_flag("--json", request->json, "print JSON");
     app->add_option("--certificate", request->certificate,
                     "also write a certificate of the verdict to this file");
-    app->footer(problem_examples + wrapped(list_of_names()));
+    app->footer(problem_examples + wrapped(list_of_names(), 80));
     return {app, [request, deliver = std::move(deliver)] {
                 decide_problem(*request, deliver);
                 return 0;

@@ -1,5 +1,6 @@
 #include "prover/cli/problem_report.h"
 #include "prover/cli/problem_facts.h"
+#include "prover/system/words.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -26,6 +27,7 @@ std::string or_nothing(const Problem& problem) {
 }
 
 constexpr int label_width = 12;
+constexpr std::size_t text_width = 100 - label_width;
 
 void section(std::ostream& out, const std::string& label) {
     out << std::left << std::setw(label_width) << label;
@@ -33,6 +35,16 @@ void section(std::ostream& out, const std::string& label) {
 
 void continue_section(std::ostream& out) {
     section(out, "");
+}
+
+/// In lines that begin below each other, so many columns behind the label.
+void write_wrapped(std::ostream& out, const std::string& text, std::size_t indent = 0) {
+    std::istringstream lines(wrapped(text, text_width - indent));
+    bool first = true;
+    for (std::string line; std::getline(lines, line); first = false) {
+        if (!first) continue_section(out);
+        out << std::string(indent, ' ') << line << '\n';
+    }
 }
 
 void write_dimensions(std::ostream& out, const Decision& decision) {
@@ -62,9 +74,18 @@ void write_reduction(std::ostream& out, const Decision& decision) {
     if (steps.empty()) out << "none: the problem is reduced\n";
     for (std::size_t i = 0; i < steps.size(); ++i) {
         if (i > 0) continue_section(out);
-        out << notation(steps[i].before) << " -> "
-            << (steps[i].after ? notation(*steps[i].after) : "nothing") << "   "
-            << explanation(steps[i].rule) << '\n';
+        const std::string step =
+            notation(steps[i].before) + " -> " +
+            (steps[i].after ? notation(*steps[i].after) : std::string("nothing"));
+        const std::string why(explanation(steps[i].rule));
+        out << step;
+        if (step.size() + 3 + why.size() <= text_width) {
+            out << "   " << why << '\n';
+        } else {
+            out << '\n';
+            continue_section(out);
+            write_wrapped(out, why, 2);
+        }
     }
     if (!steps.empty()) {
         section(out, "reduced");
@@ -93,7 +114,7 @@ void write_verdict(std::ostream& out, const Decision& decision) {
     out << verdict_in_words(decision.verdict) << '\n';
     for (const std::string& reason : reasons(decision)) {
         continue_section(out);
-        out << reason << '\n';
+        write_wrapped(out, reason);
     }
 }
 

@@ -118,7 +118,7 @@ std::string camera_row(const ComplexPose& pose) {
         text << std::setw(10) << x;
     text << "   t";
     for (const auto& x : pose.t)
-        text << std::setw(11) << x.real();
+        text << std::setw(10) << x.real();
     return text.str();
 }
 

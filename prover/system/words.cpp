@@ -4,6 +4,7 @@
 #include <cctype>
 #include <functional>
 #include <numeric>
+#include <sstream>
 #include <vector>
 
 namespace plprove {
@@ -50,6 +51,19 @@ std::string printable(std::string_view text, std::size_t longest) {
     std::string result(text.substr(0, longest));
     std::ranges::replace_if(result, std::not_fn(is_printable), '?');
     return text.size() > longest ? result + "..." : result;
+}
+
+std::string wrapped(const std::string& text, std::size_t columns) {
+    std::string result;
+    std::size_t column = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word; column += word.size() + 1) {
+        const bool fits = column + word.size() <= columns;
+        if (!result.empty()) result += fits ? ' ' : '\n';
+        if (!fits) column = 0;
+        result += word;
+    }
+    return result;
 }
 
 bool has_control_character(std::string_view text) {

@@ -131,6 +131,22 @@ TEST_CASE("text and JSON say the same") {
         CHECK(contains(text.out, step["feature"].get<std::string>() + " -> "));
 }
 
+TEST_CASE("a report fits 100 columns") {
+    for (const char* spec :
+         {"2394", "0", "3", "4*P/P/- + Pabcdefg/Pabcdefg/-", "3*P/P/P + P/P/a"}) {
+        CAPTURE(spec);
+        const std::string text = run(plprove + " problem '" + spec + "'").out;
+        const auto report = decide(spec);
+        std::string words; // without line ends and columns
+        for (const std::string& line : lines_of(text)) {
+            CHECK(line.size() <= 100);
+            words += ' ' + line.substr(std::min(line.size(), line.find_first_not_of(' ')));
+        }
+        for (const auto& reason : report["reasons"])
+            CHECK(contains(words, ' ' + reason.get<std::string>()));
+    }
+}
+
 TEST_CASE("the certificate of a verdict proves it to the checker") {
     const TemporaryFolder folder;
     const auto file = (folder / "verdict.plc").string();
