@@ -19,6 +19,7 @@ static constexpr std::string_view help = R"(usage: plcheck [OPTION]... [--] FILE
 
     plcheck classification.plc         derive every count of the classification from certificates
     plcheck problem.plc                replay the verdict on one problem
+    plcheck certs/plmp.plc             replay the verdicts on a family of problems, and count them
     plcheck degrees.plc                certify that classes have at least so many solutions
     plcheck classification.plc degrees.plc
                                        the same; add upper bounds by theorem
@@ -28,11 +29,13 @@ static constexpr std::string_view help = R"(usage: plcheck [OPTION]... [--] FILE
                                        compare the file with its digest in a list, too
 
 What do you expect? Status 0 then says that the files prove just that:
-    --expect PROBLEM     a problem like '2*Pa/Pa/Pa + P/P/P'; add one of the next two, or both
+    --expect PROBLEM     a problem like '2*Pa/Pa/Pa + P/P/P' or 'projective: 7*P/P'; add one of the
+                         next two, or both
     --verdict VERDICT    minimal, camera-minimal, not-minimal, obstructed, under-constrained or
                          over-constrained
     --degree N           exactly N solutions for the cameras; '>=N' at least N
     --classification     that every label class has a certificate
+    --family FAMILY      that every problem of it has one: plmp, or projective
 
 What to print, beside a line for each file and a summary; the last line is the result:
     --table              every count and every degree, beside those of the paper
@@ -66,6 +69,7 @@ a classification      file, algebra, problem, classification; proofs/classificat
 its counts            also counts
 one problem           file, algebra, problem, classification, verdict;
                       proofs/classification.md and problems.md
+problems in general   file, algebra, general; proofs/families.md
 at least n solutions  file, algebra, problem, degrees; Arb (FLINT);
                       proofs/classification.md, problems.md and degrees.md
 at most n solutions   all of the classification, degrees and bounds; proofs/upper_bounds.md

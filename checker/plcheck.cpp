@@ -18,6 +18,7 @@ static checker::Expectation parse(const Expectation& expectation) {
         return checker::expectation_of({.problem = given(expectation.expect),
                                         .verdict = given(expectation.verdict),
                                         .degree = given(expectation.degree),
+                                        .family = given(expectation.family),
                                         .classification = expectation.classification});
     } catch (const checker::WrongUsage& usage) {
         throw std::invalid_argument(usage.reason);

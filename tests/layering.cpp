@@ -30,12 +30,13 @@ const std::map<std::string, Folders> other_claims{
     {"bounds", {"degrees"}},
     {"counts", {}},
     {"digests", {}},
-    {"conclusion", {"verdict", "degrees", "bounds", "counts", "digests", ""}}};
+    {"general", {}},
+    {"conclusion", {"verdict", "degrees", "bounds", "counts", "digests", "general", ""}}};
 
 /// The folders of prover/, from the bottom to the top.
 const Folders layers{"system",  "format",  "problem",   "geometry",     "general", "classification",
-                     "bounds",  "degree",  "catalogue", "degree_sweep", "solver",
-                     "drawing", "library", "scripts",   "bundle",       "cli"};
+                     "bounds",  "degree",  "catalogue", "degree_sweep", "solver",  "drawing",
+                     "library", "scripts", "bundle",    "cli"};
 
 /// A line `#include "to"` in the file `from`; both are paths in the project.
 struct Arrow {

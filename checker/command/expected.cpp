@@ -34,7 +34,46 @@ static ExpectedDegree parse_degree(std::string_view text) {
     return {exactly, *solutions};
 }
 
+/// Whether only section 13 of FORMAT.md may spell this: `projective:`, shared lines, many views.
+static bool only_in_general(std::string_view notation) {
+    const auto is_shared = [](char c) { return c >= 'A' && c <= 'Z' && c != 'P'; };
+    const std::string_view feature = notation.substr(0, notation.find('+'));
+    return notation.find(':') != notation.npos || std::ranges::any_of(notation, is_shared) ||
+           std::ranges::count(feature, '/') > 2;
+}
+
+/// The problem by section 1 or section 13, or both.
+static ExpectedProblem parse_expected(std::string_view notation) {
+    ExpectedProblem expected{.notation = printable(notation, 4096)};
+    std::string in_section_1, in_section_13; // what is wrong
+    try {
+        expected.problem = parse_problem(notation);
+    } catch (const Malformed& malformed) {
+        in_section_1 = malformed.complaint.reason;
+    }
+    try {
+        expected.in_general = parse_general_problem(notation);
+    } catch (const Malformed& malformed) {
+        in_section_13 = malformed.complaint.reason;
+    }
+    if (in_section_1.empty() || in_section_13.empty()) return expected;
+    throw WrongUsage{say("--expect ", printable(notation, 200), ": ",
+                         only_in_general(notation) ? in_section_13 : in_section_1,
+                         "; write it like '2*Pa/Pa/Pa + P/P/P', in quotes")};
+}
+
+static Expectation family_of(const ExpectedWords& words) {
+    if (words.problem || words.verdict || words.degree || words.classification)
+        throw WrongUsage{"--family expects a whole family; leave out --expect, --verdict, --degree "
+                         "and --classification"};
+    if (*words.family != "plmp" && *words.family != "projective")
+        throw WrongUsage{say("unknown family ", printable(*words.family, 40),
+                             "; choose one of plmp, projective")};
+    return WholeFamily{std::string(*words.family)};
+}
+
 Expectation expectation_of(const ExpectedWords& words) {
+    if (words.family) return family_of(words);
     if (words.classification) {
         if (words.problem || words.verdict || words.degree)
             throw WrongUsage{"--classification expects the whole table; leave out --expect, "
@@ -48,14 +87,7 @@ Expectation expectation_of(const ExpectedWords& words) {
     }
     if (!words.verdict && !words.degree)
         throw WrongUsage{"say what to expect of the problem: add --verdict minimal, or --degree N"};
-    ExpectedProblem expected{.notation = printable(*words.problem, 4096)};
-    try {
-        expected.problem = parse_problem(*words.problem);
-    } catch (const Malformed& malformed) {
-        throw WrongUsage{say("--expect ", printable(*words.problem, 200), ": ",
-                             malformed.complaint.reason,
-                             "; write it like '2*Pa/Pa/Pa + P/P/P', in quotes")};
-    }
+    ExpectedProblem expected = parse_expected(*words.problem);
     if (words.verdict) expected.verdict = checked_verdict(*words.verdict);
     if (words.degree) expected.degree = parse_degree(*words.degree);
     return expected;

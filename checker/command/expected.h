@@ -9,6 +9,7 @@ struct ExpectedWords {
     std::optional<std::string_view> problem{}; // of --expect
     std::optional<std::string_view> verdict{};
     std::optional<std::string_view> degree{};
+    std::optional<std::string_view> family{};
     bool classification = false;
 };
 

@@ -69,6 +69,8 @@ static void take_option(Arguments& arguments, Options& options, ExpectedWords& e
         set(expected.degree, "--degree", arguments.value_of(option));
     else if (is(option, "--threads"))
         options.threads = parse_threads(arguments.value_of(option));
+    else if (is(option, "--family"))
+        set(expected.family, "--family", arguments.value_of(option));
     else if (option == "--version" || option == "--help" || option == "-h")
         throw WrongUsage{say(option, " stands alone; put -- before files with such names")};
     else

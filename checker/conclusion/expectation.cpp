@@ -47,8 +47,8 @@ static const Verdict* record_of(const ClassificationFile& file, std::size_t numb
 }
 
 /// By a problem file about the problem, else by the record of its class in a classification.
-static Proved prove(const Classification& classes, const Findings& findings,
-                    const CanonicalProblem& problem) {
+static Proved prove_by_class(const Classification& classes, const Findings& findings,
+                             const CanonicalProblem& problem) {
     Proved proved{.number = class_of(classes, problem)};
     for (std::size_t i = 0; i < findings.files.size(); ++i) {
         const ReplayedFile& file = findings.files[i];
@@ -65,6 +65,18 @@ static Proved prove(const Classification& classes, const Findings& findings,
         proved.verdict = record->obstruction.minimal() ? "minimal" : "obstructed";
         proved.file = file.name;
     }
+    return proved;
+}
+
+/// The same, or else by a file of problems in general.
+static Proved prove(const Classification& classes, const Findings& findings,
+                    const ExpectedProblem& expected) {
+    Proved proved = prove_by_class(classes, findings, expected.problem);
+    if (!proved.verdict.empty() || !expected.in_general) return proved;
+    const auto found = prove_in_general(findings, *expected.in_general);
+    if (!found) return proved;
+    proved.verdict = found->minimal ? "minimal" : "not-minimal";
+    proved.file = found->file;
     return proved;
 }
 
@@ -123,6 +135,8 @@ static std::string in_words(const ExpectedProblem& expected) {
 
 std::string in_words(const Expectation& expectation) {
     if (const auto* problem = std::get_if<ExpectedProblem>(&expectation)) return in_words(*problem);
+    if (const auto* family = std::get_if<WholeFamily>(&expectation))
+        return "the family " + family->name;
     const bool whole = std::holds_alternative<WholeClassification>(expectation);
     return whole ? "the whole table" : "";
 }
@@ -181,7 +195,7 @@ struct KnownDegree {
 
 static KnownDegree degree_of(const Classification& classes, const Findings& findings,
                              const Proved& proved, unsigned views) {
-    if (views == 2 && proved.verdict.ends_with("minimal")) {
+    if (views == 2 && implies(proved.verdict, "camera-minimal")) {
         BoundFiles files = files_of_bounds(classes, findings, Signature{});
         files.lower.insert(files.lower.end(), files.upper.begin(), files.upper.end());
         return {bounds_of_poses(findings), files,
@@ -217,7 +231,7 @@ static std::string judge_degree(Judgement& judgement, const KnownDegree& known,
 Judgement judge(const Classification& classes, const Findings& findings,
                 const ExpectedProblem& expected) {
     Judgement judgement;
-    const Proved proved = prove(classes, findings, expected.problem);
+    const Proved proved = prove(classes, findings, expected);
     std::string gap;
     if (!proved.verdict.empty())
         judgement.why.push_back(say("it is ", proved.verdict, ", by ", proved.file));
@@ -265,6 +279,25 @@ Judgement judge(const Classification& classes, const Findings& findings, WholeCl
         if (has_verdicts && findings.counts(i)) add_file(judgement, findings.files[i].name);
     }
     judgement.why.push_back("each label class has a record that holds; its counts need no more");
+    return judgement;
+}
+
+Judgement judge(const Findings& findings, const WholeFamily& expected) {
+    Judgement judgement;
+    const ReplayedFile* file = file_of_family(findings, expected.name);
+    if (!file) {
+        judgement.statement =
+            say("the family ", expected.name, ": no file has all its problems; add ", "certs/",
+                expected.name, ".plc");
+        return judgement;
+    }
+    const auto& verdicts = std::get<general::ProblemsFile>(file->content).verdicts;
+    const auto minimal = std::ranges::count_if(verdicts, &general::Verdict::minimal);
+    judgement.verified = true;
+    judgement.statement = say("the family ", expected.name, ": all ", verdicts.size(),
+                              " problems are certified, ", minimal, " minimal");
+    judgement.files = {file->name};
+    judgement.why.push_back("each problem of the family has a record that holds");
     return judgement;
 }
 } // namespace checker

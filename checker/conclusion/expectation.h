@@ -1,7 +1,7 @@
 // What a user expects the files of a run to prove, and whether they do.
 #pragma once
 
-#include "checker/conclusion/findings.h"
+#include "checker/conclusion/in_general.h"
 
 namespace checker {
 /// A number of camera solutions.
@@ -12,17 +12,23 @@ struct ExpectedDegree {
 
 /// The verdict on a problem, or its degree, or both.
 struct ExpectedProblem {
-    std::string notation{}; // printable
-    CanonicalProblem problem{};
+    std::string notation{};     // printable
+    CanonicalProblem problem{}; // of section 1; in 0 views if it is none
     std::string verdict{}; // a word of `expected_verdicts`, perhaps with a number; empty for any
     std::optional<ExpectedDegree> degree{};
+    std::optional<general::Problem> in_general{}; // of section 13; none if it is not
 };
 
 /// That every label class has a certificate.
 struct WholeClassification {};
 
+/// That every problem of a family in general has a certificate.
+struct WholeFamily {
+    std::string name{}; // `plmp` or `projective`
+};
+
 /// What is expected; nothing in particular by default.
-using Expectation = std::variant<std::monostate, ExpectedProblem, WholeClassification>;
+using Expectation = std::variant<std::monostate, ExpectedProblem, WholeClassification, WholeFamily>;
 
 /// The verdicts that one can expect. All but `not-minimal` are those of FORMAT.md, section 7; a
 /// minimal problem is camera-minimal, too. `not-minimal` is any verdict but `minimal`.
@@ -48,4 +54,5 @@ struct Judgement {
 Judgement judge(const Classification& classes, const Findings& findings,
                 const ExpectedProblem& expected);
 Judgement judge(const Classification& classes, const Findings& findings, WholeClassification);
+Judgement judge(const Findings& findings, const WholeFamily& expected);
 } // namespace checker

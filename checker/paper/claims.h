@@ -3,6 +3,7 @@
 
 #include "checker/bounds/degree_bounds.h"
 #include "checker/counts/counts.h"
+#include "checker/general/problems_file.h"
 
 namespace checker::paper {
 /// A line of the table: a count of classes, or the verdict on a problem that has a name.
@@ -29,6 +30,15 @@ struct DegreeClaim {
 
 /// The lines on counts, then those on the problems with complete visibility.
 std::vector<Claim> compare_counts(const Classification& classes, const Verdicts& verdicts);
+
+/// The numbers of a family of problems in general, beside those of its paper.
+struct FamilyTable {
+    std::string family{}; // `plmp` or `projective`
+    std::vector<Claim> claims{};
+};
+
+/// The lines on a family; none unless the file has all its problems.
+FamilyTable compare_family(const general::ProblemsFile& file);
 
 /// What is to be compared with the paper's degrees.
 struct KnownDegrees {

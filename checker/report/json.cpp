@@ -91,8 +91,8 @@ static std::string members(const BoundsFile& file) {
 static std::string members(const general::ProblemsFile& file) {
     std::vector<std::string> items;
     for (const auto& [notation, problem, minimal] : file.verdicts)
-        items.push_back(say("{\"problem\": ", json_string(notation), ", \"minimal\": ",
-                            truth(minimal), "}"));
+        items.push_back(
+            say("{\"problem\": ", json_string(notation), ", \"minimal\": ", truth(minimal), "}"));
     return say(", \"family\": ", json_string(file.family), ", \"missing\": ", file.missing,
                ", \"problems\": ", array_of(items));
 }
@@ -116,6 +116,13 @@ static std::string item(const paper::Claim& c) {
     return say("{\"claim\": ", json_string(c.claim), ", \"paper\": ", cell(c.claimed),
                ", \"certified\": ", cell(c.certified), ", \"verdict\": ", json_string(c.verdict),
                ", \"counted\": ", json_string(c.counted), "}");
+}
+
+static std::string item(const paper::FamilyTable& table) {
+    std::vector<std::string> claims;
+    for (const paper::Claim& claim : table.claims)
+        claims.push_back(item(claim));
+    return say("{\"family\": ", json_string(table.family), ", \"claims\": ", array_of(claims), "}");
 }
 
 static std::string item(const paper::DegreeClaim& c) {
@@ -157,6 +164,7 @@ std::string json(const Report& report) {
     return say("{\"format\": 2, \"status\": ", report.status,
                ",\n\"conclusion\": ", item(report.judgement), ",\n\"files\": ", array_of(files),
                ",\n\"claims\": ", array_of(report.claims),
+               ",\n\"families\": ", array_of(report.families),
                ",\n\"terminal_problems\": ", array_of(report.upper_bounds),
                ",\n\"degree_claims\": ", array_of(report.degrees),
                ",\n\"certified_exactly\": ", array_of(report.exact), "}\n");

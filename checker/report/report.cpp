@@ -47,12 +47,25 @@ static void add_degrees(Report& report, const Classification& classes) {
     report.exact = exact_degrees(known);
 }
 
+static void add_families(Report& report) {
+    const Findings& findings = report.findings;
+    for (std::size_t i = 0; i < findings.files.size(); ++i) {
+        const auto* file = std::get_if<general::ProblemsFile>(&findings.files[i].content);
+        if (!file || !findings.counts(i)) continue;
+        const paper::FamilyTable table = paper::compare_family(*file);
+        if (!table.claims.empty()) report.families.push_back(table);
+    }
+}
+
 /// Takes the verdicts from the tables: in a run with a file that is refused, no row confirms
 /// anything.
 static void withhold_verdicts(Report& report) {
     const std::string withheld = "withheld: a file is refused";
     for (paper::Claim& claim : report.claims)
         if (claim.certified != "-") claim.verdict = withheld;
+    for (paper::FamilyTable& table : report.families)
+        for (paper::Claim& claim : table.claims)
+            claim.verdict = withheld;
     for (paper::DegreeClaim& claim : report.degrees)
         claim.verdict = withheld;
 }
@@ -66,9 +79,24 @@ static std::string counted(std::size_t number, std::string_view thing) {
 struct Proofs {
     std::size_t classifications = 0, problems = 0, records = 0, templates = 0;
     std::string problem{}; // the last one, with its verdict
-    LowerBound bound{};    // the last one
+    std::vector<std::string> families{};
+    LowerBound bound{}; // the last one
     std::vector<std::string> files{};
 };
+
+/// Adds a family, or single problems.
+static void add(Proofs& proofs, const general::ProblemsFile& file) {
+    const std::size_t all = file.verdicts.size();
+    if (!file.family.empty()) {
+        const auto minimal = std::ranges::count_if(file.verdicts, &general::Verdict::minimal);
+        proofs.families.push_back(
+            say("all ", all, " problems of the family ", file.family, ", ", minimal, " minimal"));
+        return;
+    }
+    proofs.problems += all;
+    const general::Verdict& last = file.verdicts.back();
+    proofs.problem = last.notation + (last.minimal ? " is minimal" : " is not minimal");
+}
 
 static Proofs proofs_of(const Findings& findings) {
     Proofs proofs;
@@ -78,6 +106,7 @@ static Proofs proofs_of(const Findings& findings) {
             ++proofs.problems;
             proofs.problem = file->problem + " is " + file->verdict;
         }
+        if (const auto* file = std::get_if<general::ProblemsFile>(&content)) add(proofs, *file);
         if (const auto* file = std::get_if<DegreeFile>(&content)) {
             proofs.records += file->bounds.size();
             proofs.bound = file->bounds.back();
@@ -99,6 +128,7 @@ static std::string statement_of(const Report& report, const Proofs& proofs) {
             minimal += is_minimal(verdicts, n);
         parts.push_back(say("all ", verdicts.size(), " label classes, ", minimal, " minimal"));
     }
+    parts.insert(parts.end(), proofs.families.begin(), proofs.families.end());
     if (proofs.problems == 1) parts.push_back(proofs.problem);
     if (proofs.problems > 1) parts.push_back(say("the verdicts on ", proofs.problems, " problems"));
     if (proofs.records == 1)
@@ -126,6 +156,8 @@ static std::string_view argument_for(const ReplayedFile& file) {
         return "each solution has a box of its own that holds one zero: proofs/degrees.md";
     if (std::holds_alternative<BoundsFile>(file.content))
         return "each minor leaves only the basis: proofs/upper_bounds.md";
+    if (std::holds_alternative<general::ProblemsFile>(file.content))
+        return "each record has a minor that is not 0, or conditions on images: proofs/families.md";
     return "its digests are those of the files given";
 }
 
@@ -166,12 +198,15 @@ Report summarize(const Classification& classes, std::vector<ReplayedFile> files,
     Report report{.findings = find(classes, std::move(files))};
     const Findings& findings = report.findings;
     report.claims = paper::compare_counts(classes, findings.verdicts);
+    add_families(report);
     add_degrees(report, classes);
     if (findings.status > 0) {
         withhold_verdicts(report);
         report.judgement = judge_refused(findings, expectation);
     } else if (const auto* problem = std::get_if<ExpectedProblem>(&expectation)) {
         report.judgement = judge(classes, findings, *problem);
+    } else if (const auto* family = std::get_if<WholeFamily>(&expectation)) {
+        report.judgement = judge(findings, *family);
     } else if (std::holds_alternative<WholeClassification>(expectation)) {
         report.judgement = judge(classes, findings, WholeClassification{});
     } else {

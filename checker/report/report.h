@@ -25,6 +25,7 @@ struct Report {
     Findings findings{};
     Judgement judgement{}; // of what was expected, or of all files
     std::vector<paper::Claim> claims{};
+    std::vector<paper::FamilyTable> families{};  // none without a file of a family
     std::vector<UpperBoundCount> upper_bounds{}; // none without a file of upper bounds
     std::vector<paper::DegreeClaim> degrees{};   // none without a degree file
     std::vector<ExactDegree> exact{};

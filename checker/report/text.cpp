@@ -191,18 +191,6 @@ static std::string summary_of_paper(const Report& report) {
     return summary_line("paper", text + " (see --errata)");
 }
 
-std::string summary(const Report& report) {
-    bool has_classification = false;
-    for (const ReplayedFile& file : report.findings.files)
-        has_classification |= std::holds_alternative<ClassificationFile>(file.content);
-    std::string result = summary_of_digests(report.findings);
-    if (has_classification) result += summary_of_classes(report);
-    if (!report.upper_bounds.empty()) result += summary_of_upper_bounds(report);
-    if (report.findings.has_lower_bounds) result += summary_of_degrees(report);
-    if (has_classification && report.findings.status == 0) result += summary_of_paper(report);
-    return result;
-}
-
 using Row = std::vector<std::string>;
 
 static constexpr std::size_t widest_line = 100;
@@ -244,6 +232,32 @@ static std::string aligned(const std::vector<Row>& rows) {
     return lines.str();
 }
 
+static std::string table_of_counts(const std::vector<paper::Claim>& claims) {
+    std::vector<Row> rows{{"claim", "paper", "certified", "verdict"}};
+    for (const paper::Claim& c : claims)
+        rows.push_back({c.claim, c.claimed, c.certified, c.verdict});
+    return aligned(rows);
+}
+
+static std::string tables_of_families(const Report& report) {
+    std::string result;
+    for (const auto& [family, claims] : report.families)
+        result += say("\nfamily ", family, '\n', table_of_counts(claims), '\n');
+    return result;
+}
+
+std::string summary(const Report& report) {
+    bool has_classification = false;
+    for (const ReplayedFile& file : report.findings.files)
+        has_classification |= std::holds_alternative<ClassificationFile>(file.content);
+    std::string result = summary_of_digests(report.findings);
+    if (has_classification) result += summary_of_classes(report);
+    if (!report.upper_bounds.empty()) result += summary_of_upper_bounds(report);
+    if (report.findings.has_lower_bounds) result += summary_of_degrees(report);
+    if (has_classification && report.findings.status == 0) result += summary_of_paper(report);
+    return result + tables_of_families(report);
+}
+
 static std::string table_of_upper_bounds(const Report& report) {
     std::string text;
     for (const auto& [solutions, by_templates, by_theorem] : report.upper_bounds) {
@@ -253,13 +267,6 @@ static std::string table_of_upper_bounds(const Report& report) {
         text += '\n';
     }
     return text;
-}
-
-static std::string table_of_counts(const Report& report) {
-    std::vector<Row> rows{{"claim", "paper", "certified", "verdict"}};
-    for (const paper::Claim& c : report.claims)
-        rows.push_back({c.claim, c.claimed, c.certified, c.verdict});
-    return aligned(rows);
 }
 
 static std::string table_of_degrees(const Report& report) {
@@ -281,7 +288,7 @@ std::string table(const Report& report) {
             result += '\n';
         }
     if (!report.upper_bounds.empty()) result += '\n' + table_of_upper_bounds(report);
-    result += '\n' + table_of_counts(report);
+    result += '\n' + table_of_counts(report.claims);
     if (!report.degrees.empty()) result += '\n' + table_of_degrees(report);
     return result + '\n';
 }

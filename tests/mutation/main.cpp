@@ -1,10 +1,11 @@
 // Soundness by mutation: the checker refuses a changed file, or what it then certifies is true, as
 // the referee finds by other means. Prints who refused what.
 //   mutation_tests [MUTANTS [SEED]]
-// So many mutants of classification and problem files, and a tenth as many each of degree files and
-// of files of upper bounds.
+// So many mutants of classification and problem files, a quarter as many of files of problems in
+// general, and a tenth as many each of degree files and of files of upper bounds.
 #include "prover/classification/problem_certificate.h"
 #include "tests/mutation/degree_trial.h"
+#include "tests/mutation/general_trial.h"
 #include "tests/mutation/mutants.h"
 #include "tests/mutation/referee.h"
 #include "tests/mutation/replayed.h"
@@ -261,5 +262,7 @@ int main(int count, char** values) {
     const int archive = run_archive(all, 1 + mutants / 10'000, seed);
     const int problems = run("Problem files", all, problem_bases(), mutants - mutants / 2, seed);
     const int degrees = try_degree_files(all, mutants / 10, seed);
-    return classification | archive | problems | degrees | try_bounds(all, mutants / 10, seed);
+    const int in_general = try_problems_in_general(all, mutants / 4, seed);
+    return classification | archive | problems | degrees | in_general |
+           try_bounds(all, mutants / 10, seed);
 }

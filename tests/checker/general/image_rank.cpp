@@ -210,7 +210,7 @@ void complete_views(Problem& problem) {
 } // namespace
 
 std::size_t image_rank(const Problem& problem, Dice& dice) {
-    std::vector<ulong> values(1000);
+    std::vector<ulong> values(1200);
     for (ulong& value : values)
         value = dice.below(prime);
     Coordinates first(values, SIZE_MAX);

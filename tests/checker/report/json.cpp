@@ -1,5 +1,6 @@
 // The report in JSON: it parses, and has the members that programs rely on, for each kind of file.
 #include "tests/support/results.h"
+#include "tests/support/text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -36,7 +37,7 @@ Names members_of_file(Names own) {
 
 /// The only file of a report, after a check of the members that all files have.
 Json only_file(const Json& report, const std::string& kind, const Names& own, int status) {
-    CHECK(names_of(report) == Names{"format", "status", "conclusion", "files", "claims",
+    CHECK(names_of(report) == Names{"format", "status", "conclusion", "files", "claims", "families",
                                     "terminal_problems", "degree_claims", "certified_exactly"});
     CHECK(report["conclusion"]["verified"] == (status == 0));
     CHECK(report["format"] == 2);
@@ -195,4 +196,21 @@ TEST_CASE("what is quoted keeps JSON valid") {
     const Json report = report_on({file});
     CHECK(report["files"][0]["file"] == "a\"b\\c");
     CHECK(report["files"][0]["complaints"][0]["reason"] == "found `\"\\`");
+}
+
+TEST_CASE("a file of problems has its family, the problems that it lacks, and each verdict") {
+    const std::string bytes = "plcert 2 problems\nmodulus 2305843009213693951\n"
+                              "problem projective: 5*P/P\nunbalanced\n";
+    const Json file = only_file(report_on({replayed("file", bytes)}), "problems",
+                                {"family", "missing", "problems"}, 0);
+    CHECK(file["family"] == "");
+    CHECK(file["missing"] == 0);
+    CHECK(file["problems"] ==
+          Json::parse(R"([{"problem": "projective: 5*P/P", "minimal": false}])"));
+    const std::string family = with(bytes, "modulus", "family plmp\nmodulus");
+    const Json refused = only_file(report_on({replayed("file", family)}), "problems",
+                                   {"family", "missing", "problems"}, 1);
+    CHECK(refused["missing"] == 39);
+    CHECK(refused["refused"] == 2);
+    CHECK(refused["problems"].empty());
 }

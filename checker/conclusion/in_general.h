@@ -1,0 +1,22 @@
+// What the files of a run prove of problems in general (FORMAT.md, section 13).
+#pragma once
+
+#include "checker/conclusion/findings.h"
+
+namespace checker {
+/// The problem of a notation of section 13; blanks do not matter. Throws Malformed.
+general::Problem parse_general_problem(std::string_view notation);
+
+/// A verdict on a problem, and the file that proves it.
+struct ProvedInGeneral {
+    bool minimal = false;
+    std::string file{};
+};
+
+/// Finds the problem, by whatever names of its points and lines; none if no record is about it.
+std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
+                                                const general::Problem& problem);
+
+/// The file that has all problems of a family; null if none does.
+const ReplayedFile* file_of_family(const Findings& findings, std::string_view family);
+} // namespace checker

@@ -1,0 +1,110 @@
+// What a user expects of problems in general is verified if the files prove just that, and not
+// otherwise.
+#include "checker/command/expected.h"
+#include "tests/support/results.h"
+#include "tests/support/text.h"
+
+#include <fstream>
+#include <iterator>
+
+using namespace checker;
+
+namespace {
+
+std::string archive(const std::string& family) {
+    std::ifstream stream(std::string(CERTS_DIR "/") + family + ".plc", std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Report report_on(const std::string& bytes, const ExpectedWords& words) {
+    return summarize(all_classes(), {replay(all_classes(), "file", bytes)}, expectation_of(words));
+}
+
+bool verified(const std::string& bytes, const ExpectedWords& words) {
+    const Report report = report_on(bytes, words);
+    CHECK(report.judgement.verified == (report.status == 0));
+    return report.judgement.verified;
+}
+
+ExpectedWords expect(std::string_view problem, std::string_view verdict) {
+    return {.problem = problem, .verdict = verdict};
+}
+
+/// Why the words make no sense.
+std::string usage_of(const ExpectedWords& words) {
+    try {
+        expectation_of(words);
+    } catch (const WrongUsage& usage) {
+        return usage.reason;
+    }
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("a problem in general is expected by any names of its points and lines") {
+    const std::string plmp = archive("plmp");
+    for (const char* problem : {"PL/PL + PM/PM + PLM/PLM + PL/PL + PM/PM",
+                                "PX/PX+PY/PY + PXY/PXY + PX/PX + PY/PY", "5*P/P", " 5 * P / P "}) {
+        CAPTURE(problem);
+        CHECK(verified(plmp, expect(problem, "minimal")));
+        CHECK(verified(plmp, expect(problem, "camera-minimal")));
+        CHECK(!verified(plmp, expect(problem, "not-minimal")));
+    }
+    for (const char* problem : {"P/P + 4*PL/PL", "5*PL/PL", "Pabcdef/Pabcdef/Pabcdef + a/a/a"}) {
+        CAPTURE(problem);
+        CHECK(verified(plmp, expect(problem, "not-minimal")));
+        CHECK(!verified(plmp, expect(problem, "minimal")));
+        CHECK(!verified(plmp, expect(problem, "obstructed")));
+    }
+}
+
+TEST_CASE("another problem, other cameras or other views prove nothing") {
+    const std::string plmp = archive("plmp");
+    for (const char* problem : {"projective: 5*P/P", "projective: 7*P/P", "4*P/P", "5*P/P/P",
+                                "2*PL/PL + 3*P/P", "P/P/P + 4*a/a/-"})
+        for (const char* verdict : {"minimal", "not-minimal"})
+            CHECK(!verified(plmp, expect(problem, verdict)));
+    CHECK(verified(archive("projective"), expect("projective: 7*P/P", "minimal")));
+}
+
+TEST_CASE("a verdict that is not minimal says nothing of the number of relative poses") {
+    const Report report = report_on(archive("plmp"), {.problem = "4*PL/PL + P/P", .degree = "20"});
+    CHECK(!report.judgement.verified);
+}
+
+TEST_CASE("a family is expected whole") {
+    const std::string plmp = archive("plmp");
+    CHECK(verified(plmp, {.family = "plmp"}));
+    CHECK(!verified(plmp, {.family = "projective"}));
+    CHECK(verified(archive("projective"), {.family = "projective"}));
+    CHECK(!verified(with(plmp, "family plmp\n", ""), {.family = "plmp"}));
+    CHECK(!verified(plmp.substr(0, plmp.rfind("problem ")), {.family = "plmp"}));
+}
+
+TEST_CASE("the numbers of a family stand beside those of its paper, and confirm nothing if a file "
+          "is refused") {
+    const Report report = report_on(archive("plmp"), {});
+    REQUIRE(report.families.size() == 1);
+    std::size_t sum = 0;
+    for (const paper::Claim& claim : report.families[0].claims) {
+        CHECK(claim.verdict == (claim.claim == "balanced" ? "no claim" : "confirmed"));
+        if (claim.claim.starts_with("minimal, in ")) sum += std::stoul(claim.certified);
+    }
+    CHECK(say(sum) == report.families[0].claims[1].certified);
+    const std::string bytes = with(archive("plmp"), "minimal 2057", "minimal 1057");
+    CHECK(report_on(bytes, {}).families.empty());
+    const Report beside = summarize(all_classes(), {replay(all_classes(), "a", archive("plmp")),
+                                                    replay(all_classes(), "b", "")});
+    REQUIRE(beside.families.size() == 1);
+    for (const paper::Claim& claim : beside.families[0].claims)
+        CHECK(claim.verdict.starts_with("withheld"));
+}
+
+TEST_CASE("what makes no sense is said in the words of the notation that is meant") {
+    CHECK(contains(usage_of(expect("projective: 7*P", "minimal")), "2 to 12 views"));
+    CHECK(contains(usage_of(expect("3*PLL/PL", "minimal")), "section 13"));
+    CHECK(contains(usage_of(expect("Pb/Pq/x", "minimal")), "section 1 "));
+    CHECK(contains(usage_of({.family = "pl1p"}), "choose one of plmp, projective"));
+    CHECK(contains(usage_of({.family = "plmp", .classification = true}), "leave out"));
+}
