@@ -156,6 +156,13 @@ std::string corrected(const std::string& text, const std::string& reason) {
     return text;
 }
 
+/// The reason without the notation of the problem before it.
+std::string without_notation(const std::string& reason) {
+    const std::string_view prefix = "projective: ";
+    const std::size_t end = reason.find(": ", reason.starts_with(prefix) ? prefix.size() : 0);
+    return end == reason.npos ? reason : reason.substr(end + 2);
+}
+
 class Trial {
 public:
     Trial(const checker::Classification& all, Table& table) : all_(all), table_(table) {}
@@ -170,7 +177,11 @@ public:
         Tally& tally = table_.by_mutator[mutator];
         ++tally.mutants;
         ++(refusal ? tally.refused : tally.accepted);
-        if (refusal) ++table_.by_reason[kind_of(refusal->reason, refusal->conforms)];
+        if (refusal) {
+            const std::string& all = refusal->reason;
+            const std::string reason = refusal->conforms ? without_notation(all) : all;
+            ++table_.by_reason[kind_of(reason, refusal->conforms)];
+        }
         for (const auto& [notation, problem, minimal] : proved_by<ProblemsFile>(file).verdicts) {
             ++table_.verdicts;
             const bool fills = image_rank(problem, dice_) == image_dimension(problem);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <doctest/doctest.h>
 #include <flint/nmod_mat.h>
 
 using namespace checker::general;
