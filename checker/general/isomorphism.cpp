@@ -6,7 +6,7 @@ namespace checker::general {
 static PointType type_of(const Problem& problem, const Point& point) {
     PointType type{.seen_by = point.seen_by};
     for (const std::size_t n : point.lines)
-        type.lines.emplace_back(problem.lines[n].points.size(), problem.lines[n].seen_by);
+        type.lines.push_back({problem.lines[n].points.size(), problem.lines[n].seen_by});
     std::ranges::sort(type.lines);
     return type;
 }

@@ -4,14 +4,19 @@
 #include "checker/general/problem.h"
 
 #include <compare>
-#include <utility>
 
 namespace checker::general {
-/// What a renaming keeps of a point: who sees it, and of each of its lines, in order, how many
-/// points it has and who sees it.
+/// What a renaming keeps of a line.
+struct LineType {
+    std::size_t points = 0; // how many
+    Views seen_by = 0;
+    auto operator<=>(const LineType&) const = default;
+};
+
+/// What a renaming keeps of a point.
 struct PointType {
     Views seen_by = 0;
-    std::vector<std::pair<std::size_t, Views>> lines{};
+    std::vector<LineType> lines{}; // through it, in order
     auto operator<=>(const PointType&) const = default;
 };
 

@@ -30,7 +30,8 @@ static bool add_symbol(Spelled& feature, std::string_view symbol, Views view) {
     const bool has_point = symbol.starts_with('P');
     const std::string_view letters = symbol.substr(has_point ? 1 : 0);
     if (symbol.empty() || !std::ranges::all_of(letters, is_letter)) return false;
-    if (std::ranges::adjacent_find(letters, std::greater_equal{}) != letters.end()) return false;
+    for (std::size_t i = 1; i < letters.size(); ++i)
+        if (letters[i - 1] >= letters[i]) return false;
     if (view != 0 && !has_point && letters.size() > 1) return false;
     for (const char letter : letters) {
         if (view == 0 && feature.lines.contains(letter)) return false;

@@ -173,7 +173,8 @@ void check_part(const Problem& problem, const PartClaim& claim) {
 
 void check_collinear(const Problem& problem, const Indices& points, Views views) {
     const auto holds_all = [&](const Line& line) {
-        return std::ranges::includes(line.points, points);
+        const auto is_on_line = [&](std::size_t p) { return contains(line.points, p); };
+        return std::ranges::all_of(points, is_on_line);
     };
     if (std::ranges::none_of(problem.lines, holds_all))
         throw Refused("the four points are not on one line");

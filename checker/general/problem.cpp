@@ -21,9 +21,8 @@ std::optional<std::size_t> carrier(const Problem& problem, std::size_t point) {
 
 /// Whether two lines share two points.
 static bool share_two_points(const Line& a, const Line& b) {
-    Indices common;
-    std::ranges::set_intersection(a.points, b.points, std::back_inserter(common));
-    return common.size() >= 2;
+    const auto is_on_b = [&](std::size_t p) { return std::ranges::count(b.points, p) > 0; };
+    return std::ranges::count_if(a.points, is_on_b) >= 2;
 }
 
 const char* violation(const Problem& problem) {
