@@ -178,7 +178,7 @@ form.addEventListener(
         void search();
     }),
 );
-byId("reset", HTMLButtonElement).addEventListener("click", () => {
+byId("clear-filters", HTMLButtonElement).addEventListener("click", () => {
     form.reset();
     first = 0;
     keepInAddress();

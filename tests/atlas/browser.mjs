@@ -66,6 +66,16 @@ export async function violationsOf(page) {
     return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join("; ")}`);
 }
 
+/** Waits until a function in the page is true. (Playwright's own way evaluates texts in the page, which
+ * the page's policy forbids.) */
+export async function until(page, isTrue, argument) {
+    const end = Date.now() + 60_000;
+    while (!(await page.evaluate(isTrue, argument))) {
+        assert.ok(Date.now() < end, `waited in vain for ${isTrue}`);
+        await page.waitForTimeout(50);
+    }
+}
+
 /** The text of an element, once it is there. */
 export async function textOf(page, selector) {
     await page.waitForSelector(selector);
