@@ -1,0 +1,25 @@
+// The equations of the cameras and depths: that a point of space, which view 1 shows, is on an
+// image line of another view.
+#pragma once
+
+#include "prover/multiview/moving_images.h"
+
+namespace plprove::multiview {
+
+/// l · (M x + depth t) = 0 for the camera [M | t] of the view. The depth is a linear function of
+/// the unknown depths.
+struct Incidence {
+    std::size_t view = 0; ///< counted from 0, not 0
+    Vector<Moving> l, x;
+    std::vector<Moving> depth; ///< the factors of the unknown depths
+};
+
+/// How many depths are unknown: one of each free point and of each line with one point, two of each
+/// line without points.
+std::size_t unknown_depths(const general::Problem& problem);
+
+/// All equations. They are as many as there are unknown depths and camera parameters if the problem
+/// is balanced. Assumes that all views see everything.
+std::vector<Incidence> incidences(const general::Problem& problem, const Images<Moving>& images);
+
+} // namespace plprove::multiview

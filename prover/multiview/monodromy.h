@@ -1,0 +1,34 @@
+// The number of solutions of a problem with complete visibility, by monodromy: evidence, no proof.
+#pragma once
+
+#include "prover/multiview/system.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace plprove::multiview {
+
+/// What monodromy found. Two sets of random images are joined by several ways; the solutions of one
+/// end go to those of the other along each.
+struct MonodromyResult {
+    int solutions = 0; ///< known at both ends
+    int edges = 0;     ///< ways along which all of both ends are matched one to one
+    int lost = 0;      ///< paths that got lost
+    std::int64_t paths = 0;
+    Images<Complex> images;      ///< of the first end
+    std::vector<Point> points{}; ///< its solutions
+};
+
+struct MonodromySettings {
+    int edges = 5;
+    int threads = 1;
+    int most_solutions = 1'000'000; ///< stops when more are known
+    std::function<void(int known, std::int64_t paths)> report = [](int, std::int64_t) {};
+};
+
+/// Assumes that the problem is minimal and that all views see everything. The same result for the
+/// same seed, whatever the number of threads.
+MonodromyResult run_monodromy(const general::Problem& problem, std::uint64_t seed,
+                              const MonodromySettings& settings);
+
+} // namespace plprove::multiview
