@@ -59,12 +59,13 @@ struct Edge {
 
 std::vector<std::optional<Point>> follow_all(const System& system, const Images<Complex>& from,
                                              const Images<Complex>& to,
-                                             const std::vector<const Point*>& starts, int threads) {
+                                             const std::vector<Point>& starts, Care care,
+                                             int threads) {
     std::vector<std::optional<Point>> ends(starts.size());
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
         for (std::size_t i = next++; i < starts.size(); i = next++)
-            ends[i] = follow(system, from, to, *starts[i]);
+            ends[i] = follow(system, from, to, starts[i], care);
     };
     std::vector<std::jthread> helpers;
     for (int thread = 1; thread < threads; ++thread)
@@ -73,6 +74,9 @@ std::vector<std::optional<Point>> follow_all(const System& system, const Images<
     helpers.clear();
     return ends;
 }
+
+/// To which solution of the other node a solution leads; none where the path gets lost.
+using Targets = std::map<int, std::optional<int>>;
 
 class Monodromy {
 public:
@@ -104,42 +108,70 @@ private:
     /// Follows the solutions of a node that have not been along this way. Returns whether there
     /// are any.
     bool follow_edge(Edge& edge, std::size_t from) {
-        const Solutions& known = nodes_[from].solutions;
-        std::vector<int> indices;
-        std::vector<const Point*> starts;
-        for (int i = edge.tried[from]; i < known.size(); ++i)
-            if (!edge.match[from].contains(i)) {
-                indices.push_back(i);
-                starts.push_back(&known[i]);
-            }
-        edge.tried[from] = known.size();
-        if (starts.empty() || known.size() > settings_.most_solutions) return false;
-        const std::size_t to = 1 - from;
-        const auto ends =
-            follow_all(system_, edge.ends[from], edge.ends[to], starts, settings_.threads);
-        paths_ += static_cast<std::int64_t>(starts.size());
-        for (std::size_t k = 0; k < ends.size(); ++k) {
-            if (ends[k])
-                match(edge, from, indices[k], *ends[k]);
-            else
-                ++lost_;
-        }
+        const int known = nodes_[from].solutions.size();
+        std::vector<int> starts;
+        for (int i = edge.tried[from]; i < known; ++i)
+            if (!edge.match[from].contains(i)) starts.push_back(i);
+        edge.tried[from] = known;
+        if (starts.empty() || known > settings_.most_solutions) return false;
+        Targets targets = follow(edge, from, starts, Care::usual);
+        const std::vector<int> doubtful = doubtful_starts(edge, from, targets);
+        for (const auto& [start, target] : follow(edge, from, doubtful, Care::careful))
+            targets[start] = target;
+        for (const auto& [start, target] : targets)
+            match(edge, from, start, target);
         settings_.report(nodes_[0].solutions.size(), paths_);
         return true;
     }
 
-    /// One of two paths to the same end has jumped: none of both counts.
-    void match(Edge& edge, std::size_t from, int start, const Point& end) {
+    /// Where the paths lead. The ends become known solutions: even a path that has jumped ends at
+    /// one.
+    Targets follow(Edge& edge, std::size_t from, const std::vector<int>& indices, Care care) {
+        Solutions& others = nodes_[1 - from].solutions;
+        std::vector<Point> starts;
+        for (const int index : indices)
+            starts.push_back(nodes_[from].solutions[index]);
+        const auto ends = follow_all(system_, edge.ends[from], edge.ends[1 - from], starts, care,
+                                     settings_.threads);
+        paths_ += static_cast<std::int64_t>(starts.size());
+        Targets targets;
+        for (std::size_t k = 0; k < indices.size(); ++k) {
+            std::optional<int>& target = targets[indices[k]];
+            if (!ends[k]) continue;
+            target = others.find(*ends[k]);
+            if (!target) target = others.add(*ends[k]);
+        }
+        return targets;
+    }
+
+    /// The starts of lost paths, and of those that share their ends: of these all but one have
+    /// jumped. Earlier ones are no longer matched then.
+    static std::vector<int> doubtful_starts(Edge& edge, std::size_t from, const Targets& targets) {
         const std::size_t to = 1 - from;
-        Solutions& others = nodes_[to].solutions;
-        const auto known = others.find(end);
-        const int index = known ? *known : others.add(end);
-        const auto [place, is_new] = edge.match[to].try_emplace(index, start);
-        if (is_new) {
-            edge.match[from][start] = index;
+        std::map<int, std::vector<int>> starts_of;
+        std::vector<int> doubtful;
+        for (const auto& [start, target] : targets)
+            if (target)
+                starts_of[*target].push_back(start);
+            else
+                doubtful.push_back(start);
+        for (auto& [target, starts] : starts_of) {
+            const auto earlier = edge.match[to].find(target);
+            if (earlier != edge.match[to].end()) {
+                starts.push_back(earlier->second);
+                edge.match[from].erase(earlier->second);
+                edge.match[to].erase(earlier);
+            }
+            if (starts.size() > 1) doubtful.insert(doubtful.end(), starts.begin(), starts.end());
+        }
+        return doubtful;
+    }
+
+    void match(Edge& edge, std::size_t from, int start, const std::optional<int>& target) {
+        if (target && !edge.match[1 - from].contains(*target)) {
+            edge.match[from][start] = *target;
+            edge.match[1 - from][*target] = start;
         } else {
-            edge.match[from].erase(place->second);
-            edge.match[to].erase(place);
             ++lost_;
         }
     }

@@ -13,7 +13,7 @@ namespace plprove::multiview {
 struct MonodromyResult {
     int solutions = 0; ///< known at both ends
     int edges = 0;     ///< ways along which all of both ends are matched one to one
-    int lost = 0;      ///< paths that got lost
+    int lost = 0;      ///< paths that got lost, or jumped
     std::int64_t paths = 0;
     Images<Complex> images;      ///< of the first end
     std::vector<Point> points{}; ///< its solutions

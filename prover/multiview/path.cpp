@@ -8,13 +8,21 @@ namespace plprove::multiview {
 
 namespace {
 
-constexpr double prediction = 1e-3;  // relative error that the step size aims at
-constexpr double contraction = 0.05; // Newton's second correction is at most that much of the first
-constexpr double noise = 1e-10;      // ... or as small as rounding may make it
+struct Settings {
+    double prediction = 1e-3;  ///< relative error that the step size aims at
+    double contraction = 0.05; ///< Newton's second correction is at most that much of the first
+    double largest_step = 0.2;
+    int most_steps = 2000;
+};
+
+Settings settings_for(Care care) {
+    if (care == Care::usual) return {};
+    return {.prediction = 1e-6, .contraction = 0.005, .largest_step = 0.05, .most_steps = 20000};
+}
+
+constexpr double noise = 1e-6; // smaller corrections may be rounding, near degenerate images
 constexpr double first_step = 0.01;
-constexpr double largest_step = 0.2;
-constexpr double smallest_step = 1e-9;
-constexpr int most_steps = 2000;
+constexpr double smallest_step = 1e-10;
 
 struct Place {
     double time = 0;
@@ -50,19 +58,20 @@ Point predicted(const std::deque<Place>& places, double time) {
 
 class Follower {
 public:
-    Follower(const System& system, const Images<Complex>& from, const Images<Complex>& to)
-        : system_(system), from_(from), to_(to) {}
+    Follower(const System& system, const Images<Complex>& from, const Images<Complex>& to,
+             const Settings& settings)
+        : system_(system), from_(from), to_(to), settings_(settings) {}
 
     std::optional<Point> run(const Point& start) {
         Place place{0, start, {}};
         if (!correct(place)) return std::nullopt;
         places_.push_front(place);
         double step = first_step;
-        for (int attempt = 0; attempt < most_steps && step > smallest_step; ++attempt) {
+        for (int attempt = 0; attempt < settings_.most_steps && step > smallest_step; ++attempt) {
             place.time = std::min(1.0, places_[0].time + step);
             place.point = predicted(places_, place.time);
             const bool good = correct(place);
-            step = std::min(largest_step, step * factor(good));
+            step = std::min(settings_.largest_step, step * factor(good));
             if (!good) continue;
             places_.push_front(place);
             if (places_.size() > 3) places_.pop_back();
@@ -79,7 +88,8 @@ private:
         first_ = newton(images, place);
         second_ = newton(images, place);
         place.speed = -lu_.solve(evaluation_.speeds);
-        return first_ < 8 * prediction && (second_ < noise || second_ < contraction * first_);
+        return first_ < 8 * settings_.prediction &&
+               (second_ < noise || second_ < settings_.contraction * first_);
     }
 
     double newton(const Images<Moving>& images, Place& place) {
@@ -92,8 +102,8 @@ private:
 
     /// How the step changes: both the prediction and the contraction are to stay in their limits.
     double factor(bool good) const {
-        double ratio = prediction / (first_ + 1e-20);
-        if (second_ >= noise) ratio = std::min(ratio, contraction * first_ / second_);
+        double ratio = settings_.prediction / (first_ + 1e-20);
+        if (second_ >= noise) ratio = std::min(ratio, settings_.contraction * first_ / second_);
         if (!(ratio < 1e40)) ratio = good ? 1e40 : 0;
         const double order = places_.size() == 3 ? 6 : places_.size() == 2 ? 4 : 2;
         if (good) return std::clamp(0.9 * std::pow(ratio, 1 / order), 0.3, 2.5);
@@ -111,6 +121,7 @@ private:
     const System& system_;
     const Images<Complex>& from_;
     const Images<Complex>& to_;
+    Settings settings_;
     std::deque<Place> places_;
     Evaluation evaluation_;
     Eigen::PartialPivLU<Eigen::MatrixXcd> lu_;
@@ -120,8 +131,8 @@ private:
 } // namespace
 
 std::optional<Point> follow(const System& system, const Images<Complex>& from,
-                            const Images<Complex>& to, const Point& start) {
-    return Follower(system, from, to).run(start);
+                            const Images<Complex>& to, const Point& start, Care care) {
+    return Follower(system, from, to, settings_for(care)).run(start);
 }
 
 } // namespace plprove::multiview

@@ -3,13 +3,18 @@
 
 #include "prover/multiview/system.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace plprove::multiview {
 
+/// How carefully a path is followed: `careful` takes some five times as many steps, and jumps to
+/// other paths more rarely.
+enum class Care : std::uint8_t { usual, careful };
+
 /// From the solution of the images `from` along the straight way to those of `to`. Nothing where
 /// the path gets lost.
 std::optional<Point> follow(const System& system, const Images<Complex>& from,
-                            const Images<Complex>& to, const Point& start);
+                            const Images<Complex>& to, const Point& start, Care care);
 
 } // namespace plprove::multiview
