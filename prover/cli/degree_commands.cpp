@@ -2,9 +2,12 @@
 
 #include "prover/cli/arguments.h"
 #include "prover/cli/degree_report.h"
+#include "prover/cli/multiview_degree.h"
 #include "prover/cli/two_view_report.h"
 #include "prover/degree/five_points.h"
 #include "prover/degree_sweep/write.h"
+#include "prover/general/notation.h"
+#include "prover/general/spec.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
@@ -28,7 +31,8 @@ constexpr const char* degree_examples =
     "  plprove degree 142849 --target 300           stop once 300 solutions are found\n"
     "  plprove degree 2394 --at-least 312 -o chicago.plc\n"
     "                                               a certificate of 312 solutions, no more\n"
-    "  plprove degree five-point -o five.plc        two views, with the help of a third\n";
+    "  plprove degree five-point -o five.plc        two views, with the help of a third\n"
+    "  plprove degree 'projective: 7*P/P'           projective cameras, any number of views\n";
 
 /// The problem's decision. Throws BadInput where it has no degree that can be computed.
 Decision decided(const std::string& spec) {
@@ -65,8 +69,19 @@ DegreeReport computed(const Decision& decision, std::size_t number, DegreeOption
     return report;
 }
 
+int find_degree_in_general(const DegreeRequest& request, const general::Problem& problem,
+                           const Deliver& deliver) {
+    if (!request.path.empty() || request.options.at_least > 0)
+        throw BadInput("degrees of " + general::notation(problem) +
+                       " have no certificates yet: leave -o and --at-least out");
+    return find_multiview_degree(
+        problem, {request.options.seed, request.options.target, request.json}, deliver);
+}
+
 int find_degree(const DegreeRequest& request, const Deliver& deliver,
                 const ComputeDegree& compute) {
+    if (const std::optional<general::Problem> problem = general::parse_spec(request.spec))
+        return find_degree_in_general(request, *problem, deliver);
     const Decision decision = decided(request.spec);
     const bool two_views = !decision.classes;
     if (two_views && (request.options.target > 0 || request.options.at_least > 0))

@@ -1,0 +1,82 @@
+#include "prover/cli/multiview_degree.h"
+
+#include "prover/general/certificate.h"
+#include "prover/general/notation.h"
+#include "prover/multiview/monodromy.h"
+#include "prover/system/exit.h"
+#include "prover/system/progress.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace plprove {
+
+namespace {
+
+constexpr int ways = 5; // that all have to agree
+
+void require_minimal(const general::Problem& problem) {
+    const general::Certificate certificate = general::certify(problem);
+    if (general::is_minimal(certificate)) return;
+    throw BadInput("only minimal problems have a degree, and " + general::notation(problem) +
+                   " is none: " + general::explanation(certificate));
+}
+
+void require_complete_visibility(const general::Problem& problem) {
+    const general::ViewSet all = general::all_views(problem.views);
+    const bool complete =
+        std::ranges::all_of(problem.points, [&](general::ViewSet seen) { return seen == all; }) &&
+        std::ranges::all_of(problem.lines,
+                            [&](const general::Line& line) { return line.seen == all; });
+    if (complete) return;
+    throw BadInput("some view misses a point or a line of " + general::notation(problem) +
+                   ", and such degrees are computed only for at most three calibrated views and "
+                   "one point on a line: let all views see everything");
+}
+
+multiview::MonodromyResult computed(const general::Problem& problem,
+                                    const MultiviewDegreeRequest& request) {
+    ProgressLine line("finding solutions", 0);
+    multiview::MonodromySettings settings;
+    settings.edges = ways;
+    settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    if (request.target > 0) settings.most_solutions = request.target;
+    settings.report = [&](int known, std::int64_t paths) {
+        line.show(static_cast<std::size_t>(known), " so far, " + std::to_string(paths) + " paths");
+    };
+    return multiview::run_monodromy(problem, request.seed, settings);
+}
+
+} // namespace
+
+int find_multiview_degree(const general::Problem& problem, const MultiviewDegreeRequest& request,
+                          const Deliver& deliver) {
+    require_minimal(problem);
+    require_complete_visibility(problem);
+    const multiview::MonodromyResult found = computed(problem, request);
+    const bool complete = found.edges == ways;
+    const std::string count = std::to_string(found.solutions);
+    if (request.json) {
+        const nlohmann::ordered_json report = {{"problem", general::notation(problem)},
+                                               {"name", general::name(problem)},
+                                               {"solutions", found.solutions},
+                                               {"complete", complete ? "evidence" : "unknown"},
+                                               {"ways", ways},
+                                               {"ways_that_agree", found.edges},
+                                               {"paths", found.paths},
+                                               {"lost", found.lost}};
+        deliver("-", report.dump(2) + '\n');
+    } else {
+        deliver("-", "problem     " + general::notation(problem) + "\ndegree      " +
+                         (complete ? "" : "at least ") + count + " by evidence\nevidence    " +
+                         std::to_string(found.edges) + " of " + std::to_string(ways) +
+                         " ways take the solutions of some images one to "
+                         "one to those of others\npaths       " +
+                         std::to_string(found.paths) + ", " + std::to_string(found.lost) +
+                         " lost\ncertificate none: there is no format for such degrees yet\n");
+    }
+    return 0;
+}
+
+} // namespace plprove

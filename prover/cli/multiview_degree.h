@@ -1,0 +1,23 @@
+// What `plprove degree` does with problems in general: many views, shared lines, projective
+// cameras.
+#pragma once
+
+#include "prover/cli/command.h"
+#include "prover/general/arrangement.h"
+
+#include <cstdint>
+
+namespace plprove {
+
+struct MultiviewDegreeRequest {
+    std::uint64_t seed = 0;
+    int target = 0; ///< stop at so many solutions; 0: find all
+    bool json = false;
+};
+
+/// Computes the degree and prints it. Throws BadInput if the problem is not minimal, or if a view
+/// misses something. Returns the exit status.
+int find_multiview_degree(const general::Problem& problem, const MultiviewDegreeRequest& request,
+                          const Deliver& deliver);
+
+} // namespace plprove

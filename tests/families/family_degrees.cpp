@@ -1,0 +1,72 @@
+// The degrees of a family of problems, for certs/family-degrees.csv: computed with two seeds each,
+// which have to agree.
+//
+// Usage: family_degrees plmp|projective MOST [TABLE]
+//
+// Prints a line for each minimal problem of the family. Problems that TABLE has already are left
+// out; so are those with more than MOST solutions, which it names on stderr.
+#include "prover/general/certificate.h"
+#include "prover/general/notation.h"
+#include "prover/multiview/monodromy.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <string>
+#include <thread>
+
+using namespace plprove;
+
+namespace {
+
+/// The problems that the table has a line for: the second column.
+std::set<std::string> problems_in(const char* file) {
+    std::set<std::string> problems;
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);) {
+        const auto begin = line.find(',') + 1;
+        problems.insert(line.substr(begin, line.find(',', begin) - begin));
+    }
+    return problems;
+}
+
+/// A line of the table, if two seeds give the same number along all ways; nothing if there are more
+/// solutions.
+std::string line_of(const std::string& family, const general::Problem& problem, int most) {
+    multiview::MonodromySettings settings;
+    settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    settings.most_solutions = most;
+    const auto first = run_monodromy(problem, 1, settings);
+    if (first.solutions > most) return {};
+    const auto second = run_monodromy(problem, 2, settings);
+    const bool agree = first.solutions == second.solutions;
+    return family + ',' + general::notation(problem) + ',' +
+           std::to_string(std::max(first.solutions, second.solutions)) + ',' +
+           (agree ? "exact" : "at-least") + ",evidence," + std::to_string(first.edges) + " and " +
+           std::to_string(second.edges) + " of " + std::to_string(settings.edges) + " ways agree\n";
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 3) {
+        std::cerr << "usage: family_degrees plmp|projective MOST [TABLE]\n";
+        return 3;
+    }
+    const std::string name = argv[1];
+    const auto family = name == "plmp" ? general::Family::plmp : general::Family::projective;
+    const auto known = argc > 3 ? problems_in(argv[3]) : std::set<std::string>{};
+    for (const general::Problem& problem : general::family_problems(family)) {
+        const std::string notation = general::notation(problem);
+        if (known.contains(notation) || !general::is_minimal(general::certify(problem))) continue;
+        const std::string line = line_of(name, problem, std::atoi(argv[2]));
+        if (line.empty())
+            std::cerr << notation << " has more than " << argv[2] << " solutions\n";
+        else
+            std::cout << line << std::flush;
+    }
+    return 0;
+}
