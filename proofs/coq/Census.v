@@ -2,7 +2,7 @@
 From Coq Require Import NArith.
 From mathcomp Require Import all_ssreflect.
 From mathcomp.zify Require Import zify.
-From PL1P Require Import Statement Walk Predicates Orbits.
+From PL1P Require Import Statement Rigid Walk Predicates Orbits.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -132,9 +132,9 @@ Section Over.
 Variable F : fieldType.
 Hypothesis char0 : [char F]%R =i pred0.
 
-Lemma minP s : balanced s -> reflect (minimal F s) (~~ obstructed s).
+Lemma minP s : balanced s -> reflect (minimal F (problem_of s)) (~~ obstructed s).
 Proof. by move=> bs; apply: (iffP idP) => /(minimal_iff char0 bs). Qed.
-Lemma notminP s : balanced s -> reflect (~ minimal F s) (obstructed s).
+Lemma notminP s : balanced s -> reflect (~ minimal F (problem_of s)) (obstructed s).
 Proof.
 move=> bs; apply: (iffP idP) => [ob /(minimal_iff char0 bs)|h]; first by rewrite ob.
 by apply/negPn/negP => /(minimal_iff char0 bs).
@@ -144,7 +144,6 @@ Lemma classified : classification_over F.
 Proof.
 have andA (A B D : Prop) : A /\ (B /\ D) <-> (A /\ B) /\ D by tauto.
 split.
-- by move=> s bs; exact: minimal_iff char0 bs.
 - split.
   + exact: (label_classes minP pp_min (@counted 2 isT)).
   + exact: (label_classes notminP pp_obs (@counted 3 isT)).
@@ -187,6 +186,6 @@ Proof.
 have only_if (R : idomainType) (C : view -> camera R) scene s : shape scene s -> balanced s -> obstructed s ->
     admissible C scene -> ~ rigid C scene.
   by move=> sh bs ob ad; exact: (obstructed_not_rigid sh ad bs ob).
-split=> // F char0 s bs; apply: (iff_trans (minimal_iff char0 bs)); split; first exact: (regular_rigid archive_checked).
+split; [by move=> F char0 s bs; exact: minimal_iff | split=> // s bs]; split; first exact: (regular_rigid archive_checked).
 by case=> C [scene [sh ad rg]]; apply/negP => ob; exact: only_if sh bs ob ad rg.
 Qed.

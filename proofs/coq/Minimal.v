@@ -4,11 +4,11 @@
     there, hence at the generic point, and the Jacobian criterion says that the images are independent. Conversely, if
     the fibres are finite, every motion at the generic point is zero, and the signature is not obstructed. *)
 From Coq Require Import ZArith.
-From mathcomp Require Import all_ssreflect all_algebra generic_quotient.
+From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
 From SsrMultinomials Require Import mpoly.
 From PL1P Require Import Statement Rigid Walk Forms Blocks Epipolar Tree NormalPoint Regular Obstructed.
-From PL1P Require Import Derivations RationalFunctions Motion Moves Specialize Point.
+From PL1P Require Import Derivations RationalFunctions Independence Motion Moves Specialize Point.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -215,13 +215,13 @@ Lemma size_coordinates : size (coordinates s xK) = N.
 Proof.
 rewrite -(square bs) /coordinates size_flatten /seq.shape -map_comp /scene_at /mkseq -map_comp -[in RHS](mkseq_nth 0%N (kinds s)) /mkseq -map_comp.
 congr sumn; apply: eq_map => n; set f := ft (nth 0%N (kinds s) n); pose p := place_of s xK n.
-have sz w : size (image (cameras_at K xK w) p (looks f w)) = (if (looks f w).1 then 2 + size (looks f w).2 else 2 * size (looks f w).2)%N.
+have sz w : size (placed_image (cameras_at K xK w) p (looks f w)) = (if (looks f w).1 then 2 + size (looks f w).2 else 2 * size (looks f w).2)%N.
   have fl (h : nat -> seq K) k js : (forall j, size (h j) = k) -> size (flatten (map h js)) = (k * size js)%N.
     by move=> e; elim: js => [|j js IH]; rewrite ?muln0 // [flatten _]/= size_cat IH e mulnS.
-  rewrite /image size_cat; case: (looks f w) => -[] js; first by rewrite (fl _ 1%N) // mul1n.
+  rewrite /placed_image size_cat; case: (looks f w) => -[] js; first by rewrite (fl _ 1%N) // mul1n.
   by rewrite (fl _ 2%N).
-rewrite -[LHS]/(size (image (cameras_at K xK V1) p (looks f V1) ++ image (cameras_at K xK V2) p (looks f V2) ++
-  image (cameras_at K xK V3) p (looks f V3) ++ [::])) -[RHS]/(dim2 f).
+rewrite -[LHS]/(size (placed_image (cameras_at K xK V1) p (looks f V1) ++ placed_image (cameras_at K xK V2) p (looks f V2) ++
+  placed_image (cameras_at K xK V3) p (looks f V3) ++ [::])) -[RHS]/(dim2 f).
 by rewrite size_cat sz size_cat sz size_cat sz.
 Qed.
 
@@ -268,33 +268,48 @@ Qed.
 End Criterion.
 End Generic.
 
-(** ** The theorem *)
-Section Quotients.
-Local Open Scope quotient_scope.
-Lemma quotient_repr (R : idomainType) (u : {fraction R}) : u = FracField.tofrac (repr u).1 / FracField.tofrac (repr u).2.
+(** ** The problem of a signature *)
+Lemma problem_ofE s : problem_of s = [seq ft i | i <- kinds s].
+Proof. by rewrite /problem_of /kinds map_flatten -map_comp; congr flatten; apply: eq_map => i; rewrite /= map_nseq. Qed.
+Lemma parametersE s : parameters (problem_of s) = unknowns_count s.
+Proof. by rewrite /parameters problem_ofE -map_comp. Qed.
+Lemma image_ext (K : fieldType) (f : feature) (x x' : nat -> K) C l : x =1 x' -> image (f, x) C l = image (f, x') C l.
 Proof.
-have d0 : (repr u).2 != 0 by exact: denom_ratioP.
-apply: (mulIf (x := FracField.tofrac (repr u).2)); first by rewrite tofrac_eq0.
-rewrite divfK ?tofrac_eq0 // -{1}[u]reprK; move: (repr u) d0 => x d0.
-have t a : FracField.tofrac a = \pi_(FracField.type R) (Ratio a 1) by rewrite piE.
-rewrite -[LHS]/(FracField.mul (\pi_(FracField.type R) x) (FracField.tofrac x.2)) !t -FracField.pi_mul.
-apply/eqmodP; rewrite /= FracField.equivfE /FracField.mulf.
-by rewrite !numden_Ratio ?mulf_neq0 ?oner_neq0 // !mulr1 mulrC.
+move=> e; rewrite /image /= (_ : point_at f x = point_at f x') ?/point_at ?e //; congr (_ ++ flatten _).
+by apply: eq_map => j; congr (line_image _ (normal _ _ _)); rewrite /dir_at !e.
 Qed.
-End Quotients.
-
-Theorem minimal_iff (F : fieldType) s : [char F] =i pred0 -> balanced s -> minimal F s <-> ~~ obstructed s.
+(** The scene of a list of kinds, feature by feature. *)
+Lemma scene_map (R : idomainType) (x : nat -> R) T (G : feature * (nat -> R) -> T) (H : placed R -> T) :
+  (forall f y y', y =1 y' -> G (f, y) = G (f, y')) -> (forall y i, G (ft i, y) = H (@place_at R y i)) ->
+  forall l o, [seq G fx | fx <- scene x o [seq ft i | i <- l]] =
+    [seq H (@place_at R (fun k => x (o + (sumn (take n [seq dim3 (ft i) | i <- l]) + k))%N) (nth 0%N l n)) | n <- iota 0 (size l)].
 Proof.
-move=> char0 bs.
-pose K := [fieldType of {fraction {mpoly F[parameters s]}}].
-pose to : {rmorphism {mpoly F[parameters s]} -> K} := [rmorphism of @FracField.tofrac _].
-pose num (u : K) : {mpoly F[parameters s]} := (repr u).1.
-pose den (u : K) : {mpoly F[parameters s]} := (repr u).2.
+move=> ext GH; elim=> // i l IH o.
+rewrite -[scene _ _ _]/((ft i, fun k => x (o + k)%N) :: scene x (o + dim3 (ft i)) [seq ft i | i <- l]).
+rewrite [LHS]/= IH -[size (i :: l)]/(size l).+1 -[iota 0 _.+1]/(0%N :: iota 1 (size l)) [RHS]map_cons; congr (_ :: _).
+  by rewrite GH.
+have h y y' m : y =1 y' -> H (@place_at R y m) = H (@place_at R y' m) by move=> e; rewrite -!GH; exact: ext.
+rewrite (iotaDl 1 0) -map_comp; apply: eq_map => k.
+rewrite -[RHS]/(H (@place_at R (fun r => x (o + (dim3 (ft i) + sumn (take k [seq dim3 (ft i) | i <- l]) + r))%N) (nth 0%N l k))).
+by apply: h => r; rewrite !addnA.
+Qed.
+Lemma imagesE (F : fieldType) n s : images F n (problem_of s) = coordinates s (generic F n).
+Proof.
+rewrite problem_ofE /images /scene_of /coordinates /scene_at /sizes /mkseq -map_comp; congr flatten.
+apply: (@scene_map _ _ _ _ (fun p => flatten [seq placed_image (cameras_at _ (generic F n) v) p (looks (ft (kind p)) v) | v <- views])) => //.
+by move=> f y y' e; rewrite /each_view; congr flatten; apply: eq_map => v; exact: image_ext.
+Qed.
+
+Theorem minimal_iff (F : fieldType) s : [char F] =i pred0 -> balanced s -> minimal F (problem_of s) <-> ~~ obstructed s.
+Proof.
+move=> char0 bs; rewrite /minimal parametersE imagesE.
+pose K := [fieldType of {fraction {mpoly F[unknowns_count s]}}].
+pose to : {rmorphism {mpoly F[unknowns_count s]} -> K} := [rmorphism of @FracField.tofrac _].
 have to0 p : (to p == 0) = (p == 0) by exact: tofrac_eq0.
-have den0 u : to (den u) != 0 by rewrite to0; exact: denom_ratioP.
-have fracE u : u = to (num u) / to (den u) by exact: quotient_repr.
-have xKE k : generic F s k = to (@xP F s k) by rewrite /generic /xP; case: insub => [i|] //; rewrite rmorph0.
+have xKE k : generic F (unknowns_count s) k = to (@xP F s k).
+  by rewrite /generic /xP; case: insub => [i|] //; rewrite rmorph0.
+pose y (j : 'I_(size (coordinates s (generic F (unknowns_count s))))) := nth 0 (coordinates s (generic F (unknowns_count s))) j.
 split=> [[_ fin]|us].
-  exact: (finite_unobstructed char0 bs den0 fracE to0 xKE (y := @y F s)).
-exact: (regular_minimal char0 bs den0 fracE to0 xKE (y := @y F s)).
+  exact: (finite_unobstructed char0 bs (@den_neq0 _) (@fractionE _) to0 xKE (y := y)).
+exact: (regular_minimal char0 bs (@den_neq0 _) (@fractionE _) to0 xKE (y := y)).
 Qed.

@@ -16,6 +16,13 @@ Local Open Scope ring_scope.
 Lemma all_flatten A (q : pred A) ss : all q (flatten ss) = all (all q) ss.
 Proof. by elim: ss => //= s ss IH; rewrite all_cat IH. Qed.
 
+(** The image of a placed feature, as in Statement.v. *)
+Definition placed_image (K : fieldType) (C : camera K) p (l : look) : seq K :=
+  let x := project C (point p) in
+  (if l.1 then [:: x1 x / x3 x; x2 x / x3 x] else [::]) ++
+  flatten [seq let n := line C p j in
+    if l.1 then [:: x1 n / x2 n] else [:: x1 n / x3 n; x2 n / x3 n] | j <- l.2].
+
 Section Motion.
 Variables (F K : fieldType) (c : {rmorphism F -> K}) (D : K -> K).
 Hypothesis hD : derivation c D.
@@ -136,9 +143,9 @@ Hypothesis dir_moved : forall j, j \in l.2 ->
 Hypothesis x_seen : l.1 -> x3 x != 0.
 Hypothesis n_seen : forall j, j \in l.2 -> (x2 (line C p j) != 0) && (x3 (line C p j) != 0).
 
-Lemma image_killed : all (fun a => D a == 0) (image C p l) = all (pred1 0) (image_change C T p m l).
+Lemma image_killed : all (fun a => D a == 0) (placed_image C p l) = all (pred1 0) (image_change C T p m l).
 Proof.
-rewrite /image /image_change !all_cat x_moved -xE !all_flatten !all_map.
+rewrite /placed_image /image_change !all_cat x_moved -xE !all_flatten !all_map.
 have lE j : line C p j = cross x (turn C (dir p j)) by rewrite /line -xE.
 have [seen|_] := boolP l.1.
   rewrite /= !andbT (point_killed al (x_seen seen)).

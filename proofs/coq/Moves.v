@@ -79,7 +79,7 @@ case: v; rewrite /add /scale /dvec /= !dAdd ?(der0 hD); congr Vec; ring.
 Qed.
 
 Lemma images_killed n v : (n < size (kinds s))%N -> let p := place n in let l := looks (ft (kind p)) v in
-  all (fun a => D a == 0) (image (C v) p l) = all (pred1 0) (image_change (C v) (twists v) p (moves n) l).
+  all (fun a => D a == 0) (placed_image (C v) p l) = all (pred1 0) (image_change (C v) (twists v) p (moves n) l).
 Proof.
 move=> nl p l; have [_ _ /(_ n nl v)[seen lines]] := reg.
 apply: (image_killed hD (erefl _) (al := al v) (be := be v)).
@@ -89,19 +89,19 @@ apply: (image_killed hD (erefl _) (al := al v) (be := be v)).
 - exact: lines.
 Qed.
 
-Definition coordinates := flatten [seq flatten [seq image (C v) p (looks (ft (kind p)) v) | v <- views] | p <- scene].
+Definition coordinates := flatten [seq flatten [seq placed_image (C v) p (looks (ft (kind p)) v) | v <- views] | p <- scene].
 Lemma all_views A (q : pred A) (f : view -> seq A) :
   all q (flatten [seq f v | v <- views]) = [&& all q (f V1), all q (f V2) & all q (f V3)].
 Proof. by rewrite /= !all_cat andbT. Qed.
 Lemma all_coordinates (q : pred K) : all q coordinates ->
-  forall n, (n < size (kinds s))%N -> forall v, all q (image (C v) (place n) (looks (ft (kind (place n))) v)).
+  forall n, (n < size (kinds s))%N -> forall v, all q (placed_image (C v) (place n) (looks (ft (kind (place n))) v)).
 Proof.
 rewrite /coordinates all_flatten all_map => /(all_nthP (p0 K)) h n nl v.
 have := h n; rewrite size_scene => /(_ nl).
 by rewrite -[preim _ _ _]/(all q (flatten _)) all_views => /and3P[]; case: v.
 Qed.
 Lemma coordinates_all (q : pred K) :
-  (forall n, (n < size (kinds s))%N -> forall v, all q (image (C v) (place n) (looks (ft (kind (place n))) v))) -> all q coordinates.
+  (forall n, (n < size (kinds s))%N -> forall v, all q (placed_image (C v) (place n) (looks (ft (kind (place n))) v))) -> all q coordinates.
 Proof.
 move=> h; rewrite /coordinates all_flatten all_map; apply/(all_nthP (p0 K)) => n; rewrite size_scene => nl.
 by rewrite -[preim _ _ _]/(all q (flatten _)) all_views; apply/and3P; split; exact: h.

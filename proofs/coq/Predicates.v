@@ -3,7 +3,7 @@
     The two walks (Tree.v, Census.v) judge signatures by them; here they are proved to be those of Statement.v. *)
 From Coq Require Import NArith.
 From mathcomp Require Import all_ssreflect.
-From PL1P Require Import Statement Walk.
+From PL1P Require Import Statement Rigid Walk.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

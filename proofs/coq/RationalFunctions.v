@@ -151,10 +151,8 @@ by have := leq_card f fi; rewrite card_ffun !card_ord.
 Qed.
 
 (** ** Exchange *)
-Section Exchange.
-Variables (y : 'I_n -> K) (u : K).
-Hypothesis free_y : independent const y.
-Definition z (i : 'I_n.+1) : K := if unlift ord_max i is Some j then y j else u.
+Section Counting.
+Variable z : 'I_n.+1 -> K.
 Definition g : P := \prod_i den (z i).
 Definition numer i : P := num (z i) * \prod_(j | j != i) den (z j).
 Lemma g0 : to g != 0.
@@ -194,6 +192,42 @@ apply: leq_ltn_trans (_ : (big * (n.+1 * deg).+1) ^ n < _)%N; first by case: (n)
 by rewrite expnMn ltn_mul2l expn_gt0 /= ltnS leqnn.
 Qed.
 
+(** So n+1 elements of K are not independent. *)
+Lemma dependent : exists2 Q : {mpoly F[n.+1]}, Q != 0 & value const z Q = 0.
+Proof.
+have [v [a va] vz] := more_rows (fun e (M : 'X_{1..n < bound.+1}) => (word e)@_M) more_words.
+have vw : \sum_e v e *: word e = 0.
+  apply/mpolyP => M; rewrite mcoeff0 raddf_sum /=; case: (ltnP (mdeg M) bound.+1) => lt.
+    by rewrite -[RHS](vz (BMultinom lt)); apply: eq_bigr => e _; rewrite mcoeffZ.
+  rewrite big1 // => e _; rewrite mcoeffZ memN_msupp_eq0 ?mulr0 //.
+  by apply: msize_mdeg_ge; exact: leq_trans (size_word e) lt.
+pose mon (e : exponents) : 'X_{1..n.+1} := [multinom (e i : nat) | i < n.+1].
+have mon_inj e e' : mon e = mon e' -> e = e'.
+  by move=> /mnmP em; apply/ffunP => i; apply/val_inj; have := em i; rewrite !mnmE.
+exists (\sum_e v e *: 'X_[mon e]).
+  have : (\sum_e v e *: 'X_[mon e])@_(mon a) != 0.
+    rewrite raddf_sum (bigD1 a) //= mcoeffZ mcoeffX eqxx mulr1 big1 ?addr0 // => e ea.
+    by rewrite mcoeffZ mcoeffX; case: eqP => [/mon_inj em|]; rewrite ?mulr0 //; rewrite em eqxx in ea.
+  by apply: contraNneq => ->; rewrite mcoeff0.
+have G0 : to g ^+ (n.+1 * big) != 0 by rewrite expf_neq0 ?g0.
+apply/eqP; rewrite -(inj_eq (mulIf G0)) mul0r; apply/eqP.
+transitivity (to (\sum_e v e *: word e)); last by rewrite vw rmorph0.
+rewrite /value (rmorph_sum (mmap_rmorphism z const)) mulr_suml rmorph_sum; apply: eq_bigr => e _.
+rewrite /= mmapZ -mul_mpolyC rmorphM /= wordE mulrA; congr (_ * _ * _).
+by rewrite mmapX; apply: eq_bigr => i _; rewrite mnmE.
+Qed.
+End Counting.
+
+Section Exchange.
+Variables (y : 'I_n -> K) (u : K).
+Hypothesis free_y : independent const y.
+Definition z (i : 'I_n.+1) : K := if unlift ord_max i is Some j then y j else u.
+Notation big := (big z).
+Notation exponents := {ffun 'I_n.+1 -> 'I_big}.
+Notation bound := (bound z).
+Notation word := (word (z := z)).
+Notation g := (g z).
+
 Definition mono (e : exponents) : 'X_{1..n} := [multinom (e (lift ord_max j) : nat) | j < n].
 Lemma mono_inj e e' : mono e = mono e' -> (e ord_max : nat) = e' ord_max -> e = e'.
 Proof.
@@ -209,7 +243,7 @@ Qed.
 
 Theorem exchange : algebraic const y u.
 Proof.
-have [v [a va] vz] := more_rows (fun e (M : 'X_{1..n < bound.+1}) => (word e)@_M) more_words.
+have [v [a va] vz] := more_rows (fun e (M : 'X_{1..n < bound.+1}) => (word e)@_M) (@more_words z).
 have vw : \sum_e v e *: word e = 0.
   apply/mpolyP => M; rewrite mcoeff0 raddf_sum /=; case: (ltnP (mdeg M) bound.+1) => lt.
     by rewrite -[RHS](vz (BMultinom lt)); apply: eq_bigr => e _; rewrite mcoeffZ.

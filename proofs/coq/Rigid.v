@@ -9,6 +9,36 @@ From PL1P Require Import Statement.
 Set Implicit Arguments.
 Import GRing.Theory.
 
+(** ** Features of a signature, one by one, and how many parameters each has *)
+Definition kinds (s : signature) := flatten [seq nseq (nth 0 s i) i | i <- iota 0 27]%N.
+Definition sizes s := [seq dim3 (ft i) | i <- kinds s].
+
+Section Scene.
+Variable R : idomainType.
+Local Open Scope ring_scope.
+(** A placed feature: which of the 27, its point, the directions of its pins 0, 1, ... *)
+Record placed := Placed { kind : nat; point : vec R; dir : nat -> vec R }.
+(** The image of pin j. *)
+Definition line C p j := cross (project C (point p)) (turn C (dir p j)).
+Definition place_at (x : nat -> R) i := let o := (if free (ft i) then 2 else 3)%N in
+  Placed i (@Vec R (x 0%N) (x 1%N) (if free (ft i) then 0 else x 2%N))
+    (fun j => @Vec R (x (o + 2 * j)%N) (x (o + 2 * j).+1) 1).
+Definition scene_at (x : nat -> R) s :=
+  let own n k := x (11 + (sumn (take n (sizes s)) + k))%N in
+  mkseq (fun n => place_at (own n) (nth 0%N (kinds s) n)) (size (kinds s)).
+End Scene.
+
+(** ** Obstructed: two views share more than five points, or the cameras can slide along a star *)
+Definition shown s v :=
+  total s (fun i => sees_point (ft i) v || (0 < size (sees_pins (ft i) v)))%N.
+Definition crowded s :=
+  has (fun uv => 5 < shared s uv.1 uv.2)%N [:: (V1, V2); (V1, V3); (V2, V3)].
+Definition sliding s := has (fun i => [&& 0 < nth 0 s i, 3 <= pins (ft i) &
+  [|| pins (ft i) == 7,
+      (pins (ft i) == 6) && (0 < total s (fun k => free (ft k))) |
+      has (fun v => shown s v == 1) views]])%N (iota 0 27).
+Definition obstructed s := crowded s || sliding s.
+
 Section Rigid.
 Variable R : idomainType.
 Local Open Scope ring_scope.
@@ -73,6 +103,7 @@ Definition rigid_somewhere s := exists (C : view -> camera [idomainType of Z]) s
   [/\ shape scene s, admissible C scene & rigid C scene].
 Definition rigidity : Prop :=
   (forall F : fieldType, [char F]%R =i pred0 ->
-     forall s, balanced s -> minimal F s <-> rigid_somewhere s) /\
+     forall s, balanced s -> minimal F (problem_of s) <-> ~~ obstructed s) /\
+  (forall s, balanced s -> ~~ obstructed s <-> rigid_somewhere s) /\
   (forall (R : idomainType) (C : view -> camera R) scene s,
      shape scene s -> balanced s -> obstructed s -> admissible C scene -> ~ rigid C scene).

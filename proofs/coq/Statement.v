@@ -1,65 +1,78 @@
 (** * What is proved: definitions only, then the claim itself
 
     Point-line problems in three calibrated views in which every line carries at most one point.
-    Notation of mathcomp: [seq] is a finite list, [nth d s i] its i-th entry (d past the end),
-    [iota 0 n] the list 0..n-1, [f \in s] membership, [%R] ring operations, [&&] a boolean "and". *)
-From Coq Require Import NArith ZArith.
+    "The paper" is PL1P. Notation of mathcomp: [seq] is a finite list, [nth d s i] its i-th entry (d
+    past the end), [iota 0 n] the list 0..n-1, [f \in s] membership, [%R] ring operations, [&&] and
+    [==>] a boolean "and" and "implies". *)
+From Coq Require Import NArith.
 From mathcomp Require Import all_ssreflect all_algebra.
-From mathcomp.zify Require Import ssrZ.   (* Z, Coq's integers, as an integral domain *)
 From SsrMultinomials Require Import mpoly. (* {mpoly F[n]}, polynomials in n unknowns 'X_i over F *)
 Set Implicit Arguments.
 Import GRing.Theory.
 
-(** ** Local features: a point with [pins] lines through it, and what each view sees of it *)
+(** ** Problems (Definitions 1 and 4 of the paper)
+
+    A line carries at most one point. So a problem is a list of local features: free lines, and
+    points with any number of [pins], the lines through them. A look says what a view sees of a
+    feature: (is the point seen?, which pins are seen?). A free line is pin 0 of no point. *)
 Inductive view := V1 | V2 | V3.
 Definition views := [:: V1; V2; V3].
 Definition by_view T (x y z : T) (v : view) := match v with V1 => x | V2 => y | V3 => z end.
-(** A look is (is the point seen?, which pins are seen?). A free line is a pin of a point that no
-    view sees. *)
 Definition look := (bool * seq nat)%type.
-Record feature := Feature { pins : nat; looks : view -> look }.
+Record feature := Feature { free : bool; pins : nat; looks : view -> look }.
 Definition sees_point f v := (looks f v).1.
 Definition sees_pins f v := (looks f v).2.
-Definition free f := ~~ has (sees_point f) views.
+(** A view that sees two lines of a point sees the point. *)
+Definition proper f := (free f ==> (pins f == 1)) && all (fun v => let: (point, js) := looks f v in
+  [&& uniq js, all (fun j => j < pins f) js &
+      if free f then ~~ point else point || (size js <= 1)]) views.
+Definition problem := seq feature.
+Definition is_problem (A : problem) := all proper A.
+(** Degrees of freedom in space and in the images. *)
+Definition dim3 f := (if free f then 2 else 3) + 2 * pins f.
+Definition dim2 f := sumn [seq
+  let n := size (sees_pins f v) in if sees_point f v then 2 + n else 2 * n | v <- views].
+
+(** ** The 27 features *)
 Definition o : look := (false, [::]).      Definition P : look := (true, [::]).
 Definition a : look := (false, [:: 0]).    Definition Pa : look := (true, [:: 0]).
 Definition b : look := (false, [:: 1]).    Definition Pab : look := (true, [:: 0; 1]).
-Definition feat k (l1 l2 l3 : look) := Feature k (by_view l1 l2 l3).
+Definition feat k (l1 l2 l3 : look) := Feature false k (by_view l1 l2 l3).
+Definition free_line := Feature true 1 (by_view a a a).
 Definition star k := let l := (true, iota 0 k) in feat k l l l.
 Definition features := [::
   star 7; star 6; star 5; star 4; star 3;                                 (*  0 ..  4 *)
   feat 2 Pab Pab Pab; feat 1 Pa Pa Pa; feat 0 P P P;                      (*  5,  6,  7 *)
-  feat 1 a Pa Pa; feat 1 Pa a Pa; feat 1 Pa Pa a; feat 1 a a a;           (*  8 .. 11 *)
+  feat 1 a Pa Pa; feat 1 Pa a Pa; feat 1 Pa Pa a; free_line;                  (*  8 .. 11 *)
   feat 1 a P Pa; feat 1 a Pa P; feat 1 P a Pa;                            (* 12 .. 14 *)
   feat 1 Pa a P; feat 1 P Pa a; feat 1 Pa P a;                            (* 15 .. 17 *)
   feat 0 o P P; feat 0 P o P; feat 0 P P o;                               (* 18 .. 20 *)
   feat 1 P a a; feat 1 a P a; feat 1 a a P;                               (* 21 .. 23 *)
   feat 2 Pab b a; feat 2 b Pab a; feat 2 b a Pab].                        (* 24 .. 26 *)
 Definition ft i := nth (feat 0 o o o) features i.
+(** Equal up to renaming the pins. *)
+Definition same_look (r : seq nat) (l l' : look) :=
+  (l.1 == l'.1) && perm_eq [seq nth 0 r j | j <- l.2] l'.2.
+Definition same f g := [&& free f == free g, pins f == pins g &
+  has (fun r => all (fun v => same_look r (looks f v) (looks g v)) views)
+    (permutations (iota 0 (pins f)))].
+Definition index_of f := find (same f) features.
 (** A signature says how often each of the 27 features occurs; [total s h] sums h over the
-    occurrences. *)
+    occurrences. Balanced: the images have 11 more degrees of freedom than the scene, as many as the
+    cameras have. *)
 Definition signature := seq nat.
+Definition problem_of (s : signature) : problem :=
+  flatten [seq nseq (nth 0 s i) (ft i) | i <- iota 0 27].
 Definition total (s : signature) (h : nat -> nat) :=
   sumn [seq nth 0 s i * h i | i <- iota 0 27].
-(** Degrees of freedom in space and in the images. Balanced: the images have 11 more, the degrees of
-    freedom of the cameras. *)
-Definition dim3 f := (if free f then 2 else 3) + 2 * pins f.
-Definition dim2 f := sumn [seq
-  let n := size (sees_pins f v) in if sees_point f v then 2 + n else 2 * n | v <- views].
 Definition weight i := dim2 (ft i) - dim3 (ft i).
 Definition balanced (s : signature) := (size s == 27) && (total s weight == 11).
 
 (** ** Relabeling the views, and the swap *)
-Definition same_look (r : seq nat) (l l' : look) :=
-  (l.1 == l'.1) && perm_eq [seq nth 0 r j | j <- l.2] l'.2.
-Definition same f g :=      (* equal up to renaming the pins *)
-  (pins f == pins g) &&
-  has (fun r => all (fun v => same_look r (looks f v) (looks g v)) views)
-    (permutations (iota 0 (pins f))).
-Definition index_of f := find (same f) features.
 Definition view_perms := [:: by_view V1 V2 V3; by_view V1 V3 V2; by_view V2 V1 V3;
                              by_view V2 V3 V1; by_view V3 V1 V2; by_view V3 V2 V1].
-Definition relabel_feature (g : view -> view) f := Feature (pins f) (fun v => looks f (g v)).
+Definition relabel_feature (g : view -> view) f :=
+  Feature (free f) (pins f) (fun v => looks f (g v)).
 Definition relabel g (s : signature) :=
   mkseq (fun i => nth 0 s (index_of (relabel_feature g (ft i)))) 27.
 Definition label_equiv (s t : signature) := t \in [seq relabel g s | g <- view_perms].
@@ -77,7 +90,7 @@ Inductive swap_equiv : signature -> signature -> Prop :=
   | sw_sym s t : swap_equiv s t -> swap_equiv t s
   | sw_trans s t u : swap_equiv s t -> swap_equiv t u -> swap_equiv s u.
 
-(** ** Cameras and scenes, over an integral domain R *)
+(** ** Cameras and scenes, over a field K *)
 Section Geometry.
 Variable R : idomainType.
 Local Open Scope ring_scope.
@@ -98,76 +111,68 @@ Definition rot q u := let: Quat a b c d := q in Vec
 Record camera := Camera { quat_of : quat; trans : vec }.
 Definition turn C u := rot (quat_of C) u.
 Definition project C X := add (turn C X) (trans C).
-(** A placed feature: which of the 27, its point, the directions of its pins 0, 1, ... *)
-Record placed := Placed { kind : nat; point : vec; dir : nat -> vec }.
-(** The image of pin j. *)
-Definition line C p j := cross (project C (point p)) (turn C (dir p j)).
-(** The configuration with parameters x: 11 of the cameras, then those of the features in turn. A
-    similarity of space makes camera 1 [1 | 0], and the translation of camera 2 begin with 1. To
-    scale a camera moves no image, so its quaternion begins with 1 (half turns are left out). A
-    point has 3 parameters, a direction (d, d', 1) 2, and a free line 4: its point has x3 = 0. *)
+(** The image n1 x1 + n2 x2 + n3 x3 = 0 of the line through X with direction d. *)
+Definition normal C X d := cross (project C X) (turn C d).
+(** Parameters x: 11 of the cameras, then those of the features in turn. A similarity of space makes
+    camera 1 [1 | 0], and the translation of camera 2 begin with 1. To scale a camera moves no
+    image, so its quaternion begins with 1 (half turns are left out). A point has 3 parameters, a
+    direction (d, d', 1) 2, and a free line 4: its point has x3 = 0. *)
 Definition cameras_at (x : nat -> R) := by_view (Camera (Quat 1 0 0 0) vec0)
   (Camera (Quat 1 (x 0%N) (x 1%N) (x 2%N)) (Vec 1 (x 3%N) (x 4%N)))
   (Camera (Quat 1 (x 5%N) (x 6%N) (x 7%N)) (Vec (x 8%N) (x 9%N) (x 10%N))).
-Definition place_at (x : nat -> R) i := let o := (if free (ft i) then 2 else 3)%N in
-  Placed i (Vec (x 0%N) (x 1%N) (if free (ft i) then 0 else x 2%N))
-    (fun j => Vec (x (o + 2 * j)%N) (x (o + 2 * j).+1) 1).
-(** The features of s, one by one, and how many parameters each has. *)
-Definition kinds (s : signature) := flatten [seq nseq (nth 0 s i) i | i <- iota 0 27]%N.
-Definition sizes s := [seq dim3 (ft i) | i <- kinds s].
-Definition scene_at (x : nat -> R) s :=
-  let own n k := x (11 + (sumn (take n (sizes s)) + k))%N in
-  mkseq (fun n => place_at (own n) (nth 0%N (kinds s) n)) (size (kinds s)).
+Definition point_at f (x : nat -> R) := Vec (x 0%N) (x 1%N) (if free f then 0 else x 2%N).
+Definition dir_at f (x : nat -> R) j := let o := (if free f then 2 else 3)%N in
+  Vec (x (o + 2 * j)%N) (x (o + 2 * j).+1) 1.
+(** The features of A, each with its own parameters: those of x from number n on. *)
+Fixpoint scene (x : nat -> R) n (A : problem) :=
+  if A is f :: A' then (f, fun k => x (n + k)%N) :: scene x (n + dim3 f)%N A' else [::].
 End Geometry.
+Arguments point_at {R}.  Arguments dir_at {R}.  Arguments scene {R}.
 
-(** ** Minimal: the paper's definition in the language of function fields
+(** ** Minimal (Definition 2), in the language of function fields
 
     Let F be a field of characteristic 0, and K the field of rational functions over F in the
     parameters. The joint camera map sends the parameters to the coordinates y of the images, which
     are elements of K. It is dominant if the y are algebraically independent. Its generic fibre is
     finite if K is algebraic over F(y). A problem is minimal if both hold: then generic images have
     a finite number of solutions over an algebraic closure, and at least one. *)
+Section Coordinates.
+Variable K : fieldType.
+Local Open Scope ring_scope.
+(** The coordinates of a point; of a line; of a line through a point that is seen. No denominator is
+    zero in K, when X and d have independent parameters (Generic.v,
+    Minimal.v). *)
+Definition point_image (x : vec K) := [:: x1 x / x3 x; x2 x / x3 x].
+Definition line_image (seen : bool) (n : vec K) :=
+  if seen then [:: x1 n / x2 n] else [:: x1 n / x3 n; x2 n / x3 n].
+Definition image (fx : feature * (nat -> K)) (C : camera K) (l : look) : seq K :=
+  let X := point_at fx.1 fx.2 in (if l.1 then point_image (project C X) else [::]) ++
+  flatten [seq line_image l.1 (normal C X (dir_at fx.1 fx.2 j)) | j <- l.2].
+End Coordinates.
+Definition parameters (A : problem) := 11 + sumn [seq dim3 f | f <- A].
 Section Minimal.
 Local Open Scope ring_scope.
-(** The image of a feature. A point is (x1/x3, x2/x3). A line n1 x1 + n2 x2 + n3 x3 = 0 is
-    (n1/n3, n2/n3), and n1/n2 if it goes through the point that is seen. For a balanced signature no
-    denominator is zero in K (Minimal.v, [generic_regular]). *)
-Definition image (K : fieldType) (C : camera K) p (l : look) : seq K :=
-  let x := project C (point p) in
-  (if l.1 then [:: x1 x / x3 x; x2 x / x3 x] else [::]) ++
-  flatten [seq let n := line C p j in
-    if l.1 then [:: x1 n / x2 n] else [:: x1 n / x3 n; x2 n / x3 n] | j <- l.2].
-Variables (F : fieldType) (s : signature).
-Definition parameters := (11 + sumn (sizes s))%N.
-Notation K := [fieldType of {fraction {mpoly F[parameters]}}].
-(** Polynomials in the parameters, as elements of K; the parameters; the images. *)
-Definition in_K (p : {mpoly F[parameters]}) : K := FracField.tofrac p.
+Variables (F : fieldType) (n : nat) (A : problem).
+Notation K := [fieldType of {fraction {mpoly F[n]}}].
+(** Polynomials in n parameters, as elements of K; the parameters; independent elements of K. *)
+Definition in_K (p : {mpoly F[n]}) : K := FracField.tofrac p.
 Definition generic k : K := if insub k is Some i then in_K 'X_i else 0.
-Definition images : seq K := let C := cameras_at K generic in
-  flatten [seq flatten [seq image (C v) p (looks (ft (kind p)) v) | v <- views]
-          | p <- scene_at K generic s].
-Definition y (j : 'I_(size images)) := nth 0 images j.
-Definition at_y := mmap (fun a => in_K a%:MP) y.   (* the value of a polynomial at y *)
-Definition dominant := forall Q, at_y Q = 0 -> Q = 0.
+Definition at_y (y : seq K) := mmap (fun a => in_K a%:MP) (fun j : 'I_(size y) => nth 0 y j).
+Definition independent (y : seq K) := forall Q, at_y y Q = 0 -> Q = 0.
 (** Every u in K is a root of a polynomial that is not zero and has its coefficients in F[y]. *)
-Definition generically_finite :=
-  forall u : K, exists2 p, map_poly at_y p != 0 & root (map_poly at_y p) u.
-Definition minimal := dominant /\ generically_finite.
+Definition finite (y : seq K) :=
+  forall u : K, exists2 p, map_poly (at_y y) p != 0 & root (map_poly (at_y y) p) u.
+Definition scene_of := scene generic 11 A.
+Definition each_view (image : camera K -> view -> seq K) :=
+  flatten [seq image (cameras_at K generic v) v | v <- views].
+Definition images :=
+  flatten [seq each_view (fun C v => image fx C (looks fx.1 v)) | fx <- scene_of].
 End Minimal.
-
-(** ** Obstructed: two views share more than five points, or the cameras can slide along a star *)
-Definition shared s u v := total s (fun i => sees_point (ft i) u && sees_point (ft i) v).
-Definition shown s v :=
-  total s (fun i => sees_point (ft i) v || (0 < size (sees_pins (ft i) v))).
-Definition crowded s :=
-  has (fun uv => 5 < shared s uv.1 uv.2) [:: (V1, V2); (V1, V3); (V2, V3)].
-Definition sliding s := has (fun i => [&& 0 < nth 0 s i, 3 <= pins (ft i) &
-  [|| pins (ft i) == 7,
-      (pins (ft i) == 6) && (0 < total s (fun k => free (ft k))) |
-      has (fun v => shown s v == 1) views]]) (iota 0 27).
-Definition obstructed s := crowded s || sliding s.
+Definition minimal F A :=
+  let n := parameters A in independent (images F n A) /\ finite (images F n A).
 
 (** ** The claim *)
+Definition shared s u v := total s (fun i => sees_point (ft i) u && sees_point (ft i) v).
 (** On balanced signatures, E is an equivalence relation. *)
 Definition equivalence (E : signature -> signature -> Prop) :=
   [/\ forall s, balanced s -> E s s,
@@ -184,15 +189,14 @@ Definition only (c : feature -> bool) (s : signature) :=
   forall i, i < 27 -> 0 < nth 0 s i -> c (ft i).
 Section Claim.
 Variable F : fieldType.
-Definition good s := balanced s /\ minimal F s.
-Definition bad s := balanced s /\ ~ minimal F s.
+Definition good s := balanced s /\ minimal F (problem_of s).
+Definition bad s := balanced s /\ ~ minimal F (problem_of s).
 Definition pl0p s := good s /\ only (fun f => (pins f == 0) || free f) s.
 Definition one_pin s := good s /\ only (fun f => pins f <= 1) s.
 Definition five_point s :=
   good s /\ [\/ shared s V1 V2 = 5, shared s V1 V3 = 5 | shared s V2 V3 = 5].
 Definition classification_over :=
-  [/\ forall s, balanced s -> minimal F s <-> ~~ obstructed s,
-      [/\ classes label_equiv good 140616, classes label_equiv bad 2878,
+  [/\ [/\ classes label_equiv good 140616, classes label_equiv bad 2878,
           classes swap_equiv good 74575 & classes swap_equiv bad 1871] &
       [/\ classes label_equiv pl0p 51, classes swap_equiv one_pin 9533,
           classes label_equiv five_point 6413 & classes swap_equiv five_point 3615]].
