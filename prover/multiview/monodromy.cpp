@@ -177,12 +177,11 @@ private:
     }
 
     MonodromyResult result() {
-        const int count = nodes_[0].solutions.size();
-        MonodromyResult result{
-            count, 0, lost_, paths_, nodes_[0].images, nodes_[0].solutions.points()};
+        const int first = nodes_[0].solutions.size(), second = nodes_[1].solutions.size();
+        MonodromyResult result{std::max(first, second),     0, lost_, paths_, nodes_[0].images,
+                               nodes_[0].solutions.points()};
         for (const Edge& edge : edges_)
-            result.edges += count == nodes_[1].solutions.size() &&
-                            static_cast<int>(edge.match[0].size()) == count;
+            result.edges += first == second && static_cast<int>(edge.match[0].size()) == first;
         return result;
     }
 

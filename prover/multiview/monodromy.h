@@ -11,7 +11,7 @@ namespace plprove::multiview {
 /// What monodromy found. Two sets of random images are joined by several ways; the solutions of one
 /// end go to those of the other along each.
 struct MonodromyResult {
-    int solutions = 0; ///< known at both ends
+    int solutions = 0; ///< known at the end where more are
     int edges = 0;     ///< ways along which all of both ends are matched one to one
     int lost = 0;      ///< paths that got lost, or jumped
     std::int64_t paths = 0;
