@@ -42,7 +42,7 @@ static bool only_in_general(std::string_view notation) {
            std::ranges::count(feature, '/') > 2;
 }
 
-/// The problem by section 1 or section 13, or both.
+/// The problem by section 1 or section 13, or both. Where section 1 could spell it, it must.
 static ExpectedProblem parse_expected(std::string_view notation) {
     ExpectedProblem expected{.notation = printable(notation, 4096)};
     std::string in_section_1, in_section_13; // what is wrong
@@ -56,9 +56,9 @@ static ExpectedProblem parse_expected(std::string_view notation) {
     } catch (const Malformed& malformed) {
         in_section_13 = malformed.complaint.reason;
     }
-    if (in_section_1.empty() || in_section_13.empty()) return expected;
-    throw WrongUsage{say("--expect ", printable(notation, 200), ": ",
-                         only_in_general(notation) ? in_section_13 : in_section_1,
+    const std::string& wrong = only_in_general(notation) ? in_section_13 : in_section_1;
+    if (wrong.empty()) return expected;
+    throw WrongUsage{say("--expect ", printable(notation, 200), ": ", wrong,
                          "; write it like '2*Pa/Pa/Pa + P/P/P', in quotes")};
 }
 

@@ -1,6 +1,7 @@
 #include "prover/cli/general_report.h"
 
 #include "prover/general/notation.h"
+#include "prover/multiview/degrees_on_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -31,9 +32,14 @@ std::string csv_line(const Certificate& certificate) {
                              counts.free_lines, counts.adjacent_lines})
         line += std::to_string(number) + ',';
     line += general::is_minimal(certificate) ? "1," : "0,";
-    line += ','; // no degree is computed
+    const auto degree = multiview::degree_on_file(general::notation(problem));
+    if (degree) line += std::to_string(degree->degree);
+    line += ',';
     line += general::name(problem) + ',' + general::notation(problem) + ',';
     if (!general::is_minimal(certificate)) line += '"' + general::explanation(certificate) + '"';
+    line += ',';
+    if (degree)
+        line += (degree->bound == "exact" ? "" : "at least: ") + std::string(degree->status);
     return line;
 }
 
@@ -66,7 +72,7 @@ std::string list_of(std::span<const Certificate> certificates, const std::string
     std::string text;
     if (format == "csv")
         text = "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,name,"
-               "notation,reason\n";
+               "notation,reason,degree_status\n";
     for (const Certificate& certificate : certificates) {
         const general::Problem& problem = certificate.problem;
         text += format == "csv"        ? csv_line(certificate)

@@ -14,8 +14,6 @@ namespace plprove {
 
 namespace {
 
-constexpr int ways = 5; // that all have to agree
-
 void require_minimal(const general::Problem& problem) {
     const general::Certificate certificate = general::certify(problem);
     if (general::is_minimal(certificate)) return;
@@ -39,7 +37,6 @@ multiview::MonodromyResult computed(const general::Problem& problem,
                                     const MultiviewDegreeRequest& request) {
     ProgressLine line("finding solutions", 0);
     multiview::MonodromySettings settings;
-    settings.edges = ways;
     settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     if (request.target > 0) settings.most_solutions = request.target;
     settings.report = [&](int known, std::int64_t paths) {
@@ -55,14 +52,14 @@ int find_multiview_degree(const general::Problem& problem, const MultiviewDegree
     require_minimal(problem);
     require_complete_visibility(problem);
     const multiview::MonodromyResult found = computed(problem, request);
-    const bool complete = found.edges == ways;
+    const bool complete = found.edges == found.ways;
     const std::string count = std::to_string(found.solutions);
     if (request.json) {
         const nlohmann::ordered_json report = {{"problem", general::notation(problem)},
                                                {"name", general::name(problem)},
                                                {"solutions", found.solutions},
                                                {"complete", complete ? "evidence" : "unknown"},
-                                               {"ways", ways},
+                                               {"ways", found.ways},
                                                {"ways_that_agree", found.edges},
                                                {"paths", found.paths},
                                                {"lost", found.lost}};
@@ -70,7 +67,7 @@ int find_multiview_degree(const general::Problem& problem, const MultiviewDegree
     } else {
         deliver("-", "problem     " + general::notation(problem) + "\ndegree      " +
                          (complete ? "" : "at least ") + count + " by evidence\nevidence    " +
-                         std::to_string(found.edges) + " of " + std::to_string(ways) +
+                         std::to_string(found.edges) + " of " + std::to_string(found.ways) +
                          " ways take the solutions of some images one to "
                          "one to those of others\npaths       " +
                          std::to_string(found.paths) + ", " + std::to_string(found.lost) +

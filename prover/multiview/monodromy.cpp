@@ -87,24 +87,39 @@ public:
         nodes_[0].images = scene.images;
         nodes_[0].solutions.add(scene.solution);
         nodes_[1].images = random_images(problem, random_);
-        for (int edge = 0; edge < settings.edges; ++edge) {
-            edges_.emplace_back();
-            for (std::size_t node = 0; node < 2; ++node)
-                edges_.back().ends[node] = rephased(problem, nodes_[node].images, random_);
-        }
+        for (int edge = 0; edge < settings.edges; ++edge)
+            add_edge();
     }
 
     MonodromyResult run() {
+        for (follow_all_edges(); wants_more_edges(); follow_all_edges())
+            add_edge();
+        return result();
+    }
+
+private:
+    void add_edge() {
+        edges_.emplace_back();
+        for (std::size_t node = 0; node < 2; ++node)
+            edges_.back().ends[node] = rephased(system_.problem(), nodes_[node].images, random_);
+    }
+
+    bool wants_more_edges() const {
+        constexpr int few = 20;
+        return nodes_[0].solutions.size() <= few &&
+               static_cast<int>(edges_.size()) < settings_.edges_of_few;
+    }
+
+    /// Until each solution has been along each way.
+    void follow_all_edges() {
         for (bool moved = true; moved;) {
             moved = false;
             for (Edge& edge : edges_)
                 for (std::size_t from = 0; from < 2; ++from)
                     moved = follow_edge(edge, from) || moved;
         }
-        return result();
     }
 
-private:
     /// Follows the solutions of a node that have not been along this way. Returns whether there
     /// are any.
     bool follow_edge(Edge& edge, std::size_t from) {
@@ -178,7 +193,12 @@ private:
 
     MonodromyResult result() {
         const int first = nodes_[0].solutions.size(), second = nodes_[1].solutions.size();
-        MonodromyResult result{std::max(first, second),     0, lost_, paths_, nodes_[0].images,
+        MonodromyResult result{std::max(first, second),
+                               0,
+                               static_cast<int>(edges_.size()),
+                               lost_,
+                               paths_,
+                               nodes_[0].images,
                                nodes_[0].solutions.points()};
         for (const Edge& edge : edges_)
             result.edges += first == second && static_cast<int>(edge.match[0].size()) == first;

@@ -13,6 +13,7 @@ namespace plprove::multiview {
 struct MonodromyResult {
     int solutions = 0; ///< known at the end where more are
     int edges = 0;     ///< ways along which all of both ends are matched one to one
+    int ways = 0;      ///< of so many
     int lost = 0;      ///< paths that got lost, or jumped
     std::int64_t paths = 0;
     Images<Complex> images;      ///< of the first end
@@ -21,6 +22,8 @@ struct MonodromyResult {
 
 struct MonodromySettings {
     int edges = 5;
+    /// So many where few solutions are known: a loop may well leave each of two where it is.
+    int edges_of_few = 16;
     int threads = 1;
     int most_solutions = 1'000'000; ///< stops when more are known
     std::function<void(int known, std::int64_t paths)> report = [](int, std::int64_t) {};

@@ -45,8 +45,9 @@ std::string line_of(const std::string& family, const general::Problem& problem, 
     const bool agree = first.solutions == second.solutions;
     return family + ',' + general::notation(problem) + ',' +
            std::to_string(std::max(first.solutions, second.solutions)) + ',' +
-           (agree ? "exact" : "at-least") + ",evidence," + std::to_string(first.edges) + " and " +
-           std::to_string(second.edges) + " of " + std::to_string(settings.edges) + " ways agree\n";
+           (agree ? "exact" : "at-least") + ",evidence," +
+           std::to_string(first.edges + second.edges) + " of " +
+           std::to_string(first.ways + second.ways) + " ways agree\n";
 }
 
 } // namespace
