@@ -78,7 +78,7 @@ EMSCRIPTEN_KEEPALIVE void replay_file(Run* run, const char* name, const char* by
     const Watch watch = [](const Progress& progress) {
         tell_progress(progress.line, progress.records, progress.solutions);
     };
-    run->files.push_back(replay(run->classes, name, {bytes, size}, watch));
+    run->files.push_back(replay(run->classes, name, {bytes, size}, {watch, 1}));
     run->output += finding(run->files.back());
     run->errors += complaints(run->files.back());
 }

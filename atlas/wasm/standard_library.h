@@ -1,7 +1,7 @@
 // What the C++ library of Debian's Emscripten (LLVM 13) lacks of C++20, as far as checker/ and
-// prover/ use it: algorithms on ranges, and the order of arrays and vectors. Each calls the
-// algorithm on iterators that C++17 has. The sources are compiled as they are, with this file
-// before the first line of each.
+// prover/ use it: algorithms on ranges, and the order of arrays, vectors and texts. Each
+// calls the algorithm on iterators that C++17 has. The sources are compiled as they are, with this
+// file before the first line of each.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <compare>
 #include <functional>
 #include <iterator>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,11 @@ strong_ordering operator<=>(const vector<T>& a, const vector<T>& b) {
 template <class T, size_t size>
 strong_ordering operator<=>(const array<T, size>& a, const array<T, size>& b) {
     return compare_lists(a, b);
+}
+
+template <class Character>
+strong_ordering operator<=>(basic_string_view<Character> a, basic_string_view<Character> b) {
+    return a.compare(b) <=> 0;
 }
 
 namespace ranges {
@@ -138,6 +144,11 @@ void transform(Range&& range, Output output, Function function) {
 template <class Iterator, class Value>
 void replace(Iterator first, Iterator last, const Value& old_value, const Value& new_value) {
     std::replace(first, last, old_value, new_value);
+}
+
+template <class Range, class Predicate, class Value>
+void replace_if(Range&& range, Predicate predicate, const Value& new_value) {
+    std::replace_if(std::begin(range), std::end(range), predicate, new_value);
 }
 
 template <class Range>
