@@ -87,13 +87,14 @@ struct Kills {
 /// cut `count` of them short.
 Kills kill_at_random(const Writing& writing, int signal, int count) {
     std::mt19937 random(42);
-    std::uniform_real_distribution<double> moment(0, writing.seconds);
+    std::uniform_real_distribution<double> share(0, 1);
+    double longest = writing.seconds; // less where the command was slower when it was measured
     const TemporaryFolder folder;
     Kills kills;
-    while (kills.cut < count && kills.finished < 10 * count) {
+    while (kills.cut < count && kills.finished < 20 * count) {
         restore(folder.path(), writing);
         const pid_t child = start(folder.path(), writing.arguments);
-        std::this_thread::sleep_for(Seconds(moment(random)));
+        std::this_thread::sleep_for(Seconds(longest * share(random)));
         ::kill(child, signal);
         const int status = wait_for(child);
         const bool cut = WIFSIGNALED(status) && WTERMSIG(status) == signal;
@@ -102,6 +103,7 @@ Kills kill_at_random(const Writing& writing, int signal, int count) {
         const bool written = check_leftovers(folder.path(), writing);
         REQUIRE((cut || written));
         ++(cut ? kills.cut : kills.finished);
+        longest = cut ? std::min(1.1 * longest, writing.seconds) : 0.95 * longest;
         kills.written += cut && written;
     }
     CHECK(kills.cut == count);
