@@ -54,7 +54,8 @@ export function withLinks(text: string): (Node | string)[] {
     });
 }
 
-function row(claim: Claim): HTMLElement {
+/** A claim as a row of a table: what is counted, the paper's number, the certified one. */
+export function claimRow(claim: Claim): HTMLElement {
     const indent = /^(- )*/.exec(claim.claim)?.[0].length ?? 0;
     return make(
         "tr",
@@ -77,6 +78,6 @@ export function showCounts(
     wanted: (claim: Claim) => boolean = () => true,
 ): void {
     byId("counts-caption", HTMLElement).textContent = caption;
-    const rows = report.claims.filter(wanted).map(row);
+    const rows = report.claims.filter(wanted).map(claimRow);
     byId("counts", HTMLTableElement).tBodies[0]?.replaceChildren(...rows);
 }

@@ -17,7 +17,7 @@ export function statusMark(status: string): HTMLElement {
     return make("span", { class: `status ${status}` }, status);
 }
 
-export function degreeInWords(degree: Degree): string {
+export function degreeInWords(degree: Pick<Degree, "value" | "bound">): string {
     const number = withCommas(degree.value);
     return degree.bound === "exact" ? number : `at least ${number}`;
 }

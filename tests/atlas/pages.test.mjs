@@ -14,6 +14,8 @@ const pages = {
     "problem.html?p=P/P/P+%2B+a/a/a+%2B+5*-/P/P+%2B+P/-/P": "[data-ready]",
     "problem.html?p=nonsense": ".complaint",
     "paper.html": "#degrees tbody tr",
+    "families.html": "#problems li",
+    "families.html?family=projective&views=9": "#problems li",
     "check.html": "#files",
     "how.html": ".matrix",
 };

@@ -1,0 +1,62 @@
+"""Writes the problems of a family as JSON, for the page of two more papers:
+python3 atlas/families.py build/bin/plprove plmp|projective
+
+Of each problem it has what `plprove list --family` says. A problem of calibrated cameras in two or
+three views, of which no points share a line, has a page of its own. Its degree is the one there:
+what `plprove problem` says.
+"""
+
+import csv
+import io
+import json
+import subprocess
+import sys
+
+
+def output_of(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def degree_on_file(row):
+    """The degree in a line of the list; None if none is on file."""
+    if not row["degree"]:
+        return None
+    *least, status = row["degree_status"].split(": ")
+    bound = "at-least" if least else "exact"
+    return {"value": int(row["degree"]), "bound": bound, "status": status}
+
+
+def degree_on_page(report):
+    degree = report.get("degree")
+    return degree and {key: degree[key] for key in ("value", "bound", "status")}
+
+
+def report_of_page(plprove, row):
+    """What its own page says of a problem; None if it has no page."""
+    if row["notation"].startswith("projective:"):
+        return None
+    report = json.loads(output_of(plprove, "problem", row["notation"], "--json"))
+    is_general = "cameras" in report
+    return None if is_general else report
+
+
+def member_of(plprove, row):
+    report = report_of_page(plprove, row)
+    return {
+        "name": row["name"],
+        "notation": row["notation"],
+        "views": int(row["views"]),
+        "minimal": row["minimal"] == "1",
+        "reason": row["reason"],
+        "degree": degree_on_page(report) if report else degree_on_file(row),
+        "page": report is not None,
+    }
+
+
+def main(plprove, family):
+    lines = output_of(plprove, "list", "--family", family, "--format", "csv")
+    members = [member_of(plprove, row) for row in csv.DictReader(io.StringIO(lines))]
+    json.dump(members, sys.stdout)
+
+
+main(*sys.argv[1:])

@@ -1,0 +1,143 @@
+// Two more papers: their counts beside the certified ones, and a list of all problems. The address
+// has the filters, and after its # the problem whose certificate is open.
+import { CheckView } from "./check_view.js";
+import { builtCaption, claimRow, ownCaption, type Claim } from "./claims.js";
+import { byId, withCommas } from "./elements.js";
+import { type Family, isFamily, type Member, membersOf } from "./family.js";
+import { memberView } from "./member_view.js";
+
+interface FamilyClaims {
+    family: Family;
+    claims: Claim[];
+}
+
+const form = byId("filters", HTMLFormElement);
+const list = byId("problems", HTMLElement);
+const total = byId("total", HTMLElement);
+
+/** The part of a section with this class; it has to be there. */
+function partOf<Kind extends HTMLElement>(section: HTMLElement, name: string, kind: new () => Kind) {
+    const part = section.querySelector(`.${name}`);
+    if (!(part instanceof kind)) throw new Error(`${section.id} has no ${kind.name} '${name}'`);
+    return part;
+}
+
+function showClaims({ family, claims }: FamilyClaims, caption: string): void {
+    const table = partOf(byId(family, HTMLElement), "counts", HTMLTableElement);
+    table.createCaption().textContent = caption;
+    table.tBodies[0]?.replaceChildren(...claims.map(claimRow));
+}
+
+/** The button of a section replays the archive of its family. */
+function connectCheck(family: Family): void {
+    const section = byId(family, HTMLElement);
+    const view = new CheckView();
+    partOf(section, "check-place", HTMLElement).append(view.element);
+    const button = partOf(section, "check-now", HTMLButtonElement);
+    button.addEventListener("click", async () => {
+        button.disabled = true;
+        const name = `certs/${family}.plc`;
+        const outcome = await view.run({
+            options: ["--family", family],
+            files: [{ name, address: `../${name}` }],
+        });
+        if (outcome?.status === 0) {
+            const report = JSON.parse(outcome.report) as { families: FamilyClaims[] };
+            for (const claims of report.families) showClaims(claims, ownCaption);
+        }
+        button.disabled = false;
+    });
+}
+
+interface Filters {
+    family: Family;
+    views: string;
+    verdict: string;
+}
+
+function filters(): Filters {
+    const data = new FormData(form);
+    const family = String(data.get("family"));
+    return {
+        family: isFamily(family) ? family : "plmp",
+        views: String(data.get("views")),
+        verdict: String(data.get("verdict")),
+    };
+}
+
+function passes(member: Member, { views, verdict }: Filters): boolean {
+    if (views !== "" && member.views !== Number(views)) return false;
+    return verdict === "" || (verdict === "minimal") === member.minimal;
+}
+
+// What the reader asks now; files that come for earlier questions are dropped.
+let current = 0;
+
+async function showList(): Promise<void> {
+    const question = ++current;
+    const wanted = filters();
+    try {
+        const members = await membersOf(wanted.family);
+        if (question !== current) return;
+        const items = members.flatMap((member, index) =>
+            passes(member, wanted) ? [memberView(wanted.family, member, index)] : [],
+        );
+        list.replaceChildren(...items);
+        total.textContent = `${withCommas(items.length)} of ${withCommas(members.length)} problems`;
+    } catch (error) {
+        list.replaceChildren();
+        total.textContent = `${String(error)}. Load the page again.`;
+    }
+}
+
+function setFilters(value: (name: string, standard: string) => string): void {
+    for (const control of form.elements)
+        if (control instanceof HTMLSelectElement) {
+            control.value = value(control.name, control.dataset.default ?? "");
+            if (control.selectedIndex < 0) control.value = control.dataset.default ?? "";
+        }
+}
+
+function keepInAddress(): void {
+    const address = new URLSearchParams();
+    for (const control of form.elements)
+        if (control instanceof HTMLSelectElement && control.value !== control.dataset.default)
+            address.set(control.name, control.value);
+    const query = address.toString();
+    history.replaceState(null, "", query === "" ? location.pathname : `?${query}`);
+}
+
+/** Opens the certificate of the problem that the address names. If the filters hide the problem,
+ * they go. */
+async function openNamed(): Promise<void> {
+    const id = location.hash.slice(1);
+    const family = id.split("-")[0];
+    if (!isFamily(family) || id === family) return;
+    if (!document.getElementById(id)) {
+        setFilters((name, standard) => (name === "family" ? family : standard));
+        await showList();
+    }
+    const item = document.getElementById(id);
+    if (!item) {
+        total.textContent += `; none of them is ${id}`;
+        return;
+    }
+    item.querySelector("details")?.setAttribute("open", "");
+    item.scrollIntoView();
+}
+
+connectCheck("plmp");
+connectCheck("projective");
+form.addEventListener("submit", (event) => event.preventDefault());
+form.addEventListener("input", () => {
+    keepInAddress();
+    void showList();
+});
+window.addEventListener("hashchange", () => void openNamed());
+
+const address = new URLSearchParams(location.search);
+setFilters((name, standard) => address.get(name) ?? standard);
+const built = (await (await fetch("data/families.json")).json()) as FamilyClaims[];
+for (const claims of built) showClaims(claims, builtCaption);
+await showList();
+await openNamed();

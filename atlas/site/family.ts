@@ -1,0 +1,52 @@
+// The problems of a family (docs/notation.md, Families): what the program lists, and the records of
+// the archive. Each file is loaded once, when it is wanted.
+import type { Degree } from "./prover.js";
+
+export type Family = "plmp" | "projective";
+
+export function isFamily(name: string | undefined): name is Family {
+    return name === "plmp" || name === "projective";
+}
+
+/** A problem of the family, as atlas/families.py has it from the program. */
+export interface Member {
+    name: string;
+    notation: string;
+    views: number;
+    minimal: boolean;
+    /** Why it is not minimal. */
+    reason: string;
+    degree: Pick<Degree, "value" | "bound" | "status"> | null;
+    /** Whether it has a page of its own. */
+    page: boolean;
+}
+
+const texts = new Map<string, Promise<string>>();
+
+async function load(address: string): Promise<string> {
+    const response = await fetch(address);
+    if (!response.ok) throw new Error(`${address} cannot be loaded (${response.status})`);
+    return response.text();
+}
+
+function textAt(address: string): Promise<string> {
+    const text = texts.get(address) ?? load(address);
+    texts.set(address, text);
+    text.catch(() => texts.delete(address)); // so that the next call tries again
+    return text;
+}
+
+/** All balanced problems of the family, in the order of the archive. */
+export async function membersOf(family: Family): Promise<Member[]> {
+    return JSON.parse(await textAt(`data/${family}.json`)) as Member[];
+}
+
+/** The archive's record of a problem, after the lines that each file begins with: a file of its own
+ * (certs/FORMAT.md, section 13). */
+export async function certificateOf(family: Family, notation: string): Promise<string> {
+    const archive = await textAt(`certs/${family}.plc`);
+    const [head = "", ...records] = archive.split(/^(?=problem )/m);
+    const record = records.find((text) => text.startsWith(`problem ${notation}\n`));
+    if (record === undefined) throw new Error(`the archive has no record of ${notation}`);
+    return head.replace(/^family .*\n/m, "") + record;
+}
