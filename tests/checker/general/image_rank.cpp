@@ -105,8 +105,8 @@ private:
 /// The two points of smallest numbers on the first line that has two before this point.
 std::vector<std::size_t> ends_of_carrier(const Problem& problem, std::size_t point) {
     for (const Line& line : problem.lines)
-        if (std::ranges::count(line.points, point) > 0 && line.points[1] < point &&
-            line.points.size() > 2)
+        if (line.points.size() > 2 && line.points[1] < point &&
+            std::ranges::count(line.points, point) > 0)
             return {line.points[0], line.points[1]};
     return {};
 }
