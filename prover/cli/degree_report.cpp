@@ -1,5 +1,7 @@
 #include "prover/cli/degree_report.h"
 
+#include "prover/cli/sections.h"
+
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -9,12 +11,6 @@ namespace plprove {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int label_width = 12;
-
-std::ostream& section(std::ostream& out, const char* label) {
-    return out << std::left << std::setw(label_width) << label;
-}
 
 /// What the degree is of: the problem, or its cameras alone.
 const char* degree_name(const Decision& decision) {

@@ -1,9 +1,11 @@
 #include "prover/cli/general_report.h"
 
+#include "prover/cli/sections.h"
 #include "prover/general/notation.h"
 #include "prover/multiview/degrees_on_file.h"
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace plprove {
 
@@ -47,10 +49,14 @@ std::string csv_line(const Certificate& certificate) {
 
 std::string text_report(const Certificate& certificate) {
     const general::Problem& problem = certificate.problem;
-    return "problem     " + general::notation(problem) + "\n" + "cameras     " +
-           std::to_string(problem.views) + ' ' + model_name(problem) + "\n" + "dimensions  " +
-           balance(problem) + "\n" + "verdict     " + general::verdict(certificate) + "\n" +
-           "            " + general::explanation(certificate) + "\n";
+    std::ostringstream out;
+    section(out, "problem") << general::notation(problem) << '\n';
+    section(out, "cameras") << problem.views << ' ' << model_name(problem) << '\n';
+    section(out, "dimensions") << balance(problem) << '\n';
+    section(out, "verdict") << general::verdict(certificate) << '\n';
+    section(out, "");
+    write_wrapped(out, general::explanation(certificate));
+    return out.str();
 }
 
 std::string json_report(const Certificate& certificate) {

@@ -1,5 +1,6 @@
 #include "prover/cli/multiview_degree.h"
 
+#include "prover/cli/sections.h"
 #include "prover/general/certificate.h"
 #include "prover/general/notation.h"
 #include "prover/multiview/monodromy.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 namespace plprove {
@@ -45,6 +47,31 @@ multiview::MonodromyResult computed(const general::Problem& problem,
     return multiview::run_monodromy(problem, request.seed, settings);
 }
 
+std::string json_report(const general::Problem& problem, const multiview::MonodromyResult& found) {
+    const nlohmann::ordered_json report = {{"problem", general::notation(problem)},
+                                           {"name", general::name(problem)},
+                                           {"solutions", found.solutions},
+                                           {"complete", found.complete() ? "evidence" : "unknown"},
+                                           {"ways", found.ways},
+                                           {"ways_that_agree", found.edges},
+                                           {"paths", found.paths},
+                                           {"lost", found.lost}};
+    return report.dump(2) + '\n';
+}
+
+std::string text_report(const general::Problem& problem, const multiview::MonodromyResult& found) {
+    std::ostringstream out;
+    section(out, "problem") << general::notation(problem) << '\n';
+    section(out, "degree") << (found.complete() ? "" : "at least ") << found.solutions
+                           << " by evidence\n";
+    section(out, "evidence") << found.edges << " of " << found.ways
+                             << " ways take the solutions of some images one to one to those of "
+                                "others\n";
+    section(out, "paths") << found.paths << ", " << found.lost << " lost\n";
+    section(out, "certificate") << "none: there is no format for such degrees yet\n";
+    return out.str();
+}
+
 } // namespace
 
 int find_multiview_degree(const general::Problem& problem, const MultiviewDegreeRequest& request,
@@ -52,27 +79,7 @@ int find_multiview_degree(const general::Problem& problem, const MultiviewDegree
     require_minimal(problem);
     require_complete_visibility(problem);
     const multiview::MonodromyResult found = computed(problem, request);
-    const bool complete = found.edges == found.ways;
-    const std::string count = std::to_string(found.solutions);
-    if (request.json) {
-        const nlohmann::ordered_json report = {{"problem", general::notation(problem)},
-                                               {"name", general::name(problem)},
-                                               {"solutions", found.solutions},
-                                               {"complete", complete ? "evidence" : "unknown"},
-                                               {"ways", found.ways},
-                                               {"ways_that_agree", found.edges},
-                                               {"paths", found.paths},
-                                               {"lost", found.lost}};
-        deliver("-", report.dump(2) + '\n');
-    } else {
-        deliver("-", "problem     " + general::notation(problem) + "\ndegree      " +
-                         (complete ? "" : "at least ") + count + " by evidence\nevidence    " +
-                         std::to_string(found.edges) + " of " + std::to_string(found.ways) +
-                         " ways take the solutions of some images one to "
-                         "one to those of others\npaths       " +
-                         std::to_string(found.paths) + ", " + std::to_string(found.lost) +
-                         " lost\ncertificate none: there is no format for such degrees yet\n");
-    }
+    deliver("-", request.json ? json_report(problem, found) : text_report(problem, found));
     return 0;
 }
 

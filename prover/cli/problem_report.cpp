@@ -1,6 +1,6 @@
 #include "prover/cli/problem_report.h"
 #include "prover/cli/problem_facts.h"
-#include "prover/system/words.h"
+#include "prover/cli/sections.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -26,25 +26,8 @@ std::string or_nothing(const Problem& problem) {
     return problem.empty() ? "nothing" : notation(problem);
 }
 
-constexpr int label_width = 12;
-constexpr std::size_t text_width = 100 - label_width;
-
-void section(std::ostream& out, const std::string& label) {
-    out << std::left << std::setw(label_width) << label;
-}
-
 void continue_section(std::ostream& out) {
     section(out, "");
-}
-
-/// In lines that begin below each other, so many columns behind the label.
-void write_wrapped(std::ostream& out, const std::string& text, std::size_t indent = 0) {
-    std::istringstream lines(wrapped(text, text_width - indent));
-    bool first = true;
-    for (std::string line; std::getline(lines, line); first = false) {
-        if (!first) continue_section(out);
-        out << std::string(indent, ' ') << line << '\n';
-    }
 }
 
 void write_dimensions(std::ostream& out, const Decision& decision) {

@@ -1,5 +1,7 @@
 #include "prover/cli/two_view_report.h"
 
+#include "prover/cli/sections.h"
+
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -24,11 +26,6 @@ int third_cameras(const DegreeReport& report) {
 std::string extension(const DegreeReport& report) {
     return '#' + std::to_string(report.run.number) + ", " +
            notation(problem_of(label_classes()[report.run.number]));
-}
-
-std::ostream& section(std::ostream& out, const char* label) {
-    constexpr int label_width = 12;
-    return out << std::left << std::setw(label_width) << label;
 }
 
 void write_certificate(std::ostream& out, const DegreeReport& report) {

@@ -18,6 +18,9 @@ struct MonodromyResult {
     std::int64_t paths = 0;
     Images<Complex> images;      ///< of the first end
     std::vector<Point> points{}; ///< its solutions
+
+    /// Whether all ways agree: evidence that no solution is missing.
+    bool complete() const { return edges == ways; }
 };
 
 struct MonodromySettings {

@@ -82,4 +82,19 @@ void change(File& file, Random& random, const Wanted& wanted, Change change) {
     if (!found.empty()) change(*any_of(found, random));
 }
 
+/// A symbol of a feature changed, left out or put in.
+inline void change_symbol(File& file, Random& random, std::string_view symbols) {
+    change(
+        file, random, [](const Words& words, std::size_t i) { return is_feature(words[i]); },
+        [&](std::string& word) {
+            const std::size_t place = random.below(word.size());
+            if (random.below(3) == 0)
+                word.erase(place, 1);
+            else if (random.below(2) == 0)
+                word.insert(place, 1, symbols[random.below(symbols.size())]);
+            else
+                word[place] = symbols[random.below(symbols.size())];
+        });
+}
+
 } // namespace mutation

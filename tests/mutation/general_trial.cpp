@@ -51,18 +51,7 @@ void word_removed(File& file, const File&, Random& random) {
 }
 
 void symbol(File& file, const File&, Random& random) {
-    const std::string_view symbols = "PabLMN-/c(*2";
-    change(
-        file, random, [](const Words& words, std::size_t i) { return is_feature(words[i]); },
-        [&](std::string& word) {
-            const std::size_t place = random.below(word.size());
-            if (random.below(3) == 0)
-                word.erase(place, 1);
-            else if (random.below(2) == 0)
-                word.insert(place, 1, symbols[random.below(symbols.size())]);
-            else
-                word[place] = symbols[random.below(symbols.size())];
-        });
+    change_symbol(file, random, "PabLMN-/c(*2");
 }
 
 /// A shared or local letter taken from a feature, or added, in all of its views.

@@ -14,18 +14,7 @@ void foreign_problem(File& file, const File& other, Random&) {
 
 /// A symbol of a feature changed, in the name of the problem, a step or the pool.
 void feature_symbol(File& file, const File&, Random& random) {
-    const std::string_view symbols = "Pab-/c(";
-    change(
-        file, random, [](const Words& words, std::size_t i) { return is_feature(words[i]); },
-        [&](std::string& word) {
-            const std::size_t place = random.below(word.size());
-            if (random.below(3) == 0)
-                word.erase(place, 1);
-            else if (random.below(2) == 0)
-                word.insert(place, 1, symbols[random.below(symbols.size())]);
-            else
-                word[place] = symbols[random.below(symbols.size())];
-        });
+    change_symbol(file, random, "Pab-/c(");
 }
 
 /// The same feature changed everywhere: a consistent lie.
