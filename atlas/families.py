@@ -1,9 +1,8 @@
 """Writes the problems of a family as JSON, for the page of two more papers:
 python3 atlas/families.py build/bin/plprove plmp|projective
 
-Of each problem it has what `plprove list --family` says. A problem of calibrated cameras in two or
-three views, of which no points share a line, has a page of its own. Its degree is the one there:
-what `plprove problem` says.
+Of each problem it has what `plprove list --family` says. The degree of a problem of calibrated
+cameras is the one on its page: what `plprove problem` says.
 """
 
 import csv
@@ -26,36 +25,27 @@ def degree_on_file(row):
     return {"value": int(row["degree"]), "bound": bound, "status": status}
 
 
-def degree_on_page(report):
+def degree_on_page(plprove, row):
+    """The degree that the page of a problem shows; None if it shows none."""
+    report = json.loads(output_of(plprove, "problem", row["notation"], "--json"))
     degree = report.get("degree")
     return degree and {key: degree[key] for key in ("value", "bound", "status")}
 
 
-def report_of_page(plprove, row):
-    """What its own page says of a problem; None if it has no page."""
-    if row["notation"].startswith("projective:"):
-        return None
-    report = json.loads(output_of(plprove, "problem", row["notation"], "--json"))
-    is_general = "cameras" in report
-    return None if is_general else report
-
-
-def member_of(plprove, row):
-    report = report_of_page(plprove, row)
+def member_of(plprove, row, family):
     return {
         "name": row["name"],
         "notation": row["notation"],
         "views": int(row["views"]),
         "minimal": row["minimal"] == "1",
         "reason": row["reason"],
-        "degree": degree_on_page(report) if report else degree_on_file(row),
-        "page": report is not None,
+        "degree": degree_on_page(plprove, row) if family == "plmp" else degree_on_file(row),
     }
 
 
 def main(plprove, family):
     lines = output_of(plprove, "list", "--family", family, "--format", "csv")
-    members = [member_of(plprove, row) for row in csv.DictReader(io.StringIO(lines))]
+    members = [member_of(plprove, row, family) for row in csv.DictReader(io.StringIO(lines))]
     json.dump(members, sys.stdout)
 
 

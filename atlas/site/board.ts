@@ -71,12 +71,10 @@ export class Board {
         panelsOf(drawing).forEach((panel, view) => this.makeClickable(panel, view));
     }
 
-    showNothing(): void {
+    showNothing(words = "Nothing is drawn yet. Add a point or a line."): void {
         this.features = [];
         this.fillTable();
-        this.views.replaceChildren(
-            make("p", { class: "empty" }, "Nothing is drawn yet. Add a point or a line."),
-        );
+        this.views.replaceChildren(make("p", { class: "empty" }, words));
     }
 
     private add(feature: FeatureSights): void {

@@ -40,3 +40,10 @@ export function afterPause(action: () => void, milliseconds = 150): () => void {
         timer = setTimeout(action, milliseconds);
     };
 }
+
+/** Hands the reader a file. */
+export function download(name: string, text: string): void {
+    const address = URL.createObjectURL(new Blob([text], { type: "application/octet-stream" }));
+    make("a", { href: address, download: name }).click();
+    URL.revokeObjectURL(address);
+}

@@ -17,8 +17,6 @@ export interface Member {
     /** Why it is not minimal. */
     reason: string;
     degree: Pick<Degree, "value" | "bound" | "status"> | null;
-    /** Whether it has a page of its own. */
-    page: boolean;
 }
 
 const texts = new Map<string, Promise<string>>();

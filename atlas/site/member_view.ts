@@ -1,8 +1,8 @@
 // A problem of a family in a list: name, notation, verdict, degree, and its certificate.
-import { CheckView } from "./check_view.js";
 import { make, type Child } from "./elements.js";
 import { certificateOf, type Family, type Member } from "./family.js";
 import { degreeInWords, problemLink, statusMark } from "./problem_links.js";
+import { recordView } from "./record_view.js";
 
 /** What the address of a problem has after its `#`: the family, and its place in the list from 1. */
 export function memberId(family: Family, index: number): string {
@@ -18,33 +18,8 @@ function factsOf(member: Member): HTMLElement {
     const facts = make("p", { class: "facts" }, `${member.views} views · `);
     if (member.minimal) facts.append("minimal", ...degreeOf(member));
     else facts.append(`not minimal: ${member.reason}`);
-    if (member.page) facts.append(" · ", problemLink(member.notation, `page of ${member.name}`));
+    facts.append(" · ", problemLink(member.notation, `page of ${member.name}`));
     return facts;
-}
-
-/** The certificate as a file of its own, and a button that checks it. */
-async function certificateView(family: Family, member: Member, id: string): Promise<HTMLElement> {
-    const text = await certificateOf(family, member.notation);
-    const view = new CheckView();
-    const verdict = member.minimal ? "minimal" : "not-minimal";
-    const check = () =>
-        void view.run({
-            options: ["--expect", member.notation, "--verdict", verdict],
-            files: [{ name: `${id}.plc`, bytes: new TextEncoder().encode(text).buffer }],
-        });
-    const label = `Certificate of problem ${id}`;
-    return make(
-        "div",
-        {},
-        make("pre", { class: "output record", tabindex: "0", "aria-label": label }, text),
-        make(
-            "p",
-            { class: "buttons" },
-            make("button", { type: "button", click: check }, "Check this certificate"),
-            make("a", { href: "certs/FORMAT.md" }, "what its lines mean (section 13)"),
-        ),
-        view.element,
-    );
 }
 
 /** Opens with the certificate, which is loaded when it is first wanted. */
@@ -55,7 +30,8 @@ function certificateDetails(family: Family, member: Member, id: string): HTMLEle
         if (!details.open || asked) return;
         asked = true;
         try {
-            details.append(await certificateView(family, member, id));
+            const text = await certificateOf(family, member.notation);
+            details.append(recordView({ text, problem: member.notation, minimal: member.minimal }, id));
         } catch (error) {
             const words = `${String(error)}. Load the page again.`;
             details.append(make("p", { class: "complaint" }, words));

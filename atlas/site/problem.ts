@@ -2,10 +2,18 @@
 import { certificateView } from "./certificate_view.js";
 import { CheckView } from "./check_view.js";
 import { degreeChecks } from "./degree_checks.js";
-import { byId, make } from "./elements.js";
+import { byId, download, make } from "./elements.js";
+import { showGeneralProblem } from "./general_problem.js";
 import { picture } from "./picture.js";
-import { line, problemAddress } from "./problem_links.js";
-import { Complaint, type FileKind, type ProblemAnswer, Prover, type Row } from "./prover.js";
+import { line, problemAddress, problemLink } from "./problem_links.js";
+import {
+    Complaint,
+    type Extension,
+    type FileKind,
+    type ProblemAnswer,
+    Prover,
+    type Row,
+} from "./prover.js";
 import { factRows, facts, hintsView, notation, verdictView } from "./verdict_view.js";
 
 const prover = new Prover();
@@ -15,12 +23,6 @@ const place = byId("problem", HTMLElement);
 function fileName(answer: ProblemAnswer): string {
     const { number, standing } = answer.report;
     return number !== undefined && standing === "member" ? `class-${number}` : "problem";
-}
-
-function download(name: string, text: string): void {
-    const address = URL.createObjectURL(new Blob([text], { type: "application/octet-stream" }));
-    make("a", { href: address, download: name }).click();
-    URL.revokeObjectURL(address);
 }
 
 function downloads(answer: ProblemAnswer): HTMLElement {
@@ -98,10 +100,21 @@ function related(title: string, explanation: string, rows: Row[]): HTMLElement[]
     return parts;
 }
 
+function extensionsView(extensions: Extension[]): HTMLElement[] {
+    if (extensions.length === 0) return [];
+    const items = extensions.map(({ words, problem }) => make("li", {}, problemLink(problem, words)));
+    return [
+        make("h3", {}, `Extensions (${extensions.length})`),
+        make("p", {}, "It stays minimal, with the same degree: the cameras do not feel the change."),
+        make("ul", { class: "plain columns" }, ...items),
+    ];
+}
+
 async function showRelatives(answer: ProblemAnswer, section: HTMLElement): Promise<void> {
     const { report } = answer;
     if (report.hints)
         section.append(make("h3", {}, "What makes it minimal"), hintsView(report.hints));
+    section.append(...extensionsView(answer.extensions));
     if (report.number === undefined) return;
     const { swap, constraint, exchanges } = await prover.relatives(report.number);
     section.append(
@@ -121,6 +134,12 @@ function section(id: string, title: string): HTMLElement {
 
 async function show(spec: string): Promise<void> {
     const answer = await prover.problem(spec);
+    if ("general" in answer) showGeneralProblem(answer, place);
+    else await showProblem(answer, spec);
+    place.dataset.ready = "yes";
+}
+
+async function showProblem(answer: ProblemAnswer, spec: string): Promise<void> {
     const { report } = answer;
     const number =
         report.number !== undefined && report.standing === "member" ? `#${report.number}` : "";
@@ -155,7 +174,6 @@ async function show(spec: string): Promise<void> {
     await showCertificate(answer, certificate);
     await degreeChecks(report, degree);
     await showRelatives(answer, relatives);
-    place.dataset.ready = "yes";
 }
 
 function complain(error: unknown): void {

@@ -64,7 +64,32 @@ export interface ProblemAnswer {
     names: string[];
     features: FeatureSights[];
     explanations: string[];
+    extensions: Extension[];
     picture: string;
+}
+
+/** What may be added to a minimal problem, and the larger problem. */
+export interface Extension {
+    words: string;
+    problem: string;
+}
+
+/** What `plprove problem --json` says of a problem in general: with shared lines, more than three
+ * views, or projective cameras. */
+export interface GeneralReport {
+    problem: string;
+    name: string;
+    cameras: "calibrated" | "projective";
+    views: number;
+    dimensions: { scene: number; cameras: number; images: number };
+    minimal: boolean;
+    reason: string;
+    degree?: Pick<Degree, "value" | "bound" | "status" | "source">;
+}
+
+export interface GeneralAnswer {
+    general: GeneralReport;
+    certificate: string;
 }
 
 export interface Row {
@@ -130,8 +155,8 @@ export class Prover {
         );
     }
 
-    problem(spec: string): Promise<ProblemAnswer> {
-        return this.ask<ProblemAnswer>({ ask: "problem", spec });
+    problem(spec: string): Promise<ProblemAnswer | GeneralAnswer> {
+        return this.ask<ProblemAnswer | GeneralAnswer>({ ask: "problem", spec });
     }
 
     certificate(spec: string): Promise<CertificateAnswer> {

@@ -1,8 +1,9 @@
 // Ask about one problem, in notation or drawn; or search all classes. Both are in the address.
 import { Board } from "./board.js";
 import { afterPause, byId, make, withCommas } from "./elements.js";
+import { generalFacts, generalVerdictView } from "./general_problem.js";
 import { card, line, problemLink } from "./problem_links.js";
-import { Complaint, type ProblemAnswer, Prover } from "./prover.js";
+import { Complaint, type GeneralReport, type ProblemAnswer, Prover } from "./prover.js";
 import { factRows, facts, hintsView, notation, verdictView } from "./verdict_view.js";
 
 const rowsOfPage = 24;
@@ -34,7 +35,9 @@ async function decide(text: string): Promise<void> {
     }
     try {
         const answer = await prover.problem(text);
-        if (question === current) await showAnswer(answer, question);
+        if (question !== current) return;
+        if ("general" in answer) showGeneralAnswer(answer.general);
+        else await showAnswer(answer, question);
     } catch (error) {
         if (question === current) showComplaint(error);
     }
@@ -45,6 +48,18 @@ function showComplaint(error: unknown): void {
         error instanceof Complaint ? error.message : `The program failed: ${String(error)}`;
     spec.setAttribute("aria-invalid", "true");
     answerPlace.replaceChildren(make("p", { class: "complaint" }, words));
+}
+
+/** A problem that the drawing board cannot show. */
+function showGeneralAnswer(report: GeneralReport): void {
+    spec.removeAttribute("aria-invalid");
+    board.showNothing("The board draws what up to three calibrated cameras see of lines with at most one point.");
+    answerPlace.replaceChildren(
+        make("p", { class: "asked" }, notation(report.problem)),
+        generalVerdictView(report),
+        make("p", {}, problemLink(report.problem, "Its page: certificate, check, download")),
+        generalFacts(report),
+    );
 }
 
 async function showAnswer(answer: ProblemAnswer, question: number): Promise<void> {

@@ -20,7 +20,9 @@ private:
 };
 
 /// {"spec": ...}, a problem in any of the ways of parse_spec: what `plprove problem --json` says of
-/// it, its notation, its names, and a picture (SVG). Throws NotationError.
+/// it, its names, what each view sees, what may be added to it, and a picture (SVG). Of a problem
+/// that only general::parse_spec reads: what the program says of it, as `general`, and its
+/// certificate. Throws NotationError.
 Json problem_answer(const Json& request);
 
 /// {"spec": ..., "kind": "svg", "tikz", "macaulay2", "julia" or "certificate"}: the file of that

@@ -1,10 +1,13 @@
 #include "atlas/wasm/answers.h"
 
+#include "prover/classification/extensions.h"
 #include "prover/classification/problem_certificate.h"
+#include "prover/cli/general_report.h"
 #include "prover/cli/problem_facts.h"
 #include "prover/cli/problem_report.h"
 #include "prover/drawing/caption.h"
 #include "prover/drawing/drawing.h"
+#include "prover/general/spec.h"
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
 #include "prover/scripts/scripts.h"
@@ -44,16 +47,35 @@ Json explanations_of(const Reduction& reduction) {
     return words;
 }
 
+/// What may be added to a minimal problem, and the larger problem.
+Json extensions_of(const Decision& decision) {
+    Json rows = Json::array();
+    if (decision.verdict != Verdict::minimal) return rows;
+    for (const Extension& extension : extensions(decision.problem))
+        rows.push_back({{"words", in_words(extension)},
+                        {"problem", notation(extended(decision.problem, extension))}});
+    return rows;
+}
+
+Json answer_in_general(const general::Problem& problem) {
+    const general::Certificate certificate = general::certify(problem);
+    return {{"general", Json::parse(json_report(certificate))},
+            {"certificate", general::write(std::span(&certificate, 1))}};
+}
+
 } // namespace
 
 Json problem_answer(const Json& request) {
-    const Problem problem = parse_spec(request.at("spec").get<std::string>());
+    const std::string spec = request.at("spec");
+    if (const auto problem = general::parse_spec(spec)) return answer_in_general(*problem);
+    const Problem problem = parse_spec(spec);
     const ProblemReport report = report_on(problem);
     return {{"report", Json::parse(json_report(report))},
             {"description", describe(problem)},
             {"names", names_of(problem)},
             {"features", features_of(problem)},
             {"explanations", explanations_of(report.decision.reduction)},
+            {"extensions", extensions_of(report.decision)},
             {"picture", draw_svg(problem)}};
 }
 

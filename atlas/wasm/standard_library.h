@@ -110,6 +110,11 @@ auto max_element(Range&& range, Compare compare = {}, Projection projection = {}
     return std::max_element(std::begin(range), std::end(range), ranges::by(compare, projection));
 }
 
+template <class Range, class Compare = std::less<void>, class Projection = std::identity>
+auto min_element(Range&& range, Compare compare = {}, Projection projection = {}) {
+    return std::min_element(std::begin(range), std::end(range), ranges::by(compare, projection));
+}
+
 template <class Range>
 auto max(Range&& range) {
     return *std::max_element(std::begin(range), std::end(range));
@@ -128,6 +133,17 @@ auto lower_bound(Range&& range, const Value& value, Compare compare = {},
 template <class Range, class Value>
 bool binary_search(Range&& range, const Value& value) {
     return std::binary_search(std::begin(range), std::end(range), value);
+}
+
+template <class Range>
+auto adjacent_find(Range&& range) {
+    return std::adjacent_find(std::begin(range), std::end(range));
+}
+
+template <class First, class Second, class Output>
+void set_intersection(First&& first, Second&& second, Output output) {
+    std::set_intersection(std::begin(first), std::end(first), std::begin(second), std::end(second),
+                          output);
 }
 
 template <class Range, class Output>

@@ -45,6 +45,19 @@ std::string csv_line(const Certificate& certificate) {
     return line;
 }
 
+/// What is on file: `at least 17`.
+std::string in_words(const multiview::DegreeOnFile& degree) {
+    return (degree.bound == "exact" ? "" : "at least ") + std::to_string(degree.degree);
+}
+
+void write_degree(std::ostream& out, const std::string& notation) {
+    section(out, "degree");
+    if (const auto degree = multiview::degree_on_file(notation))
+        out << in_words(*degree) << ' ' << degree->status << ": " << degree->source << '\n';
+    else
+        out << "none on file\n";
+}
+
 } // namespace
 
 std::string text_report(const Certificate& certificate) {
@@ -56,13 +69,15 @@ std::string text_report(const Certificate& certificate) {
     section(out, "verdict") << general::verdict(certificate) << '\n';
     section(out, "");
     write_wrapped(out, general::explanation(certificate));
+    if (general::is_minimal(certificate)) write_degree(out, general::notation(problem));
     return out.str();
 }
 
 std::string json_report(const Certificate& certificate) {
     const general::Problem& problem = certificate.problem;
-    const nlohmann::ordered_json report = {
+    nlohmann::ordered_json report = {
         {"problem", general::notation(problem)},
+        {"name", general::name(problem)},
         {"cameras", model_name(problem)},
         {"views", problem.views},
         {"dimensions",
@@ -70,7 +85,14 @@ std::string json_report(const Certificate& certificate) {
           {"cameras", general::camera_dimension(problem.model, problem.views)},
           {"images", general::dimension_in_views(problem)}}},
         {"verdict", general::verdict(certificate)},
+        {"minimal", general::is_minimal(certificate)},
         {"reason", general::explanation(certificate)}};
+    const auto degree = multiview::degree_on_file(general::notation(problem));
+    if (degree)
+        report["degree"] = {{"value", degree->degree},
+                            {"bound", degree->bound},
+                            {"status", degree->status},
+                            {"source", degree->source}};
     return report.dump(2) + '\n';
 }
 

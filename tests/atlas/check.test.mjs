@@ -51,6 +51,24 @@ test("an obstructed problem's certificate is checked, too", async () => {
     assert.match((await outcomeOf(page)).output, /VERIFIED: .* is obstructed/);
 });
 
+test("a problem of six views is certified and checked on its page", async () => {
+    const page = await atlas.visit("problem.html?p=1021_1");
+    await page.getByRole("button", { name: "Check this certificate" }).click();
+    const { output } = await outcomeOf(page);
+    assert.match(output, /^VERIFIED: Pa\/Pa\/Pa\/Pa\/Pa\/Pa \+ 2\*a\/a\/a\/a\/a\/a is minimal/m);
+    const native = execFileSync(plprove, ["certify", "1021_1"], { encoding: "utf8" });
+    assert.equal(await page.textContent(".record"), native);
+});
+
+test("an extension of a problem stays minimal, of the same class", async () => {
+    const page = await atlas.visit("problem.html?p=2394");
+    await page.waitForSelector("[data-ready]");
+    await page.getByRole("link", { name: "add a/a/-" }).click();
+    await page.waitForSelector("[data-ready]");
+    assert.equal(await textOf(page, "#problem .verdict-word"), "Minimal");
+    assert.match(await textOf(page, "#problem .facts-list"), /#2394 \(it is decided by this class\)/);
+});
+
 test("a degree is certified in the browser, lower and upper bound", async () => {
     const page = await atlas.visit("problem.html?p=4");
     await page.click("#check-degree");

@@ -12,6 +12,8 @@ const pages = {
     "search.html?p=2*Pa/Pa/Pa+%2B+P/P/P": ".card",
     "problem.html?p=2394": "[data-ready]",
     "problem.html?p=P/P/P+%2B+a/a/a+%2B+5*-/P/P+%2B+P/-/P": "[data-ready]",
+    "problem.html?p=1021_1": "[data-ready]",
+    "problem.html?p=projective:+4*PL/PL+%2B+2*P/P": "[data-ready]",
     "problem.html?p=nonsense": ".complaint",
     "paper.html": "#degrees tbody tr",
     "families.html": "#problems li",

@@ -32,6 +32,20 @@ test("a problem that is not minimal comes with what makes it so", async () => {
     assert.match(await page.textContent("#answer"), /What makes it minimal/);
 });
 
+test("problems of any number of views and of projective cameras are decided", async () => {
+    const page = await atlas.visit("search.html");
+    await page.fill("#spec", "projective: 6*P/P/P");
+    await until(page, () => /projective cameras/.test(document.querySelector("#answer").textContent));
+    const answer = await textOf(page, "#answer");
+    assert.match(answer, /Minimal.*3 projective cameras.*scene 18 \+ cameras 18 = images 36.*evidence/s);
+    await page.fill("#spec", "4*PL/PL/PL/PL");
+    await until(page, () => /4 calibrated/.test(document.querySelector("#answer").textContent));
+    assert.match(await textOf(page, "#answer"), /Not minimal.*against images/s);
+    assert.match(await textOf(page, "#board"), /The board draws/);
+    await page.getByRole("link", { name: /Its page/ }).click();
+    assert.equal(await textOf(page, "#problem .asked"), "4*PL/PL/PL/PL");
+});
+
 test("what is no problem is refused with the program's words", async () => {
     const page = await atlas.visit("search.html?p=2*Q/P/P");
     assert.match(await textOf(page, "#answer .complaint"), /column 3/);
