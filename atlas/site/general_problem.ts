@@ -39,11 +39,11 @@ export function generalFacts(report: GeneralReport): HTMLElement {
 
 export function showGeneralProblem(answer: GeneralAnswer, place: HTMLElement): void {
     const { general: report, certificate: text } = answer;
-    const { problem, minimal, cameras } = report;
-    document.title = `${problem} · Atlas of point-line problems`;
+    const { problem, name, minimal, cameras } = report;
+    document.title = `${name} · Atlas of point-line problems`;
     const family = cameras === "projective" ? "projective" : "plmp";
     place.replaceChildren(
-        make("h1", {}, "A problem in general"),
+        make("h1", {}, name),
         make("p", { class: "asked" }, notation(problem)),
         generalVerdictView(report),
         generalFacts(report),
