@@ -11,8 +11,9 @@ namespace {
 
 /// The index of the feature, once its dangling pins are fixed. Throws NotationError.
 std::size_t index_of(const Feature& feature) {
-    const auto signature = signature_of({lifted(feature)});
-    if (feature.views() != 3 || !signature)
+    const bool can_be_lifted = feature.views() == 3 && !reduce_once(feature);
+    const auto signature = can_be_lifted ? signature_of({lifted(feature)}) : std::nullopt;
+    if (!signature)
         throw NotationError(notation(feature) +
                             " is none of the 27 features of label classes: write features of "
                             "certs/FORMAT.md, section 1, such as P/P/P or Pa/Pa/a");
