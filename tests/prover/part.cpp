@@ -134,9 +134,8 @@ TEST_CASE("each class contains itself and its terminal problem, and is contained
 }
 
 TEST_CASE("what is no part of a class is refused with what to write") {
-    for (const char* spec :
-         {"P/P", "a/a/-", "Pabcdefgh/Pabcdefgh/Pabcdefgh", "P/a/- + P/P/P", "5*P/P", "b/a/b",
-          "a/b/a"})
+    for (const char* spec : {"P/P", "a/a/-", "Pabcdefgh/Pabcdefgh/Pabcdefgh", "P/a/- + P/P/P",
+                             "5*P/P", "b/a/b", "a/b/a"})
         CHECK_THROWS_WITH_AS(parse_part(spec), doctest::Contains("none of the 27 features"),
                              NotationError);
     CHECK_THROWS_WITH_AS(parse_part("300*P/P/P"), doctest::Contains("at most 255"), NotationError);
