@@ -4,6 +4,7 @@
 #include "prover/general/notation.h"
 #include "prover/general/validity.h"
 #include "prover/problem/names.h"
+#include "prover/system/words.h"
 
 #include <algorithm>
 #include <charconv>
@@ -44,7 +45,7 @@ public:
 
 private:
     [[noreturn]] void fail(const std::string& expected) const {
-        const std::string rest = text_.substr(position_, 8);
+        const std::string rest = printable(text_.substr(position_, 8), 8);
         throw NotationError("in PLMP's encoding: found " +
                             (rest.empty() ? "the end" : "'" + rest + "'") + ", expected " +
                             expected + ", as in (5,0,{{0,1,3},{0,2,4},{1,2}})");
