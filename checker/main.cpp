@@ -46,6 +46,8 @@ What to print, beside a line for each file and a summary; the last line is the r
 
     --threads N          replay a degree file by so many threads (default: one a core); the report
                          is the same
+    --effort N           refuse a file that takes more effort (default: 100000, a minute or so of one
+                         core; 1000000 is ten minutes)
 
     --version            the version, the format, and what you have to trust for each kind of claim
     --help               this text
@@ -114,13 +116,13 @@ static bool read(const char* path, std::string& bytes) {
 }
 
 static ReplayedFile read_and_replay(const Classification& classes, const char* path,
-                                    std::size_t threads, ProgressBar& bar) {
+                                    const Options& options, ProgressBar& bar) {
     std::string bytes;
     if (!read(path, bytes))
         return {.name = printable(path, 4096), .content = Unreadable{std::strerror(errno)}};
     bar.begin(bytes);
     const Watch watch = [&](const Progress& progress) { bar.update(progress); };
-    ReplayedFile file = replay(classes, path, bytes, {watch, threads});
+    ReplayedFile file = replay(classes, path, bytes, {watch, options.threads, options.effort});
     bar.clear();
     return file;
 }
@@ -141,7 +143,7 @@ static std::vector<ReplayedFile> replay_all(const Classification& classes, const
     ProgressBar bar(size_of(options.paths), !options.quiet && isatty(STDERR_FILENO) == 1);
     std::vector<ReplayedFile> files;
     for (const char* path : options.paths) {
-        files.push_back(read_and_replay(classes, path, options.threads, bar));
+        files.push_back(read_and_replay(classes, path, options, bar));
         std::cerr << complaints(files.back());
         if (told) std::cout << finding(files.back()) << std::flush;
     }

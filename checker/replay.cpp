@@ -17,8 +17,8 @@ static FileContent replay_certificates(const Classification& classes, std::strin
     if (kind == "classification") return replay_classification(reader, classes);
     if (kind == "problem") return replay_problem(reader, classes);
     if (kind == "degrees") return replay_degrees(reader, classes, execution);
-    if (kind == "bounds") return replay_bounds(reader, execution.watch);
-    if (kind == "problems") return general::replay_problems(reader);
+    if (kind == "bounds") return replay_bounds(reader, execution);
+    if (kind == "problems") return general::replay_problems(reader, execution);
     throw Malformed{{1, say("found `", printable(kind, 40), "`, expected `classification`, ",
                             "`problem`, `problems`, `degrees` or `bounds`")}};
 }

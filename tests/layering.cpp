@@ -25,12 +25,13 @@ const Folders classification_tier{"file", "algebra", "problem", "classification"
 /// these includes what only presents: paper, report, command. What follows from several files needs
 /// all claims, and replay.h, which is in no folder.
 const std::map<std::string, Folders> other_claims{
+    {"effort", {}},
     {"verdict", {}},
-    {"degrees", {}},
-    {"bounds", {"degrees"}},
+    {"degrees", {"effort"}},
+    {"bounds", {"effort", "degrees"}},
     {"counts", {}},
     {"digests", {}},
-    {"general", {}},
+    {"general", {"effort"}},
     {"conclusion", {"verdict", "degrees", "bounds", "counts", "digests", "general", ""}}};
 
 /// The folders of prover/, from the bottom to the top.

@@ -147,20 +147,23 @@ static void check_template(const Template& given) {
     if (minor != given.minor) throw Refused("the minor is ", minor.value, " modulo q");
 }
 
-BoundsFile replay_bounds(Reader& reader, const Watch& watch) {
+BoundsFile replay_bounds(Reader& reader, const Execution& execution) try {
+    constexpr std::uint64_t effort_of_a_template = 600;
     BoundsFile file;
     reader.take(say("modulus ", modulus, " $"));
     Progress progress;
+    Effort effort(execution.effort);
     while (!reader.at_end()) {
         const std::size_t line = reader.line();
         const Template given = read_template(reader);
         ++progress.records;
         progress.line = line;
-        watch(progress);
+        execution.watch(progress);
         try {
             if (file.refusals.count >= most_refusals)
                 throw Refused("not replayed, as ", most_refusals,
                               " templates are refused before it");
+            effort.spend(effort_of_a_template, line);
             check_template(given);
             ++file.templates;
             add_bound(file.bounds, type_of(given.constraints), given.basis.size());
@@ -169,5 +172,7 @@ BoundsFile replay_bounds(Reader& reader, const Watch& watch) {
         }
     }
     return file;
+} catch (const TooMuchEffort& too_much) {
+    return {.refusals = too_much.refusals()};
 }
 } // namespace checker

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "checker/bounds/constraints.h"
-#include "checker/degrees/progress.h"
+#include "checker/effort/execution.h"
 
 #include <map>
 
@@ -19,7 +19,7 @@ struct BoundsFile {
 };
 
 /// Replays a file after its first line. Throws Malformed.
-BoundsFile replay_bounds(Reader& reader, const Watch& watch);
+BoundsFile replay_bounds(Reader& reader, const Execution& execution);
 
 /// Adds a bound, unless there is a smaller one of the type.
 inline void add_bound(RegistrationBounds& bounds, const Registration& type, std::size_t bound) {

@@ -42,6 +42,14 @@ static std::size_t parse_threads(std::string_view text) {
     return *threads;
 }
 
+static std::uint64_t parse_effort(std::string_view text) {
+    const auto effort = parse_number(text);
+    if (!effort)
+        throw WrongUsage{say("--effort ", printable(text, 40),
+                             " is no effort; write a number, like --effort 1000000")};
+    return *effort;
+}
+
 /// Whether the argument is this option, which has a value.
 static bool is(std::string_view argument, std::string_view option) {
     return argument.substr(0, argument.find('=')) == option;
@@ -69,6 +77,8 @@ static void take_option(Arguments& arguments, Options& options, ExpectedWords& e
         set(expected.degree, "--degree", arguments.value_of(option));
     else if (is(option, "--threads"))
         options.threads = parse_threads(arguments.value_of(option));
+    else if (is(option, "--effort"))
+        options.effort = parse_effort(arguments.value_of(option));
     else if (is(option, "--family"))
         set(expected.family, "--family", arguments.value_of(option));
     else if (option == "--version" || option == "--help" || option == "-h")

@@ -11,6 +11,7 @@ struct Options {
     bool quiet = false;                              // the last line only
     bool table = false, errata = false, why = false; // details
     std::size_t threads = 0;                         // that replay a file
+    std::uint64_t effort = usual_effort;             // that a file may take
     Expectation expectation{};
     std::vector<const char*> paths{};
 };

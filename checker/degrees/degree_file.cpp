@@ -117,6 +117,13 @@ static CameraSystem system_of(const DegreeRecord& record, const Classification& 
     return system;
 }
 
+/// The effort of a proof: numbers of twice as many bits, and more steps, take four times as much.
+static std::uint64_t effort_of(const Proof& proof) {
+    const auto* box = std::get_if<Box>(&proof);
+    if (!box || box->tries == 1) return 1;
+    return box->tries == 2 ? 4 : 16;
+}
+
 /// A box with one solution, and the line of its starting values.
 struct Found {
     Box box;
@@ -156,8 +163,10 @@ private:
 /// refused, the others are only read.
 class RecordReplay {
 public:
-    RecordReplay(Reader& reader, DegreeFile& file, const Execution& execution, Progress& progress)
-        : reader_(reader), file_(file), execution_(execution), progress_(progress) {}
+    RecordReplay(Reader& reader, DegreeFile& file, const Execution& execution, Progress& progress,
+                 Effort& effort)
+        : reader_(reader), file_(file), execution_(execution), progress_(progress),
+          effort_(effort) {}
 
     void run(const DegreeRecord& record, const Classification& classes) {
         ++progress_.records;
@@ -172,6 +181,7 @@ public:
                 const auto proofs = certify_all(system, starts, execution_.threads);
                 for (std::size_t i = 0; i < starts.size(); ++i) {
                     line = starts[i].line;
+                    effort_.spend(effort_of(proofs[i]), line);
                     proved.add(starts[i], proofs[i]);
                     ++progress_.solutions;
                     execution_.watch({line, progress_.records, progress_.solutions});
@@ -210,23 +220,27 @@ private:
     DegreeFile& file_;
     const Execution& execution_;
     Progress& progress_;
+    Effort& effort_;
 };
 
 DegreeFile replay_degrees(Reader& reader, const Classification& classes,
-                          const Execution& execution) {
+                          const Execution& execution) try {
     DegreeFile file;
     if (!has_arb) {
         file.refusals.add(reader.line(), "this plcheck was built without Arb");
         return file;
     }
     Progress progress;
+    Effort effort(execution.effort);
     for (std::size_t due = 0; !reader.at_end();) {
         const DegreeRecord record = read_record(reader);
         if (record.number < due)
             throw Malformed{{record.line, say("class ", record.number, ": is out of order")}};
         due = record.number + 1;
-        RecordReplay(reader, file, execution, progress).run(record, classes);
+        RecordReplay(reader, file, execution, progress, effort).run(record, classes);
     }
     return file;
+} catch (const TooMuchEffort& too_much) {
+    return {.refusals = too_much.refusals()};
 }
 } // namespace checker

@@ -1,7 +1,7 @@
 // Degree files (FORMAT.md, section 9): so many cameras explain the images of a class, with proof.
 #pragma once
 
-#include "checker/degrees/progress.h"
+#include "checker/effort/execution.h"
 #include "checker/file/reader.h"
 #include "checker/problem/classes.h"
 

@@ -126,8 +126,14 @@ Box certify(const CameraSystem& system, const ApproximateSolution& start) {
     const CameraCoordinates<Complex> z = refine_by_newton(system, start);
     Box box;
     std::string_view reason = Krawczyk<64>(system, z, start.real).prove(2, box);
-    if (!reason.empty()) reason = Krawczyk<128>(system, z, start.real).prove(6, box);
-    if (!reason.empty()) reason = Krawczyk<256>(system, z, start.real).prove(9, box);
+    if (!reason.empty()) {
+        reason = Krawczyk<128>(system, z, start.real).prove(6, box);
+        box.tries = 2;
+    }
+    if (!reason.empty()) {
+        reason = Krawczyk<256>(system, z, start.real).prove(9, box);
+        box.tries = 3;
+    }
     if (!reason.empty()) throw Refused(reason);
     return box;
 }

@@ -21,6 +21,7 @@ struct ApproximateSolution {
 struct Box {
     std::array<double, 2 * camera_unknowns> low{};
     std::array<double, 2 * camera_unknowns> high{};
+    unsigned tries = 1; // of proving something of it: each takes longer than the one before
 
     bool meets(const Box& other) const {
         for (std::size_t i = 0; i < low.size(); ++i)

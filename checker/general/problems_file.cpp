@@ -23,14 +23,31 @@ static std::size_t size_of(const Classes& classes) {
     return size;
 }
 
-ProblemsFile replay_problems(Reader& reader) {
+/// How many coordinates there are.
+static std::size_t size_of(const Placement& placement) {
+    std::size_t size = placement.scene.size();
+    for (const Numbers& camera : placement.cameras)
+        size += camera.size();
+    return size;
+}
+
+/// The effort of a record: that of elimination grows with the cube of the size of J.
+static std::uint64_t effort_of(const Record& record) {
+    const auto* minor = std::get_if<MinorClaim>(&record.claim);
+    const std::uint64_t size = minor ? size_of(minor->placement) : 0;
+    return 10 + size * size * size / 200'000;
+}
+
+ProblemsFile replay_problems(Reader& reader, const Execution& execution) try {
     ProblemsFile file{.family = read_family(reader)};
+    Effort effort(execution.effort);
     reader.take(say("modulus ", modulus, " $"));
     const bool has_family = !file.family.empty();
     const Classes classes = has_family ? family(file.family) : Classes{};
     std::set<const Problem*> decided; // classes of the family
     do {
         const Record record = read_record(reader);
+        effort.spend(effort_of(record), record.line);
         const auto& [notation, problem] = record.problem;
         try {
             const Problem* of_family = has_family ? find(classes, problem) : nullptr;
@@ -48,5 +65,7 @@ ProblemsFile replay_problems(Reader& reader) {
         file.refusals.add(reader.line(), say("the family ", file.family, " has ", file.missing,
                                              " more problems; each needs a record that holds"));
     return file;
+} catch (const TooMuchEffort& too_much) {
+    return {.refusals = too_much.refusals()};
 }
 } // namespace checker::general

@@ -1,6 +1,7 @@
 // Files of problems (FORMAT.md, section 13): single problems, or all of a family.
 #pragma once
 
+#include "checker/effort/execution.h"
 #include "checker/file/reader.h"
 #include "checker/general/problem.h"
 
@@ -21,5 +22,5 @@ struct ProblemsFile {
 };
 
 /// Replays a file after its first line. Throws Malformed.
-ProblemsFile replay_problems(Reader& reader);
+ProblemsFile replay_problems(Reader& reader, const Execution& execution);
 } // namespace checker::general

@@ -188,6 +188,8 @@ TEST_CASE("an option among the files, or a file named like one, never gives stat
                                   "--threads 0 chicago.plc",
                                   "--threads 2000 chicago.plc",
                                   "--threads many chicago.plc",
+                                  "--effort 0 chicago.plc",
+                                  "--effort much chicago.plc",
                                   "--expect P/P/P --verdict 'over-constrained x' chicago.plc",
                                   "--expect P/P/P --degree '>312' chicago.plc",
                                   "--expect P/P/P --degree 0x10 chicago.plc",
@@ -201,6 +203,7 @@ TEST_CASE("an option among the files, or a file named like one, never gives stat
         CHECK(lines_of(outcome.err).size() == 1);
     }
     CHECK(folder.check("--threads 3 chicago.plc").status == 0);
+    CHECK(folder.check("--effort 1000000 chicago.plc").status == 0);
     CHECK(folder.check("--version").status == 0);
     CHECK(folder.check("--help").status == 0);
     folder.write("--version", "hello\n");

@@ -355,6 +355,36 @@ TEST_CASE("many flawed templates or records of degrees are refused soon") {
     refused_bytes(records, 1, "2: refused: class 4: the images must be");
 }
 
+TEST_CASE("what takes long is refused soon, even if nothing in it is flawed") {
+    const std::string too_much = ": refused: from here on the file takes more effort than allowed";
+    const std::string problems = "plcert 2 problems\nmodulus 2305843009213693951\n";
+    refused_pipe("printf '" + problems + "'; yes 'problem 100*Pa/a\nunbalanced' | head -c 67000000",
+                 1, "/dev/stdin:20003" + too_much);
+    // 97 points with a pin that leave the cameras alone: J has 563 rows.
+    const std::string many_rows = "problem 3*P/P/P/P/P/P/P/P/P/P/P/P + a/a/a/-/-/-/-/-/-/-/-/- + "
+                                  "97*Pa/a/-/-/-/-/-/-/-/-/-/-\nminimal 1\n" +
+                                  [] {
+                                      std::string lines;
+                                      for (int camera = 1; camera <= 11; ++camera)
+                                          lines +=
+                                              "camera 1 2 3 " + std::to_string(camera) + " 5 6 7\n";
+                                      lines += "scene";
+                                      for (int i = 0; i < 597; ++i)
+                                          lines += " " + std::to_string(i * i % 97);
+                                      return lines + "\n";
+                                  }();
+    std::string records = problems;
+    for (int i = 0; i < 1000; ++i)
+        records += many_rows;
+    refused_bytes(records, 1, std::to_string(3 + 14 * 64) + too_much);
+    const std::string archive = read_file(SOURCE_DIR "/certs/bounds.plc");
+    const std::size_t start = archive.find("\ntemplate ") + 1;
+    std::string templates = archive;
+    for (int i = 0; i < 500; ++i)
+        templates += archive.substr(start);
+    refused_bytes(templates, 1, "");
+}
+
 TEST_CASE("many small files, and lists of a million digests, stay within the memory") {
     const TemporaryFolder folder;
     write_file(folder / "bounds.plc", "plcert 2 bounds\nmodulus 2305843009213693951\n");

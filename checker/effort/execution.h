@@ -1,0 +1,60 @@
+// How a file is replayed: how much effort it may take, by how many threads, and who is told how far
+// it is. A file that takes more effort proves nothing; else what it proves depends on none of this.
+#pragma once
+
+#include "checker/file/complaint.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace checker {
+struct Progress {
+    std::size_t line = 0;      // of the file
+    std::size_t records = 0;   // begun
+    std::size_t solutions = 0; // proved
+};
+
+/// After so many refused records the rest of a file is not replayed, but refused: what is wrong
+/// takes no longer than that.
+inline constexpr std::size_t most_refusals = 100;
+
+/// Is told so after each solution, or each template.
+using Watch = std::function<void(const Progress&)>;
+
+/// The effort of a minute or so; FORMAT.md, section 6, says what takes how much.
+inline constexpr std::uint64_t usual_effort = 100'000;
+
+struct Execution {
+    Watch watch = [](const Progress&) {};
+    std::size_t threads = 1;             // that prove solutions side by side
+    std::uint64_t effort = usual_effort; // that a file may take
+};
+
+/// Thrown where a file takes more effort than it may.
+struct TooMuchEffort {
+    std::size_t line = 0;
+
+    /// What is said instead of all else.
+    Refusals refusals() const {
+        Refusals all;
+        all.add(line, "from here on the file takes more effort than allowed, so nothing of it "
+                      "counts: split it between records, or raise --effort");
+        return all;
+    }
+};
+
+/// The effort that is left.
+class Effort {
+public:
+    explicit Effort(std::uint64_t most) : left_(most) {}
+
+    /// Throws TooMuchEffort, with the line, if so much is not left.
+    void spend(std::uint64_t effort, std::size_t line) {
+        if (effort > left_) throw TooMuchEffort{line};
+        left_ -= effort;
+    }
+
+private:
+    std::uint64_t left_;
+};
+} // namespace checker
