@@ -134,6 +134,7 @@ public:
     explicit Builder(Problem start) : problem_(std::move(start)) {}
 
     void add(const WrittenFeature& feature) {
+        refuse_too_many(problem_);
         const std::map<char, ViewSet> letters = seen_letters(feature);
         const ViewSet seen = seen_point(feature);
         if (feature.unseen.point && seen != 0)
@@ -209,11 +210,6 @@ private:
     std::map<char, std::size_t> shared_;
 };
 
-void refuse_too_many(const Problem& problem) {
-    if (problem.points.size() > most_points || problem.lines.size() > most_lines)
-        throw NotationError("a problem has at most 100 points and 100 lines: leave some out");
-}
-
 } // namespace
 
 Problem parse(std::string_view text) {
@@ -240,7 +236,6 @@ Problem parse(std::string_view text) {
     } while (cursor.take('+'));
     if (!cursor.at_end()) cursor.fail("'+' or the end");
     Problem problem = builder->take();
-    refuse_too_many(problem);
     refuse_invalid(problem);
     return *in_order_of_construction(problem);
 }

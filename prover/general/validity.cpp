@@ -49,7 +49,13 @@ void refuse_unseen_point(const Problem& problem, int point) {
 
 } // namespace
 
+void refuse_too_many(const Problem& problem) {
+    if (problem.points.size() > most_points || problem.lines.size() > most_lines)
+        throw NotationError("a problem has at most 100 points and 100 lines: leave some out");
+}
+
 void refuse_invalid(const Problem& problem) {
+    refuse_too_many(problem);
     for (std::size_t i = 0; i < problem.lines.size(); ++i)
         for (std::size_t j = i + 1; j < problem.lines.size(); ++j)
             refuse_common_points(problem.lines[i], problem.lines[j]);

@@ -159,8 +159,9 @@ TEST_CASE("PLMP's encoding and names") {
     CHECK_FALSE(general::parse_spec("9999_9"));
     CHECK_FALSE(general::parse_spec("Chicago"));
     CHECK_FALSE(general::parse_spec("2*Pa/Pa/Pa + P/P/P"));
-    for (const char* wrong : {"(5,0,{{0,5}})", "(5,0", "(5,0,{}) x", "(0,0,{},3)", "(5,0,{{0,0}})",
-                              "(4,0,{})", "(3,0,{{0,1},{1,0}},3)", "(1,1,{},1)"}) {
+    for (const char* wrong :
+         {"(5,0,{{0,5}})", "(5,0", "(5,0,{}) x", "(0,0,{},3)", "(5,0,{{0,0}})", "(4,0,{})",
+          "(3,0,{{0,1},{1,0}},3)", "(1,1,{},1)", "(5,100,{{0,4},{0,2}},3)"}) {
         CAPTURE(wrong);
         CHECK_THROWS_AS(general::parse_spec(wrong), NotationError);
     }
