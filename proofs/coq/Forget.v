@@ -12,6 +12,11 @@ Unset Printing Implicit Defensive.
 
 Implicit Types (f : feature) (c : selection).
 
+(** A point that all views see with all its pins; [final]: that, or one of the 27 features. *)
+Definition full f := ~~ free f && all (fun v => sees_point f v && (size (sees_pins f v) == pins f)) views.
+Definition final f := (index_of f < 27) || full f.
+(** Nothing has no parameters. *)
+Definition space f := if nothing f then 0 else dim3 f.
 Definition seen_by f v := let n := size (sees_pins f v) in if sees_point f v then 2 + n else 2 * n.
 Lemma dim2E f : dim2 f = seen_by f V1 + seen_by f V2 + seen_by f V3.
 Proof. by rewrite /dim2 /= addn0 addnA. Qed.

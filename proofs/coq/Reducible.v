@@ -1,7 +1,7 @@
 (** * Reducible problems: definitions, and what is proved of them
 
-    A problem is reduced if nothing can be forgotten that images can lift. By [reduction], problems of the 27 features
-    are reduced. *)
+    A problem is reduced if nothing can be forgotten that images can lift. By [reduction], a minimal problem is reduced
+    if and only if it consists of the 27 features: Theorem 3 of the paper. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From SsrMultinomials Require Import mpoly.
 From PL1P Require Import Statement.
@@ -62,15 +62,7 @@ End Reduced.
 
 (** ** What is proved *)
 Definition known (A : problem) := all (fun f => index_of f < 27) A.
-(** A point that all views see with all its pins; [final]: that, or one of the 27 features. *)
-Definition full f := ~~ free f && all (fun v => sees_point f v && (size (sees_pins f v) == pins f)) views.
-Definition final f := (index_of f < 27) || full f.
-(** Nothing has no parameters. *)
-Definition space f := if nothing f then 0 else dim3 f.
-(** A problem of the 27 features is reduced. Of a feature that is not final, something can be
-    forgotten that takes at least as many degrees of freedom from space as from the images. *)
-Definition reduction : Prop :=
-  (forall F : fieldType, [char F]%R =i pred0 ->
-     forall A, is_problem A -> known A -> reduced F A) /\
-  (forall f, proper f -> ~~ final f -> exists2 c, feasible f c && ~~ whole f c &
-     dim2 f + space (keep f c) <= dim2 (keep f c) + dim3 f).
+(** A minimal problem that is reduced consists of the 27 features. All problems of the 27 features
+    are reduced. *)
+Definition reduction : Prop := forall F : fieldType, [char F]%R =i pred0 ->
+  forall A, is_problem A -> (known A -> reduced F A) /\ (minimal F A -> reduced F A -> known A).

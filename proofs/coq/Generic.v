@@ -1,0 +1,113 @@
+(** * At generic parameters no denominator is zero
+
+    A polynomial in the parameters is not zero if it is not zero at one point: all cameras are [1 | t], a point is
+    (0, 0, 1) and its pins have direction (2, 0, 1). *)
+From mathcomp Require Import all_ssreflect all_algebra.
+From mathcomp.algebra_tactics Require Import ring.
+From SsrMultinomials Require Import mpoly.
+From PL1P Require Import Statement Reducible.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+Import GRing.Theory.
+Local Open Scope ring_scope.
+
+Section Natural.
+Variables (R R' : idomainType) (g : {rmorphism R -> R'}).
+Definition gvec (u : vec R) := @Vec R' (g (x1 u)) (g (x2 u)) (g (x3 u)).
+Definition gcamera (C : camera R) := let: Camera (Quat a b c d) t := C in
+  Camera (@Quat R' (g a) (g b) (g c) (g d)) (gvec t).
+Lemma gturn C u : gvec (turn C u) = turn (gcamera C) (gvec u).
+Proof.
+case: C => [[a b c d] t]; rewrite /turn /rot /gvec /dot /=.
+by rewrite !(rmorphB, rmorphD, rmorphM, rmorphMn, rmorphX).
+Qed.
+Lemma gproject C u : gvec (project C u) = project (gcamera C) (gvec u).
+Proof. by rewrite /project -gturn; case: C => [[a b c d] t]; rewrite /gvec /= !rmorphD. Qed.
+Lemma gnormal C u d : gvec (normal C u d) = normal (gcamera C) (gvec u) (gvec d).
+Proof. by rewrite /normal -gproject -gturn /cross /gvec /= !rmorphB !rmorphM. Qed.
+Variables (x : nat -> R) (x' : nat -> R').
+Hypothesis gx : forall k, x' k = g (x k).
+Lemma gcameras v : cameras_at R' x' v = gcamera (cameras_at R x v).
+Proof. by case: v; rewrite /= /gvec /= ?(rmorph0, rmorph1) // -!gx. Qed.
+End Natural.
+
+Section Generic.
+Variables (F : fieldType) (n o : nat) (f : feature).
+Hypothesis char0 : [char F] =i pred0.
+Notation K := [fieldType of {fraction {mpoly F[n]}}].
+Notation P := [idomainType of {mpoly F[n]}].
+Hypothesis o11 : (11 <= o)%N.
+Hypothesis room : (o + dim3 f <= n)%N.
+Hypothesis nf : free f = false.
+Let to : {rmorphism P -> K} := [rmorphism of @FracField.tofrac _].
+Definition xP k : P := if insub k is Some i then 'X_i else 0.
+Lemma genericE k : generic F n k = to (xP k).
+Proof. by rewrite /generic /xP; case: insub => // ; rewrite rmorph0. Qed.
+(** The point, in terms of the number of a parameter. *)
+Definition value_at k : F := if (k < o)%N then 0 else let i := (k - o)%N in
+  if i == 2%N then 1 else if odd i && (2 < i)%N then 2%:R else 0.
+Let ev : {rmorphism P -> F} := [rmorphism of meval (fun i : 'I_n => value_at i)].
+Lemma evE k : (k < n)%N -> ev (xP k) = value_at k.
+Proof. by move=> kn; rewrite /xP insubT /= mevalXU. Qed.
+Definition xF k : F := ev (xP k).
+Let own (R : idomainType) (x : nat -> R) k := x (o + k)%N.
+
+Lemma small_F k : (k < 11)%N -> xF k = 0.
+Proof. by move=> h; rewrite /xF evE /value_at ?(leq_trans h o11) //; apply: leq_trans room; rewrite ltn_addr // (leq_trans h). Qed.
+Lemma own_F k : (k < dim3 f)%N -> xF (o + k) = if k == 2%N then 1 else if odd k && (2 < k)%N then 2%:R else 0.
+Proof.
+move=> h; rewrite /xF evE ?(leq_trans _ room) ?ltn_add2l // /value_at ltnNge leq_addr /=.
+by rewrite addKn.
+Qed.
+
+Lemma nonzero (p : P) : ev p != 0 -> to p != 0.
+Proof. by apply: contraNneq => /eqP; rewrite tofrac_eq0 => /eqP ->; rewrite rmorph0. Qed.
+
+Let CF v := cameras_at F xF v.
+Let XF := point_at f (own xF).
+Lemma XF_E : XF = @Vec F 0 0 1.
+Proof. by rewrite /XF /point_at nf /own !own_F // /dim3 nf. Qed.
+Lemma dF_E j : (j < pins f)%N -> dir_at f (own xF) j = @Vec F 2%:R 0 1.
+Proof.
+move=> jp; have h : ((3 + 2 * j).+1 < dim3 f)%N.
+  by rewrite /dim3 nf -addnS ltn_add2l -[(2 * j).+2]/(2 + 2 * j)%N -mulnS leq_mul2l.
+rewrite /dir_at nf /own -addnS !own_F //; last exact: ltn_trans h.
+by rewrite !addnS !addSn !add0n /= mul2n odd_double.
+Qed.
+
+Lemma turn_F v u : turn (CF v) u = u.
+Proof.
+have q : quat_of (CF v) = @Quat F 1 0 0 0 by rewrite /CF; case: v; rewrite /= ?small_F.
+by rewrite /turn q; case: u => a b e; rewrite /rot /dot /=; congr Vec; ring.
+Qed.
+
+Lemma generic_point v : x3 (project (cameras_at K (generic F n) v) (point_at f (own (generic F n)))) != 0.
+Proof.
+have e (x : nat -> P) (R' : idomainType) (g : {rmorphism P -> R'}) x' : (forall k, x' k = g (x k)) ->
+    x3 (project (cameras_at R' x' v) (point_at f (own x'))) = g (x3 (project (cameras_at P x v) (point_at f (own x)))).
+  move=> gx; rewrite (gcameras gx).
+  have -> : point_at f (own x') = gvec g (point_at f (own x)) by rewrite /gvec /point_at nf /own /= -!gx.
+  by rewrite -gproject.
+rewrite (e _ _ _ _ genericE); apply: nonzero; rewrite -(e _ _ ev xF (fun=> erefl)).
+rewrite /project turn_F -/XF XF_E; case: v {e}; rewrite /= ?small_F // addr0; exact: oner_neq0.
+Qed.
+
+Lemma generic_line v j : (j < pins f)%N ->
+  x2 (normal (cameras_at K (generic F n) v) (point_at f (own (generic F n))) (dir_at f (own (generic F n)) j)) != 0.
+Proof.
+move=> jp; have e (x : nat -> P) (R' : idomainType) (g : {rmorphism P -> R'}) x' : (forall k, x' k = g (x k)) ->
+    x2 (normal (cameras_at R' x' v) (point_at f (own x')) (dir_at f (own x') j)) =
+    g (x2 (normal (cameras_at P x v) (point_at f (own x)) (dir_at f (own x) j))).
+  move=> gx; rewrite (gcameras gx).
+  have -> : point_at f (own x') = gvec g (point_at f (own x)) by rewrite /gvec /point_at nf /own /= -!gx.
+  have -> : dir_at f (own x') j = gvec g (dir_at f (own x) j) by rewrite /gvec /dir_at nf /own /= -!gx rmorph1.
+  by rewrite -gnormal.
+rewrite (e _ _ _ _ genericE); apply: nonzero; rewrite -(e _ _ ev xF (fun=> erefl)).
+have two : 2%:R != 0 :> F by have /charf0P -> := char0.
+rewrite /normal /project !turn_F -/XF XF_E dF_E //; case: v {e}; rewrite /cross /= ?small_F //.
+- by rewrite !addr0 mul1r mul0r subr0.
+- by rewrite addr0 add0r !mul1r -[2%:R]/(1 + 1) addrK oner_neq0.
+- by rewrite !addr0 mul1r mul0r subr0.
+Qed.
+End Generic.
