@@ -45,6 +45,7 @@ struct SolveRequest {
     std::string certificate;
     std::string example;
     bool json = false;
+    SolveOptions options;
 };
 
 Solver solver_for(const SolveRequest& request, const Problem& problem) {
@@ -64,7 +65,7 @@ Answer solve_and_certify(const SolveRequest& request, const Solver& solver,
         throw BadInput("certificates are for problems in three views: solve without --certify");
     const IntegerImages integers = integer_images(solver.plan(), solver.system(), consistent);
     Answer answer =
-        solver.solve(rounded(report.images, consistent), unit_vectors(integers), SolveOptions{});
+        solver.solve(rounded(report.images, consistent), unit_vectors(integers), request.options);
     const DegreeCertificate certificate =
         certify_images(solver.start(), solver.system(), integers, answer.zeros);
     if (certificate.solutions.empty())
@@ -86,7 +87,7 @@ int solve_images(const SolveRequest& request, const Deliver& deliver) {
     const Solver solver = solver_for(request, problem);
     report.number = solver.plan().number;
     if (request.certificate.empty())
-        report.answer = solver.solve(rounded(report.images, images), SolveOptions{});
+        report.answer = solver.solve(rounded(report.images, images), request.options);
     else
         report.answer = solve_and_certify(request, solver, images, deliver, report);
     deliver(request.path, request.json ? json_report(report) : text_report(report));
@@ -128,6 +129,10 @@ Command add_solve_command(CLI::App& program, const Deliver& deliver) {
                     "write images of a synthetic scene: Chicago, Cleveland, five-point, or any "
                     "problem")
         ->type_name("NAME");
+    app->add_option("--threads", request->options.search.threads,
+                    "how many threads share the work; the answer is the same")
+        ->check(CLI::Range(1U, 256U))
+        ->capture_default_str();
     app->footer(solve_examples);
     return {app, [request, deliver] { return run_solve(*request, deliver); }};
 }

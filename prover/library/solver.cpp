@@ -105,7 +105,8 @@ Result<Answer> Solver::solve(const Images& images, const Options& options) const
         const plprove::MovedImages moved =
             plprove::seen_images(content_->solver.plan().problem, images);
         plprove::SolveOptions how;
-        how.effort = options.quick ? plprove::Effort::once : plprove::Effort::thorough;
+        how.search.effort = options.quick ? plprove::Effort::once : plprove::Effort::thorough;
+        how.search.threads = options.threads;
         how.complex = false;
         how.conditions = options.conditions;
         const plprove::Answer found = content_->solver.solve(moved.images, how);

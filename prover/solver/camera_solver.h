@@ -1,8 +1,10 @@
-// All solutions for the cameras, for given images of a label class: by parameter homotopy. Paths
-// lead from the solutions of a start to those of the given images.
+// All solutions for the cameras, for given images of a label class. Extensions of the five-point
+// problem are solved by elimination templates, others by parameter homotopy: paths lead from the
+// solutions of a start to those of the given images.
 #pragma once
 
 #include "prover/degree/path_follower.h"
+#include "prover/solver/extension.h"
 #include "prover/solver/start.h"
 
 #include <Eigen/Core>
@@ -23,6 +25,15 @@ struct FoundCameras {
 /// are lost.
 enum class Effort { once, thorough };
 
+struct SearchOptions {
+    Effort effort = Effort::thorough;
+    /// Whether extensions of the five-point problem are solved by elimination templates
+    /// (extension.h), and by paths only where these lose solutions.
+    bool templates = true;
+    /// How many threads share the work. The result does not depend on it.
+    unsigned threads = 1;
+};
+
 class CameraSolver {
 public:
     explicit CameraSolver(Start start);
@@ -30,7 +41,8 @@ public:
     /// The solutions for real images, one vector of length 1 for each free vector of system(), to
     /// 13 digits. May be called by several threads at once. The same result for
     /// the same images.
-    FoundCameras solve(const std::vector<Eigen::Vector3d>& images, Effort effort) const;
+    FoundCameras solve(const std::vector<Eigen::Vector3d>& images,
+                       const SearchOptions& options) const;
 
     const CameraSystem& system() const { return system_; }
     const Start& start() const { return start_; }
@@ -38,9 +50,16 @@ public:
 private:
     class Search;
 
+    /// Adds what templates find to the search, or what paths find; returns the steps of the paths.
+    void register_cameras(const std::vector<Eigen::Vector3d>& images, const SearchOptions& options,
+                          Search& search) const;
+    std::uint64_t follow_paths(const Images& images, const SearchOptions& options,
+                               Search& search) const;
+
     Start start_;
     CameraSystem system_;
     TrackedSystem tracked_;
+    std::optional<ExtensionSolver> extension_;
 };
 
 } // namespace plprove

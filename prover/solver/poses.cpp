@@ -21,6 +21,31 @@ Eigen::Vector3cd centre(const ComplexPose& pose) {
     return -pose.R.transpose() * pose.t;
 }
 
+/// A quaternion of the rotation: a column of the products of its coordinates, the largest one.
+std::array<Complex, 4> quaternion(const Eigen::Matrix3cd& R) {
+    Eigen::Matrix4cd products;
+    products << 1.0 + R.trace(), R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1), //
+        0, 1.0 + R(0, 0) - R(1, 1) - R(2, 2), R(0, 1) + R(1, 0), R(0, 2) + R(2, 0),       //
+        0, 0, 1.0 - R(0, 0) + R(1, 1) - R(2, 2), R(1, 2) + R(2, 1),                       //
+        0, 0, 0, 1.0 - R(0, 0) - R(1, 1) + R(2, 2);
+    products.triangularView<Eigen::StrictlyLower>() = products.transpose();
+    Eigen::Index largest = 0;
+    products.diagonal().cwiseAbs().maxCoeff(&largest);
+    const Eigen::Vector4cd q = products.col(largest).normalized();
+    return {q[0], q[1], q[2], q[3]};
+}
+
+/// The same cameras in the frame of the first one: X = R_1^T (Y - t_1).
+std::vector<ComplexPose> in_first_frame(std::vector<ComplexPose> poses) {
+    const ComplexPose first = poses[0];
+    for (ComplexPose& pose : poses) {
+        pose.R = (pose.R * first.R.transpose()).eval();
+        pose.t = (pose.t - pose.R * first.t).eval();
+    }
+    poses[0] = {};
+    return poses;
+}
+
 } // namespace
 
 void fix_scale(std::vector<ComplexPose>& poses) {
@@ -41,6 +66,17 @@ std::vector<ComplexPose> poses_of(const QuaternionCameras& cameras) {
     }
     fix_scale(poses);
     return poses;
+}
+
+QuaternionCameras quaternion_cameras(const std::vector<ComplexPose>& poses) {
+    const std::vector<ComplexPose> framed = in_first_frame(poses);
+    QuaternionCameras result;
+    for (std::size_t v = 0; v < 2; ++v) {
+        result.quaternion[v] = quaternion(framed[v + 1].R);
+        const Eigen::Vector3cd c = centre(framed[v + 1]);
+        result.centre[v] = {c[0], c[1], c[2]};
+    }
+    return result;
 }
 
 bool are_real(const std::vector<ComplexPose>& poses) {
@@ -76,13 +112,7 @@ std::vector<ComplexPose> in_problem_order(const std::vector<ComplexPose>& poses,
     std::vector<ComplexPose> ordered(poses.size());
     for (std::size_t v = 0; v < poses.size(); ++v)
         ordered[static_cast<std::size_t>(view_of[v])] = poses[v];
-    // The frame of the first camera: X = R_1^T (Y - t_1).
-    const ComplexPose first = ordered[0];
-    for (ComplexPose& pose : ordered) {
-        pose.R = (pose.R * first.R.transpose()).eval();
-        pose.t = (pose.t - pose.R * first.t).eval();
-    }
-    ordered[0] = {};
+    ordered = in_first_frame(std::move(ordered));
     fix_scale(ordered);
     return ordered;
 }

@@ -11,6 +11,9 @@ namespace plprove {
 /// the largest coordinate of the second centre positive.
 std::vector<ComplexPose> poses_of(const QuaternionCameras& cameras);
 
+/// The other way: quaternions and centres in the frame of camera 1, in any unit of length.
+QuaternionCameras quaternion_cameras(const std::vector<ComplexPose>& poses);
+
 /// Whether the cameras are real, up to rounding.
 bool are_real(const std::vector<ComplexPose>& poses);
 

@@ -75,7 +75,7 @@ Answer Solver::solve(const SeenImages& images, const SolveOptions& options) cons
 
 Answer Solver::solve(const SeenImages& images, const std::vector<Eigen::Vector3d>& class_images,
                      const SolveOptions& options) const {
-    const FoundCameras found = cameras_->solve(class_images, options.effort);
+    const FoundCameras found = cameras_->solve(class_images, options.search);
     Answer answer;
     answer.degree = degree();
     answer.found = static_cast<int>(found.cameras.size());

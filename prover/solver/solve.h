@@ -28,7 +28,7 @@ struct Answer {
 };
 
 struct SolveOptions {
-    Effort effort = Effort::thorough;
+    SearchOptions search;
     bool complex = true;    ///< also reconstruct the solutions that are not real
     bool conditions = true; ///< also estimate the conditions of those that are
 };

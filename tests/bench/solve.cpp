@@ -1,16 +1,19 @@
 // How many solutions are found for how many images, and in which time.
 //
-// Usage: bench_solve PROBLEM INSTANCES [quick]
+// Usage: bench_solve PROBLEM INSTANCES [quick] [paths] [threads=N]
+//
+// `paths` follows paths where there is a template.
 //
 // Images are of two kinds: of synthetic scenes, which look like photos and have a known answer; and
-// random directions, which have none. Prints one line for each kind, and for how long the engine of
-// `plprove degree` takes to follow as many paths.
+// random directions, which have none. Prints one line for each kind, and how long the engine of
+// `plprove degree` takes to follow as many paths, and how many it loses.
 #include "prover/solver/solve.h"
 #include "prover/degree/path_follower.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/synthetic.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -28,7 +31,8 @@ struct Figures {
     long found = 0;
     int whole = 0; ///< instances without a lost solution
     int with_truth = 0;
-    std::vector<double> milliseconds;
+    std::vector<double> milliseconds; ///< of processor time
+    std::vector<double> wall;         ///< until the answer is there
 };
 
 /// The value below which this share of the values is.
@@ -54,7 +58,8 @@ bool has_truth(const Answer& answer, const SyntheticScene& scene) {
     });
 }
 
-/// Of this thread: what else the machine does hardly matters.
+/// Of this thread: what else the machine does hardly matters. With several threads, that of the one
+/// that waits for the others.
 double processor_milliseconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -64,13 +69,17 @@ double processor_milliseconds() {
 /// Runs and times `solve`, and adds what it found.
 Answer timed(Figures& figures, const std::function<Answer()>& solve) {
     const double begin = processor_milliseconds();
+    const auto wall_begin = std::chrono::steady_clock::now();
     Answer answer = solve();
+    const std::chrono::duration<double, std::milli> wall =
+        std::chrono::steady_clock::now() - wall_begin;
     const double end = processor_milliseconds();
     ++figures.instances;
     figures.degree += answer.degree;
     figures.found += answer.found;
     figures.whole += answer.lost == 0;
     figures.milliseconds.push_back(end - begin);
+    figures.wall.push_back(wall.count());
     return answer;
 }
 
@@ -101,24 +110,43 @@ Figures of_random_images(const Solver& solver, int instances, const SolveOptions
     return figures;
 }
 
-/// The median time in which the engine of `plprove degree` follows as many paths, between random
-/// complex images.
-double median_of_engine(const Solver& solver, int instances) {
+struct EngineFigures {
+    std::vector<double> milliseconds; ///< for the paths once, in doubles
+    std::uint64_t paths = 0;
+    std::uint64_t lost = 0; ///< with twice the digits and on detours, too
+};
+
+/// The engine of `plprove degree` follows as many paths, between random complex images.
+EngineFigures of_engine(const Solver& solver, int instances) {
     const Start& start = solver.start();
     const TrackedSystem tracked = tracked_system(solver.system(), start.chart);
+    const auto moving = [&](const Images& from, const Images& to) {
+        return moving_images(solver.system(), start.constants, from, to);
+    };
     Random random(2, 0);
-    std::vector<double> milliseconds;
+    EngineFigures figures;
     for (int i = 0; i < instances; ++i) {
         Images to;
         for (std::size_t k = 0; k < start.images.size(); ++k)
             to.push_back(unit(random.complex3()));
-        const auto moving = moving_images(solver.system(), start.constants, start.images, to);
+        const auto detour = [&] {
+            const Images middle = detour_midpoint(start.images, to, random);
+            return std::array{moving(start.images, middle), moving(middle, to)};
+        };
+        const TrackedImages straight = moving(start.images, to);
         PathFollower follower(tracked);
         const double begin = processor_milliseconds();
-        follower.follow_quickly(moving, start.solutions);
-        milliseconds.push_back(processor_milliseconds() - begin);
+        auto ends = follower.follow_quickly(straight, start.solutions);
+        figures.milliseconds.push_back(processor_milliseconds() - begin);
+        fill(ends, start.solutions,
+             [&](const auto& open) { return follower.follow_double_double(straight, open); });
+        fill(ends, start.solutions, [&](const auto& open) {
+            return follower.follow_detours({detour(), detour}, open);
+        });
+        figures.paths += start.solutions.size();
+        figures.lost += without_end(start.solutions, ends).first.size();
     }
-    return at(milliseconds, 0.5);
+    return figures;
 }
 
 void print(const char* kind, const Figures& figures, bool truth) {
@@ -127,28 +155,43 @@ void print(const char* kind, const Figures& figures, bool truth) {
                 100.0 * static_cast<double>(figures.found) / static_cast<double>(figures.degree),
                 figures.whole);
     if (truth) std::printf("; the true cameras in %d", figures.with_truth);
-    std::printf("; median %.3g ms of processor time, 9 of 10 below %.3g ms\n",
-                at(figures.milliseconds, 0.5), at(figures.milliseconds, 0.9));
+    std::printf("; median %.3g ms of processor time, 9 of 10 below %.3g ms; %.3g ms by the clock\n",
+                at(figures.milliseconds, 0.5), at(figures.milliseconds, 0.9),
+                at(figures.wall, 0.5));
+}
+
+SearchOptions search_options(const std::vector<std::string_view>& words) {
+    SearchOptions options;
+    for (const std::string_view word : words) {
+        if (word == "quick") options.effort = Effort::once;
+        if (word == "paths") options.templates = false;
+        if (word.starts_with("threads="))
+            options.threads = static_cast<unsigned>(std::max(1, std::atoi(word.data() + 8)));
+    }
+    return options;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        std::fputs("usage: bench_solve PROBLEM INSTANCES [quick]\n", stderr);
+        std::fputs("usage: bench_solve PROBLEM INSTANCES [quick] [paths] [threads=N]\n", stderr);
         return 3;
     }
     const Solver solver = make_solver(parse_spec(argv[1]));
     const int instances = std::max(1, std::atoi(argv[2]));
-    const bool quick = argc > 3 && std::string_view(argv[3]) == "quick";
-    const SolveOptions options{quick ? Effort::once : Effort::thorough, false, false};
+    const SolveOptions options{search_options({argv + 3, argv + argc}), false, false};
     print("scenes", of_scenes(solver, instances, options), true);
     if (solver.plan().number) {
         const Figures random = of_random_images(solver, instances, options);
         print("random images", random, false);
-        const double engine = median_of_engine(solver, instances);
-        std::printf("%-14s %.3g ms for as many paths: random images take %.2f times as long\n",
-                    "engine", engine, at(random.milliseconds, 0.5) / engine);
+        const EngineFigures figures = of_engine(solver, instances);
+        const double engine = at(figures.milliseconds, 0.5);
+        std::printf("%-14s %.3g ms for as many paths: random images take %.2f times as long; "
+                    "%llu of %llu paths lost\n",
+                    "engine", engine, at(random.milliseconds, 0.5) / engine,
+                    static_cast<unsigned long long>(figures.lost),
+                    static_cast<unsigned long long>(figures.paths));
     }
     return 0;
 }

@@ -73,10 +73,13 @@ TEST_CASE("the examples have all solutions, and the starts are kept") {
     CHECK(std::filesystem::exists(session / ".cache/pointline/6722.start"));
 }
 
-TEST_CASE("real solutions come first, then those with fewer points in front") {
+TEST_CASE("real solutions come first, then those with fewer points in front; by any number of "
+          "threads") {
     const Session session;
     session.plprove("solve --example Chicago -o images.json");
     session.plprove("solve 2394 images.json --json -o answer.json");
+    session.plprove("solve 2394 images.json --json --threads 3 -o by_threads.json");
+    CHECK(read_file(session / "by_threads.json") == read_file(session / "answer.json"));
     const Json solutions = session.json("answer.json")["solutions"];
     for (std::size_t i = 1; i < solutions.size(); ++i) {
         const Json &before = solutions[i - 1], &after = solutions[i];

@@ -91,6 +91,8 @@ struct Options {
     /// solution is lost.
     bool quick = false;
     bool conditions = false; ///< estimate conditions
+    /// How many threads share the work for one answer, which does not depend on it.
+    unsigned threads = 1;
 };
 
 class Solver {
@@ -103,7 +105,7 @@ public:
 
     Result<Answer> solve(const Images& images, const Options& options = {}) const noexcept;
     /// The answers to many images, in their order, by so many threads, or fewer if the system does
-    /// not give so many. Empty if there is no memory for it.
+    /// not give so many: this is faster than to share each answer. Empty if there is no memory for it.
     std::vector<Result<Answer>> solve(std::span<const Images> images, const Options& options,
                                       unsigned threads) const noexcept;
 
