@@ -21,6 +21,7 @@ static constexpr std::string_view help = R"(usage: plcheck [OPTION]... [--] FILE
     plcheck problem.plc                replay the verdict on one problem
     plcheck certs/plmp.plc             replay the verdicts on a family of problems, and count them
     plcheck degrees.plc                certify that classes have at least so many solutions
+    plcheck certs/solutions/plmp.plc   the same, of problems in general
     plcheck classification.plc degrees.plc
                                        the same; add upper bounds by theorem
     plcheck classification.plc bounds.plc degrees.plc
@@ -74,6 +75,8 @@ one problem           file, algebra, problem, classification, verdict;
 problems in general   file, algebra, general; proofs/families.md
 at least n solutions  file, algebra, problem, degrees; Arb (FLINT);
                       proofs/classification.md, problems.md and degrees.md
+... in general        file, algebra, problem, degrees, general, general_degrees; Arb (FLINT);
+                      proofs/degrees.md and families.md
 at most n solutions   all of the classification, degrees and bounds; proofs/upper_bounds.md
 ... by theorem        also the table bounds/theorems.h; the proofs that upper_bounds.md names; for
                       Theorem U17, FLINT and what proofs/computations/two_points.cpp prints

@@ -19,8 +19,9 @@ static FileContent replay_certificates(const Classification& classes, std::strin
     if (kind == "degrees") return replay_degrees(reader, classes, execution);
     if (kind == "bounds") return replay_bounds(reader, execution);
     if (kind == "problems") return general::replay_problems(reader, execution);
+    if (kind == "solutions") return general::replay_solutions(reader, execution);
     throw Malformed{{1, say("found `", printable(kind, 40), "`, expected `classification`, ",
-                            "`problem`, `problems`, `degrees` or `bounds`")}};
+                            "`problem`, `problems`, `solutions`, `degrees` or `bounds`")}};
 }
 
 static FileContent replay_content(const Classification& classes, std::string_view bytes,

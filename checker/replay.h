@@ -6,6 +6,7 @@
 #include "checker/degrees/degree_file.h"
 #include "checker/digests/digest_list.h"
 #include "checker/general/problems_file.h"
+#include "checker/general_degrees/solutions_file.h"
 #include "checker/verdict/problem_file.h"
 
 #include <variant>
@@ -17,8 +18,9 @@ struct Unreadable {
 };
 
 /// What a file proves. Malformed: it does not conform to FORMAT.md, and proves nothing.
-using FileContent = std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile,
-                                 DigestList, general::ProblemsFile, Unreadable>;
+using FileContent =
+    std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile, DigestList,
+                 general::ProblemsFile, general::SolutionsFile, Unreadable>;
 
 struct ReplayedFile {
     std::string name{}; // printable

@@ -32,7 +32,9 @@ const std::map<std::string, Folders> other_claims{
     {"counts", {}},
     {"digests", {}},
     {"general", {"effort"}},
-    {"conclusion", {"verdict", "degrees", "bounds", "counts", "digests", "general", ""}}};
+    {"general_degrees", {"effort", "general", "degrees"}},
+    {"conclusion",
+     {"verdict", "degrees", "bounds", "counts", "digests", "general", "general_degrees", ""}}};
 
 /// The folders of prover/, from the bottom to the top.
 const Folders layers{"system",         "format", "problem", "geometry",  "general",

@@ -193,8 +193,9 @@ struct KnownDegree {
     std::string source{}; // in words, whose degree it is; empty if the files do not say
 };
 
-static KnownDegree degree_of(const Classification& classes, const Findings& findings,
-                             const Proved& proved, unsigned views) {
+/// What class or relative poses say of the degree.
+static KnownDegree degree_of_class(const Classification& classes, const Findings& findings,
+                                   const Proved& proved, unsigned views) {
     if (views == 2 && implies(proved.verdict, "camera-minimal")) {
         BoundFiles files = files_of_bounds(classes, findings, Signature{});
         files.lower.insert(files.lower.end(), files.upper.begin(), files.upper.end());
@@ -207,9 +208,25 @@ static KnownDegree degree_of(const Classification& classes, const Findings& find
             say("its degree is that of label class ", *proved.number, ", ", notation(signature))};
 }
 
+/// The same, with the lower bound of a file of solutions if this is larger.
+static KnownDegree degree_of(const Classification& classes, const Findings& findings,
+                             const Proved& proved, const ExpectedProblem& expected) {
+    KnownDegree known = degree_of_class(classes, findings, proved, expected.problem.views);
+    if (!expected.in_general) return known;
+    const CountedInGeneral counted = count_in_general(findings, *expected.in_general);
+    if (counted.solutions <= known.bounds.at_least) return known;
+    known.bounds.at_least = counted.solutions;
+    known.files.lower = {counted.file};
+    if (known.source.empty()) known.source = "its solutions are counted by " + counted.file;
+    return known;
+}
+
 /// Judges the degree: adds the steps, returns what is missing.
-static std::string judge_degree(Judgement& judgement, const KnownDegree& known,
+static std::string judge_degree(Judgement& judgement, const KnownDegree& known, bool in_general,
                                 const ExpectedDegree& expected) {
+    if (known.source.empty() && in_general)
+        return "no file bounds its degree from below; add a file of solutions, which plprove "
+               "degree PROBLEM -o FILE writes";
     if (known.source.empty())
         return "these files do not say to which class it reduces; add its certificate, which "
                "plprove problem PROBLEM --certificate FILE writes";
@@ -247,8 +264,8 @@ Judgement judge(const Classification& classes, const Findings& findings,
     const bool judges_degree = gap.empty() && expected.degree;
     if (judges_degree && !proved.file.empty()) add_file(judgement, proved.file);
     if (judges_degree)
-        gap = judge_degree(judgement, degree_of(classes, findings, proved, expected.problem.views),
-                           *expected.degree);
+        gap = judge_degree(judgement, degree_of(classes, findings, proved, expected),
+                           expected.problem.views == 0, *expected.degree);
     judgement.verified = gap.empty();
     judgement.statement = in_words(expected);
     if (!gap.empty()) judgement.statement += ": " + gap;

@@ -10,6 +10,8 @@ const Refusals& refusals_of(const ReplayedFile& file) {
     if (const auto* content = std::get_if<BoundsFile>(&file.content)) return content->refusals;
     if (const auto* content = std::get_if<general::ProblemsFile>(&file.content))
         return content->refusals;
+    if (const auto* content = std::get_if<general::SolutionsFile>(&file.content))
+        return content->refusals;
     return none;
 }
 
@@ -66,6 +68,8 @@ static bool has_records(const ReplayedFile& file) {
     if (const auto* content = std::get_if<DegreeFile>(&file.content))
         return !content->bounds.empty();
     if (const auto* content = std::get_if<BoundsFile>(&file.content)) return content->templates > 0;
+    if (const auto* content = std::get_if<general::SolutionsFile>(&file.content))
+        return !content->counts.empty();
     return true;
 }
 

@@ -17,30 +17,43 @@ general::Problem parse_general_problem(std::string_view notation) {
     return general::read_notation(reader).problem;
 }
 
-/// The files of problems that count.
-static std::vector<const ReplayedFile*> files_of_problems(const Findings& findings) {
+/// The files of a kind that count.
+template <class Kind> static std::vector<const ReplayedFile*> files_of(const Findings& findings) {
     std::vector<const ReplayedFile*> files;
     for (std::size_t i = 0; i < findings.files.size(); ++i) {
         const ReplayedFile& file = findings.files[i];
-        const bool of_problems = std::holds_alternative<general::ProblemsFile>(file.content);
-        if (of_problems && findings.counts(i)) files.push_back(&file);
+        if (std::holds_alternative<Kind>(file.content) && findings.counts(i))
+            files.push_back(&file);
     }
     return files;
 }
 
+static bool same(const general::Problem& a, const general::Problem& b) {
+    return general::invariant(a) == general::invariant(b) && general::isomorphic(a, b);
+}
+
 std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
                                                 const general::Problem& problem) {
-    const general::Invariant own = general::invariant(problem);
-    for (const ReplayedFile* file : files_of_problems(findings))
+    for (const ReplayedFile* file : files_of<general::ProblemsFile>(findings))
         for (const auto& [notation, other, minimal] :
              std::get<general::ProblemsFile>(file->content).verdicts)
-            if (general::invariant(other) == own && general::isomorphic(problem, other))
-                return ProvedInGeneral{minimal, file->name};
+            if (same(problem, other)) return ProvedInGeneral{minimal, file->name};
+    const CountedInGeneral counted = count_in_general(findings, problem);
+    if (counted.solutions > 0) return ProvedInGeneral{true, counted.file};
     return std::nullopt;
 }
 
+CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem) {
+    CountedInGeneral most;
+    for (const ReplayedFile* file : files_of<general::SolutionsFile>(findings))
+        for (const auto& [notation, other, solutions] :
+             std::get<general::SolutionsFile>(file->content).counts)
+            if (solutions > most.solutions && same(problem, other)) most = {solutions, file->name};
+    return most;
+}
+
 const ReplayedFile* file_of_family(const Findings& findings, std::string_view family) {
-    for (const ReplayedFile* file : files_of_problems(findings)) {
+    for (const ReplayedFile* file : files_of<general::ProblemsFile>(findings)) {
         const auto& content = std::get<general::ProblemsFile>(file->content);
         if (content.family == family && content.missing == 0) return file;
     }

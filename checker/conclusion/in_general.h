@@ -13,9 +13,19 @@ struct ProvedInGeneral {
     std::string file{};
 };
 
-/// Finds the problem, by whatever names of its points and lines; none if no record is about it.
+/// Finds the problem, by whatever names of its points and lines, among verdicts or solutions; none
+/// if no record is about it.
 std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
                                                 const general::Problem& problem);
+
+/// So many solutions a problem has at least, and the file that proves it.
+struct CountedInGeneral {
+    std::size_t solutions = 0;
+    std::string file{};
+};
+
+/// The most that any record counts; 0 if none is about the problem.
+CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem);
 
 /// The file that has all problems of a family; null if none does.
 const ReplayedFile* file_of_family(const Findings& findings, std::string_view family);

@@ -63,10 +63,12 @@ inline double magnitude(acb_srcptr x) {
     return result;
 }
 
-/// A matrix of balls, with as many rows as there are camera coordinates.
+/// A matrix of balls.
 class BallMatrix {
 public:
-    explicit BallMatrix(slong columns) { acb_mat_init(entries_, camera_unknowns, columns); }
+    BallMatrix(std::size_t rows, std::size_t columns) {
+        acb_mat_init(entries_, slong(rows), slong(columns));
+    }
     BallMatrix(const BallMatrix&) = delete;
     BallMatrix& operator=(const BallMatrix&) = delete;
     ~BallMatrix() { acb_mat_clear(entries_); }

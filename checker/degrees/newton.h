@@ -12,10 +12,10 @@ namespace checker {
 using Complex = std::complex<double>;
 
 /// Linear equations: rows of coefficients, with the right side last.
-using LinearEquations = std::array<std::array<Complex, camera_unknowns + 1>, camera_unknowns>;
+using LinearEquations = std::vector<std::vector<Complex>>;
 
 /// Solves linear equations by elimination; garbage if it cannot.
-inline CameraCoordinates<Complex> solve(LinearEquations m) {
+inline std::vector<Complex> solve(LinearEquations m) {
     for (std::size_t c = 0; c < m.size(); ++c) {
         const auto size = [&](const auto& row) { return std::norm(row[c]); };
         const auto rest = m.begin() + std::ptrdiff_t(c);
@@ -27,30 +27,29 @@ inline CameraCoordinates<Complex> solve(LinearEquations m) {
                 m[r][k] -= factor * m[c][k];
         }
     }
-    CameraCoordinates<Complex> solution;
+    std::vector<Complex> solution(m.size());
     for (std::size_t i = 0; i < m.size(); ++i)
         solution[i] = m[i].back() / m[i][i];
     return solution;
 }
 
 /// Newton's equations for the next change, at a point.
-inline LinearEquations newton_equations(const CameraSystem& system,
-                                        const CameraCoordinates<Complex>& z) {
-    LinearEquations equations;
-    BackProjections<Complex> space;
-    back_project(system, z, space);
-    for (std::size_t e = 0; e < equations.size(); ++e) {
-        CameraCoordinates<Complex> row;
-        equations[e].back() = evaluate(system, system.equations[e], space, row);
-        std::copy(row.begin(), row.end(), equations[e].begin());
+template <class Equations>
+LinearEquations newton_equations(Equations& equations, const std::vector<Complex>& z) {
+    LinearEquations result;
+    equations.move_to(z);
+    for (std::size_t e = 0; e < z.size(); ++e) {
+        std::vector<Complex>& row = result.emplace_back(z.size());
+        row.push_back(equations.equation(e, row));
     }
-    return equations;
+    return result;
 }
 
 /// Where at most eight Newton steps lead from the starting values.
-inline CameraCoordinates<Complex> refine_by_newton(const CameraSystem& system,
-                                                   const ApproximateSolution& start) {
-    CameraCoordinates<Complex> z;
+template <template <class> class At, class System>
+std::vector<Complex> refine_by_newton(const System& system, const ApproximateSolution& start) {
+    At<Complex> equations(system);
+    std::vector<Complex> z(start.coordinates.size());
     const double unit = std::ldexp(1.0, -start.bits);
     for (std::size_t i = 0; i < z.size(); ++i) {
         const auto& [real, imaginary] = start.coordinates[i];
@@ -58,7 +57,7 @@ inline CameraCoordinates<Complex> refine_by_newton(const CameraSystem& system,
     }
     double relative = 1; // size of the last step
     for (int step = 0; step < 8 && relative > 1e-10; ++step) {
-        const CameraCoordinates<Complex> change = solve(newton_equations(system, z));
+        const std::vector<Complex> change = solve(newton_equations(equations, z));
         relative = 0;
         for (std::size_t i = 0; i < z.size(); ++i) {
             z[i] -= start.real ? change[i].real() : change[i];

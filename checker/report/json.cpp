@@ -97,6 +97,14 @@ static std::string members(const general::ProblemsFile& file) {
                ", \"problems\": ", array_of(items));
 }
 
+static std::string members(const general::SolutionsFile& file) {
+    std::vector<std::string> items;
+    for (const auto& [notation, problem, solutions] : file.counts)
+        items.push_back(say("{\"problem\": ", json_string(notation),
+                            ", \"certified_at_least\": ", solutions, "}"));
+    return ", \"solutions\": " + array_of(items);
+}
+
 static std::string members(const DigestList& list) {
     return say(", \"digests\": ", list.files.size());
 }

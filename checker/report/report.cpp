@@ -2,8 +2,9 @@
 
 namespace checker {
 std::string_view kind_of(const ReplayedFile& file) {
-    constexpr std::array<std::string_view, 8> kinds{
-        "", "classification", "problem", "degrees", "bounds", "digests", "problems", ""};
+    constexpr std::array<std::string_view, 9> kinds{"",         "classification", "problem",
+                                                    "degrees",  "bounds",         "digests",
+                                                    "problems", "solutions",      ""};
     static_assert(kinds.size() == std::variant_size_v<FileContent>);
     return kinds[file.content.index()];
 }
@@ -81,6 +82,7 @@ struct Proofs {
     std::string problem{}; // the last one, with its verdict
     std::vector<std::string> families{};
     LowerBound bound{}; // the last one
+    std::vector<general::SolutionCount> counts{};
     std::vector<std::string> files{};
 };
 
@@ -111,6 +113,8 @@ static Proofs proofs_of(const Findings& findings) {
             proofs.records += file->bounds.size();
             proofs.bound = file->bounds.back();
         }
+        if (const auto* file = std::get_if<general::SolutionsFile>(&content))
+            proofs.counts.insert(proofs.counts.end(), file->counts.begin(), file->counts.end());
         if (const auto* file = std::get_if<BoundsFile>(&content))
             proofs.templates += file->templates;
         if (!std::holds_alternative<DigestList>(content)) proofs.files.push_back(name);
@@ -136,6 +140,12 @@ static std::string statement_of(const Report& report, const Proofs& proofs) {
                             proofs.bound.number));
     if (proofs.records > 1)
         parts.push_back(say("lower bounds of the degrees of ", proofs.records, " classes"));
+    if (proofs.counts.size() == 1)
+        parts.push_back(say("at least ", counted(proofs.counts[0].solutions, "solution"), " of ",
+                            proofs.counts[0].notation));
+    if (proofs.counts.size() > 1)
+        parts.push_back(
+            say("lower bounds of the degrees of ", proofs.counts.size(), " problems in general"));
     if (!report.exact.empty())
         parts.push_back(say("the exact degrees of ", report.exact.size(),
                             report.exact.size() == 1 ? " label class" : " label classes"));
@@ -158,6 +168,8 @@ static std::string_view argument_for(const ReplayedFile& file) {
         return "each minor leaves only the basis: proofs/upper_bounds.md";
     if (std::holds_alternative<general::ProblemsFile>(file.content))
         return "each record has a minor that is not 0, or conditions on images: proofs/families.md";
+    if (std::holds_alternative<general::SolutionsFile>(file.content))
+        return "each solution has a box of its own that holds one zero: proofs/families.md";
     return "its digests are those of the files given";
 }
 

@@ -41,11 +41,12 @@ Report summarize(const Classification& classes, std::vector<ReplayedFile> files,
 std::string_view kind_of(const ReplayedFile& file);
 
 // A report in parts, each of whole lines. The first two are told as soon as a file is replayed.
-std::string finding(const ReplayedFile& file);    // what it proves
-std::string complaints(const ReplayedFile& file); // what is refused, a line each
-std::string objections(const Report& report);     // what is refused because of other files
-std::string summary(const Report& report);        // fits a screen
-std::string table(const Report& report);          // all bounds, counts and degrees
+std::string finding(const ReplayedFile& file);      // what it proves
+std::string complaints(const ReplayedFile& file);   // what is refused, a line each
+std::string lower_bounds(const ReplayedFile& file); // of degrees, each after a line feed
+std::string objections(const Report& report);       // what is refused because of other files
+std::string summary(const Report& report);          // fits a screen
+std::string table(const Report& report);            // all bounds, counts and degrees
 std::string errata(const Report& report); // each count that differs from the paper, with a witness
 std::string why(const Report& report);    // the steps of the judgement
 std::string conclusion(const Report& report); // one line: VERIFIED or NOT VERIFIED, and what

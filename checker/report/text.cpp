@@ -8,68 +8,6 @@ static std::string counted(std::size_t number, std::string_view thing) {
     return say(number, ' ', thing, number == 1 ? "" : "s");
 }
 
-/// So many of these hold, so many are refused.
-static std::string held(std::size_t number, std::string_view thing, std::size_t refused) {
-    return say(counted(number, thing), number == 1 ? " holds, " : " hold, ", refused, " refused");
-}
-
-static std::string in_words(const Malformed&) {
-    return "not a certificate file";
-}
-
-static std::string in_words(const Unreadable&) {
-    return "cannot be read";
-}
-
-static std::string in_words(const ClassificationFile& file) {
-    return held(file.verdicts.size(), "certificate", file.refusals.count);
-}
-
-static std::string in_words(const ProblemFile& file) {
-    if (file.verdict.empty()) return "refused";
-    const std::string number = file.of_class ? say(", class ", file.of_class->number) : "";
-    return say("certified ", file.verdict, number, ": ", file.problem);
-}
-
-static std::string in_words(const LowerBound& bound) {
-    return say("\n- class ", bound.number, ": certified to have at least ",
-               counted(bound.solutions, "solution"),
-               "; evidence that there are no more: ", bound.complete ? "yes" : "none");
-}
-
-static std::string in_words(const DegreeFile& file) {
-    constexpr std::size_t most_lines = 3;
-    std::string text = held(file.bounds.size(), "degree record", file.refusals.count);
-    if (file.bounds.size() > most_lines) return text;
-    for (const LowerBound& bound : file.bounds)
-        text += in_words(bound);
-    return text;
-}
-
-static std::string in_words(const BoundsFile& file) {
-    return held(file.templates, "template", file.refusals.count);
-}
-
-static std::string in_words(const general::Verdict& verdict) {
-    return say(verdict.notation, verdict.minimal ? " is minimal" : " is not minimal");
-}
-
-static std::string in_words(const DigestList& list) {
-    return "a list of " + counted(list.files.size(), "digest");
-}
-
-static std::string in_words(const general::ProblemsFile& file) {
-    std::string text = held(file.verdicts.size(), "certificate", file.refusals.count);
-    if (file.verdicts.size() == 1) text += say(": ", in_words(file.verdicts[0]));
-    if (file.missing > 0) text += say("; the family has ", file.missing, " more problems");
-    return text;
-}
-
-std::string finding(const ReplayedFile& file) {
-    const auto what = [](const auto& content) { return in_words(content); };
-    return say(file.name, ": ", std::visit(what, file.content), '\n');
-}
-
 std::string complaints(const ReplayedFile& file) {
     std::string result;
     if (const auto* unreadable = std::get_if<Unreadable>(&file.content))
@@ -280,13 +218,10 @@ static std::string table_of_degrees(const Report& report) {
 
 std::string table(const Report& report) {
     std::string result;
-    for (const ReplayedFile& file : report.findings.files)
-        if (const auto* degrees = std::get_if<DegreeFile>(&file.content)) {
-            result += '\n' + file.name + ':';
-            for (const LowerBound& bound : degrees->bounds)
-                result += in_words(bound);
-            result += '\n';
-        }
+    for (const ReplayedFile& file : report.findings.files) {
+        const std::string bounds = lower_bounds(file);
+        if (!bounds.empty()) result += '\n' + file.name + ':' + bounds + '\n';
+    }
     if (!report.upper_bounds.empty()) result += '\n' + table_of_upper_bounds(report);
     result += '\n' + table_of_counts(report.claims);
     if (!report.degrees.empty()) result += '\n' + table_of_degrees(report);

@@ -57,7 +57,7 @@ With a C++20 compiler, GMP (https://gmplib.org) and FLINT with Arb (https://flin
 folder:
 
     c++ -std=c++20 -O2 -DPLC_ARB -I. checker/*.cpp checker/*/*.cpp -lflint-arb -lflint -lgmpxx -lgmp -o plcheck
-    ./plcheck certs/*.plc certs/degrees/*.plc
+    ./plcheck certs/*.plc certs/degrees/*.plc certs/solutions/*.plc
 
 The first line builds the checker. FLINT 3 has Arb inside: leave out -lflint-arb. The second line
 replays every certificate, in about a minute. It prints what they prove, and exits with 0 if all of

@@ -32,7 +32,7 @@ constexpr const char* degree_examples =
     "  plprove degree 2394 --at-least 312 -o chicago.plc\n"
     "                                               a certificate of 312 solutions, no more\n"
     "  plprove degree five-point -o five.plc        two views, with the help of a third\n"
-    "  plprove degree 'projective: 7*P/P'           projective cameras, any number of views\n";
+    "  plprove degree 'projective: 7*P/P' -o f.plc  projective cameras, any number of views\n";
 
 /// The problem's decision. Throws BadInput where it has no degree that can be computed.
 Decision decided(const std::string& spec) {
@@ -71,11 +71,13 @@ DegreeReport computed(const Decision& decision, std::size_t number, DegreeOption
 
 int find_degree_in_general(const DegreeRequest& request, const general::Problem& problem,
                            const Deliver& deliver) {
-    if (!request.path.empty() || request.options.at_least > 0)
-        throw BadInput("degrees of " + general::notation(problem) +
-                       " have no certificates yet: leave -o and --at-least out");
+    if (request.options.at_least > 0)
+        throw BadInput("--at-least is for at most three calibrated views and one point on a line: "
+                       "use --target for " +
+                       general::notation(problem));
     return find_multiview_degree(
-        problem, {request.options.seed, request.options.target, request.json}, deliver);
+        problem, {request.options.seed, request.options.target, request.path, request.json},
+        deliver);
 }
 
 int find_degree(const DegreeRequest& request, const Deliver& deliver,

@@ -3,7 +3,7 @@
 #include "prover/cli/sections.h"
 #include "prover/general/certificate.h"
 #include "prover/general/notation.h"
-#include "prover/multiview/monodromy.h"
+#include "prover/multiview/certificate.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
 
@@ -35,11 +35,15 @@ void require_complete_visibility(const general::Problem& problem) {
                    "one point on a line: let all views see everything");
 }
 
+int all_threads() {
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
 multiview::MonodromyResult computed(const general::Problem& problem,
                                     const MultiviewDegreeRequest& request) {
     ProgressLine line("finding solutions", 0);
     multiview::MonodromySettings settings;
-    settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    settings.threads = all_threads();
     if (request.target > 0) settings.most_solutions = request.target;
     settings.report = [&](int known, std::int64_t paths) {
         line.show(static_cast<std::size_t>(known), " so far, " + std::to_string(paths) + " paths");
@@ -47,19 +51,23 @@ multiview::MonodromyResult computed(const general::Problem& problem,
     return multiview::run_monodromy(problem, request.seed, settings);
 }
 
-std::string json_report(const general::Problem& problem, const multiview::MonodromyResult& found) {
+/// The `certified` last is how many solutions the certificate shows; 0 if there is none.
+std::string json_report(const general::Problem& problem, const multiview::MonodromyResult& found,
+                        int certified) {
     const nlohmann::ordered_json report = {{"problem", general::notation(problem)},
                                            {"name", general::name(problem)},
                                            {"solutions", found.solutions},
                                            {"complete", found.complete() ? "evidence" : "unknown"},
                                            {"ways", found.ways},
                                            {"ways_that_agree", found.edges},
+                                           {"certificate", certified},
                                            {"paths", found.paths},
                                            {"lost", found.lost}};
     return report.dump(2) + '\n';
 }
 
-std::string text_report(const general::Problem& problem, const multiview::MonodromyResult& found) {
+std::string text_report(const general::Problem& problem, const multiview::MonodromyResult& found,
+                        int certified) {
     std::ostringstream out;
     section(out, "problem") << general::notation(problem) << '\n';
     section(out, "degree") << (found.complete() ? "" : "at least ") << found.solutions
@@ -68,7 +76,11 @@ std::string text_report(const general::Problem& problem, const multiview::Monodr
                              << " ways take the solutions of some images one to one to those of "
                                 "others\n";
     section(out, "paths") << found.paths << ", " << found.lost << " lost\n";
-    section(out, "certificate") << "none: there is no format for such degrees yet\n";
+    section(out, "certificate");
+    if (certified > 0)
+        out << "of at least " << certified << " solutions: certified once plcheck accepts it\n";
+    else
+        out << "none: -o FILE writes one\n";
     return out.str();
 }
 
@@ -79,7 +91,17 @@ int find_multiview_degree(const general::Problem& problem, const MultiviewDegree
     require_minimal(problem);
     require_complete_visibility(problem);
     const multiview::MonodromyResult found = computed(problem, request);
-    deliver("-", request.json ? json_report(problem, found) : text_report(problem, found));
+    int certified = 0;
+    if (!request.path.empty()) {
+        const auto record = multiview::certify(found, request.seed, all_threads());
+        certified = record.count();
+        if (certified == 0)
+            throw std::runtime_error("the run found no certificate: try another --seed");
+        deliver(request.path, multiview::write_solutions(std::span(&record, 1)));
+    }
+    if (request.path != "-")
+        deliver("-", request.json ? json_report(problem, found, certified)
+                                  : text_report(problem, found, certified));
     return 0;
 }
 

@@ -6,17 +6,19 @@
 #include "prover/general/arrangement.h"
 
 #include <cstdint>
+#include <string>
 
 namespace plprove {
 
 struct MultiviewDegreeRequest {
     std::uint64_t seed = 0;
-    int target = 0; ///< stop at so many solutions; 0: find all
+    int target = 0;   ///< stop at so many solutions; 0: find all
+    std::string path; ///< of the certificate; empty: none is written
     bool json = false;
 };
 
-/// Computes the degree and prints it. Throws BadInput if the problem is not minimal, or if a view
-/// misses something. Returns the exit status.
+/// Computes the degree, writes the certificate, and prints both. Throws BadInput if the problem is
+/// not minimal, or if a view misses something. Returns the exit status.
 int find_multiview_degree(const general::Problem& problem, const MultiviewDegreeRequest& request,
                           const Deliver& deliver);
 

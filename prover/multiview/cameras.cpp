@@ -1,6 +1,7 @@
 #include "prover/multiview/cameras.h"
 
 #include <Eigen/QR>
+#include <algorithm>
 
 namespace plprove::multiview {
 
@@ -77,19 +78,46 @@ CameraChart::Chart CameraChart::projective(bool second, Random& random) {
     return chart;
 }
 
+void CameraChart::add(Chart chart) {
+    offsets_.push_back(offsets_.back() + chart.basis.cols());
+    charts_.push_back(std::move(chart));
+}
+
 CameraChart::CameraChart(general::CameraModel model, int views, Random& random) : model_(model) {
-    offsets_.push_back(0);
+    for (int view = 1; view < views; ++view)
+        add(model == general::CameraModel::calibrated ? calibrated(view == 1, random)
+                                                      : projective(view == 1, random));
+}
+
+CameraChart CameraChart::standard(general::CameraModel model, int views) {
+    CameraChart result(model);
+    const bool calibrated = model == general::CameraModel::calibrated;
     for (int view = 1; view < views; ++view) {
-        const bool second = view == 1;
-        charts_.push_back(model == general::CameraModel::calibrated ? calibrated(second, random)
-                                                                    : projective(second, random));
-        offsets_.push_back(offsets_.back() + charts_.back().basis.cols());
+        std::vector<Index> ones{0}, free;
+        if (calibrated && view == 1) ones = {0, 4};
+        if (!calibrated && view == 1) ones = {3, 4};
+        const Index first = !calibrated && view == 1 ? 4 : 0; // entries before are fixed
+        const Index size = calibrated ? 7 : 12;
+        for (Index n = first; n < size; ++n)
+            if (std::ranges::find(ones, n) == ones.end()) free.push_back(n);
+        Chart chart{VectorXcd::Zero(size), MatrixXcd::Zero(size, std::ssize(free))};
+        for (const Index n : ones)
+            chart.origin[n] = 1;
+        for (std::size_t k = 0; k < free.size(); ++k)
+            chart.basis(free[k], static_cast<Index>(k)) = 1;
+        result.add(std::move(chart));
     }
+    return result;
+}
+
+VectorXcd CameraChart::numbers(std::size_t view, const VectorXcd& coordinates) const {
+    const Chart& chart = charts_[view - 1];
+    return chart.origin + chart.basis * coordinates;
 }
 
 CameraWithDerivatives CameraChart::camera(std::size_t view, const VectorXcd& coordinates) const {
     const Chart& chart = charts_[view - 1];
-    const VectorXcd numbers = chart.origin + chart.basis * coordinates;
+    const VectorXcd numbers = this->numbers(view, coordinates);
     CameraWithDerivatives result;
     if (model_ == general::CameraModel::projective) {
         result.camera = matrix(numbers);

@@ -27,12 +27,19 @@ class CameraChart {
 public:
     CameraChart(general::CameraModel model, int views, Random& random);
 
+    /// The one of certs/FORMAT.md, section 14: quaternions begin with 1, matrices too, and so does
+    /// t of camera 2, or its second row.
+    static CameraChart standard(general::CameraModel model, int views);
+
     int views() const { return static_cast<int>(charts_.size()) + 1; }
     /// The number of coordinates of the camera of a view (1, 2, ...), and of those before.
     Eigen::Index coordinates(std::size_t view) const { return charts_[view - 1].basis.cols(); }
     Eigen::Index offset(std::size_t view) const { return offsets_[view - 1]; }
     /// Of all cameras.
     Eigen::Index dimension() const { return offsets_.back(); }
+
+    /// The numbers that make a camera: a quaternion and t, or the matrix row by row.
+    Eigen::VectorXcd numbers(std::size_t view, const Eigen::VectorXcd& coordinates) const;
 
     CameraWithDerivatives camera(std::size_t view, const Eigen::VectorXcd& coordinates) const;
 
@@ -43,12 +50,16 @@ private:
         Eigen::MatrixXcd basis;
     };
 
+    explicit CameraChart(general::CameraModel model) : model_(model) {}
+
+    void add(Chart chart);
+
     static Chart calibrated(bool second, Random& random);
     static Chart projective(bool second, Random& random);
 
     general::CameraModel model_;
     std::vector<Chart> charts_;
-    std::vector<Eigen::Index> offsets_; ///< and the sum of all
+    std::vector<Eigen::Index> offsets_{0}; ///< and the sum of all
 };
 
 } // namespace plprove::multiview

@@ -1,52 +1,18 @@
 #include "prover/multiview/monodromy.h"
 
 #include "prover/multiview/path.h"
+#include "prover/multiview/solution_set.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
-#include <thread>
 
 namespace plprove::multiview {
 
 namespace {
 
-/// Solutions of the same images, told apart.
-class Solutions {
-public:
-    int size() const { return static_cast<int>(points_.size()); }
-    const std::vector<Point>& points() const { return points_; }
-    const Point& operator[](int index) const { return points_[static_cast<std::size_t>(index)]; }
-
-    std::optional<int> find(const Point& point) const {
-        const double radius = near * (1 + point.norm());
-        const double centre = key(point);
-        const double width = 2 * radius * std::sqrt(static_cast<double>(point.size()));
-        for (auto i = by_key_.lower_bound(centre - width);
-             i != by_key_.end() && i->first <= centre + width; ++i)
-            if (((*this)[i->second] - point).norm() < radius) return i->second;
-        return std::nullopt;
-    }
-
-    int add(const Point& point) {
-        by_key_.emplace(key(point), size());
-        points_.push_back(point);
-        return size() - 1;
-    }
-
-private:
-    static constexpr double near = 1e-7; // relative distance of approximations of one solution
-
-    /// Real and imaginary parts, added: no more apart than that for points that are near.
-    static double key(const Point& point) { return point.real().sum() + point.imag().sum(); }
-
-    std::vector<Point> points_;
-    std::multimap<double, int> by_key_;
-};
-
 struct Node {
     Images<Complex> images;
-    Solutions solutions;
+    SolutionSet solutions;
 };
 
 /// A way between the two nodes. `match[0][i]` is the solution of node 1 to which solution i of node
@@ -56,24 +22,6 @@ struct Edge {
     std::array<std::map<int, int>, 2> match;
     std::array<int, 2> tried{}; ///< so many solutions of each node have been followed, or matched
 };
-
-std::vector<std::optional<Point>> follow_all(const System& system, const Images<Complex>& from,
-                                             const Images<Complex>& to,
-                                             const std::vector<Point>& starts, Care care,
-                                             int threads) {
-    std::vector<std::optional<Point>> ends(starts.size());
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        for (std::size_t i = next++; i < starts.size(); i = next++)
-            ends[i] = follow(system, from, to, starts[i], care);
-    };
-    std::vector<std::jthread> helpers;
-    for (int thread = 1; thread < threads; ++thread)
-        helpers.emplace_back(work);
-    work();
-    helpers.clear();
-    return ends;
-}
 
 /// To which solution of the other node a solution leads; none where the path gets lost.
 using Targets = std::map<int, std::optional<int>>;
@@ -142,7 +90,7 @@ private:
     /// Where the paths lead. The ends become known solutions: even a path that has jumped ends at
     /// one.
     Targets follow(Edge& edge, std::size_t from, const std::vector<int>& indices, Care care) {
-        Solutions& others = nodes_[1 - from].solutions;
+        SolutionSet& others = nodes_[1 - from].solutions;
         std::vector<Point> starts;
         for (const int index : indices)
             starts.push_back(nodes_[from].solutions[index]);
@@ -193,13 +141,9 @@ private:
 
     MonodromyResult result() {
         const int first = nodes_[0].solutions.size(), second = nodes_[1].solutions.size();
-        MonodromyResult result{std::max(first, second),
-                               0,
-                               static_cast<int>(edges_.size()),
-                               lost_,
-                               paths_,
-                               nodes_[0].images,
-                               nodes_[0].solutions.points()};
+        MonodromyResult result{
+            std::max(first, second), 0,       static_cast<int>(edges_.size()), lost_, paths_,
+            nodes_[0].images,        system_, nodes_[0].solutions.points()};
         for (const Edge& edge : edges_)
             result.edges += first == second && static_cast<int>(edge.match[0].size()) == first;
         return result;

@@ -17,7 +17,8 @@ struct MonodromyResult {
     int lost = 0;      ///< paths that got lost, or jumped
     std::int64_t paths = 0;
     Images<Complex> images;      ///< of the first end
-    std::vector<Point> points{}; ///< its solutions
+    System system;               ///< that these solve
+    std::vector<Point> points{}; ///< the solutions of the first end
 
     /// Whether all ways agree: evidence that no solution is missing.
     bool complete() const { return edges == ways; }

@@ -2,7 +2,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <atomic>
 #include <deque>
+#include <thread>
 
 namespace plprove::multiview {
 
@@ -133,6 +135,24 @@ private:
 std::optional<Point> follow(const System& system, const Images<Complex>& from,
                             const Images<Complex>& to, const Point& start, Care care) {
     return Follower(system, from, to, settings_for(care)).run(start);
+}
+
+std::vector<std::optional<Point>> follow_all(const System& system, const Images<Complex>& from,
+                                             const Images<Complex>& to,
+                                             const std::vector<Point>& starts, Care care,
+                                             int threads) {
+    std::vector<std::optional<Point>> ends(starts.size());
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+        for (std::size_t i = next++; i < starts.size(); i = next++)
+            ends[i] = follow(system, from, to, starts[i], care);
+    };
+    std::vector<std::jthread> helpers;
+    for (int thread = 1; thread < threads; ++thread)
+        helpers.emplace_back(work);
+    work();
+    helpers.clear();
+    return ends;
 }
 
 } // namespace plprove::multiview

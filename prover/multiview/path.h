@@ -17,4 +17,10 @@ enum class Care : std::uint8_t { usual, careful };
 std::optional<Point> follow(const System& system, const Images<Complex>& from,
                             const Images<Complex>& to, const Point& start, Care care);
 
+/// The same of several solutions, by so many threads, side by side.
+std::vector<std::optional<Point>> follow_all(const System& system, const Images<Complex>& from,
+                                             const Images<Complex>& to,
+                                             const std::vector<Point>& starts, Care care,
+                                             int threads);
+
 } // namespace plprove::multiview

@@ -76,8 +76,11 @@ Images<Moving> on_the_way(const Images<Complex>& from, const Images<Complex>& to
 }
 
 System::System(general::Problem problem, Random& random)
+    : System(problem, CameraChart(problem.model, problem.views, random)) {}
+
+System::System(general::Problem problem, CameraChart chart)
     : problem_(std::move(problem)), depths_(static_cast<Index>(unknown_depths(problem_))),
-      chart_(problem_.model, problem_.views, random) {}
+      chart_(std::move(chart)) {}
 
 void System::evaluate(const Images<Moving>& images, const Point& point, Evaluation& result) const {
     const std::vector<Incidence> equations = incidences(problem_, images);

@@ -25,8 +25,12 @@ class System {
 public:
     /// Assumes that the problem is balanced and that all views see everything. The chart is random.
     System(general::Problem problem, Random& random);
+    System(general::Problem problem, CameraChart chart);
 
     const general::Problem& problem() const { return problem_; }
+    const CameraChart& chart() const { return chart_; }
+    /// The depths come first.
+    Eigen::Index depths() const { return depths_; }
     Eigen::Index unknowns() const { return depths_ + chart_.dimension(); }
 
     void evaluate(const Images<Moving>& images, const Point& point, Evaluation& result) const;

@@ -1,0 +1,66 @@
+// The equations that images put on cameras and scene, for a problem in general whose views all see
+// everything (FORMAT.md, section 14).
+//
+// Camera 1 is [I | 0]. So view 1 shows where in space something is, up to a depth: the image vector
+// x stands for (x, depth) in homogeneous coordinates. A camera [M | t] sees it at M x + depth t.
+#pragma once
+
+#include "checker/algebra/vector3.h"
+#include "checker/file/reader.h"
+#include "checker/general/problem.h"
+
+namespace checker::general {
+/// Of an image point or an image line: integers, at most 10^9 in size.
+using ImageCoordinates = Vector3<std::int64_t>;
+
+/// A linear form of the unknown depths, by its coefficients.
+using DepthForm = std::vector<std::int64_t>;
+
+/// A point in space: (x, depth).
+struct Place {
+    ImageCoordinates x{};
+    DepthForm depth{};
+};
+
+/// line · (M x + depth t) = 0: the camera sees a place on an image line.
+struct Incidence {
+    std::size_t camera = 0; // 0 is that of view 2
+    ImageCoordinates line{};
+    std::size_t place = 0;
+};
+
+/// A problem's equations for its cameras and depths, as many as there are of these.
+struct SceneSystem {
+    bool projective = false;
+    std::size_t cameras = 0; // but the first
+    std::size_t depths = 0;
+    std::vector<Place> places{}; // the points come first
+    std::size_t points = 0;
+    std::vector<std::array<std::size_t, 2>> lines{}; // two places of each
+    std::vector<Incidence> incidences{};
+
+    /// How many coordinates a camera has.
+    std::size_t coordinates_of(std::size_t camera) const {
+        if (projective) return camera == 0 ? 7 : 11;
+        return camera == 0 ? 5 : 6;
+    }
+
+    /// Of all cameras: their coordinates come first.
+    std::size_t camera_coordinates() const {
+        std::size_t sum = 0;
+        for (std::size_t camera = 0; camera < cameras; ++camera)
+            sum += coordinates_of(camera);
+        return sum;
+    }
+};
+
+/// How many depths are unknown: one of each free point, and of each end of a line that is no point.
+std::size_t depths_of(const Problem& problem);
+
+/// How many numbers say what one view sees.
+std::size_t numbers_of_view(const Problem& problem);
+
+/// The system of a problem and what its views see, each in so many numbers. Throws Refused if the
+/// problem has no such system, or if the images do not meet the conditions.
+SceneSystem scene_system(const Problem& problem, const std::vector<Numbers>& views);
+} // namespace checker::general

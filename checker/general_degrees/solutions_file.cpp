@@ -1,0 +1,60 @@
+#include "checker/general_degrees/solutions_file.h"
+
+#include "checker/degrees/solutions.h"
+#include "checker/general/notation.h"
+#include "checker/general_degrees/scene_certify.h"
+
+namespace checker::general {
+/// A record up to its solutions.
+struct ImagesRecord {
+    std::size_t line = 0;
+    Written problem{};
+    std::vector<Numbers> views{}; // what they see
+};
+
+static ImagesRecord read_record_of_images(Reader& reader) {
+    ImagesRecord record{.line = reader.line()};
+    reader.take("problem");
+    record.problem = read_notation(reader);
+    const Problem& problem = record.problem.problem;
+    for (int view = 0; view < std::popcount(problem.views); ++view) {
+        reader.take("view");
+        Numbers& numbers = record.views.emplace_back();
+        for (std::size_t left = numbers_of_view(problem); left > 0; --left)
+            numbers.push_back(reader.small_integer(-999, 999));
+        reader.end_line();
+    }
+    return record;
+}
+
+/// How many coordinates a solution of the problem has.
+static std::size_t coordinates_of(const Problem& problem) {
+    const auto views = static_cast<std::size_t>(std::popcount(problem.views));
+    const SceneSystem shape{.projective = problem.projective, .cameras = views - 1};
+    return shape.camera_coordinates() + depths_of(problem);
+}
+
+SolutionsFile replay_solutions(Reader& reader, const Execution& execution) try {
+    SolutionsFile file;
+    if (!has_arb) {
+        file.refusals.add(reader.line(), "this plcheck was built without Arb");
+        return file;
+    }
+    SolutionsReplay solutions(reader, file.refusals, execution);
+    while (!reader.at_end()) {
+        const ImagesRecord record = read_record_of_images(reader);
+        const auto& [notation, problem] = record.problem;
+        const auto prepare = [&]() -> Certify {
+            return [system = scene_system(problem, record.views)](const auto& start) {
+                return certify_cameras(system, start);
+            };
+        };
+        const auto count = solutions.run({coordinates_of(problem), "problem"}, record.line,
+                                         printable(notation, 200), prepare);
+        if (count) file.counts.push_back({notation, problem, *count});
+    }
+    return file;
+} catch (const TooMuchEffort& too_much) {
+    return {.refusals = too_much.refusals()};
+}
+} // namespace checker::general

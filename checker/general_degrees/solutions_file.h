@@ -1,0 +1,25 @@
+// Files of solutions (FORMAT.md, section 14): so many cameras explain the images of a problem in
+// general, with proof.
+#pragma once
+
+#include "checker/effort/execution.h"
+#include "checker/file/reader.h"
+#include "checker/general/problem.h"
+
+namespace checker::general {
+/// What a record proves: the problem is minimal, and has at least so many camera solutions.
+struct SolutionCount {
+    std::string notation{};
+    Problem problem{};
+    std::size_t solutions = 0;
+};
+
+/// What a file of solutions proves.
+struct SolutionsFile {
+    std::vector<SolutionCount> counts{};
+    Refusals refusals{};
+};
+
+/// Replays a file after its first line. Throws Malformed.
+SolutionsFile replay_solutions(Reader& reader, const Execution& execution);
+} // namespace checker::general

@@ -1,0 +1,95 @@
+#include "checker/report/report.h"
+
+namespace checker {
+/// A number of things, one or more: `1 record`, `2 records`.
+static std::string counted(std::size_t number, std::string_view thing) {
+    return say(number, ' ', thing, number == 1 ? "" : "s");
+}
+
+/// So many of these hold, so many are refused.
+static std::string held(std::size_t number, std::string_view thing, std::size_t refused) {
+    return say(counted(number, thing), number == 1 ? " holds, " : " hold, ", refused, " refused");
+}
+
+static std::string in_words(const Malformed&) {
+    return "not a certificate file";
+}
+
+static std::string in_words(const Unreadable&) {
+    return "cannot be read";
+}
+
+static std::string in_words(const ClassificationFile& file) {
+    return held(file.verdicts.size(), "certificate", file.refusals.count);
+}
+
+static std::string in_words(const ProblemFile& file) {
+    if (file.verdict.empty()) return "refused";
+    const std::string number = file.of_class ? say(", class ", file.of_class->number) : "";
+    return say("certified ", file.verdict, number, ": ", file.problem);
+}
+
+static std::string in_words(const LowerBound& bound) {
+    return say("\n- class ", bound.number, ": certified to have at least ",
+               counted(bound.solutions, "solution"),
+               "; evidence that there are no more: ", bound.complete ? "yes" : "none");
+}
+
+static std::string in_words(const general::SolutionCount& count) {
+    return say("\n- ", count.notation, ": certified at least ",
+               counted(count.solutions, "solution"));
+}
+
+template <class Bound> static std::string in_words(const std::vector<Bound>& bounds) {
+    std::string text;
+    for (const Bound& bound : bounds)
+        text += in_words(bound);
+    return text;
+}
+
+static std::string in_words(const DegreeFile& file) {
+    constexpr std::size_t most_lines = 3;
+    std::string text = held(file.bounds.size(), "degree record", file.refusals.count);
+    if (file.bounds.size() > most_lines) return text;
+    return text + in_words(file.bounds);
+}
+
+static std::string in_words(const BoundsFile& file) {
+    return held(file.templates, "template", file.refusals.count);
+}
+
+static std::string in_words(const general::Verdict& verdict) {
+    return say(verdict.notation, verdict.minimal ? " is minimal" : " is not minimal");
+}
+
+static std::string in_words(const DigestList& list) {
+    return "a list of " + counted(list.files.size(), "digest");
+}
+
+static std::string in_words(const general::ProblemsFile& file) {
+    std::string text = held(file.verdicts.size(), "certificate", file.refusals.count);
+    if (file.verdicts.size() == 1) text += say(": ", in_words(file.verdicts[0]));
+    if (file.missing > 0) text += say("; the family has ", file.missing, " more problems");
+    return text;
+}
+
+static std::string in_words(const general::SolutionsFile& file) {
+    constexpr std::size_t most_lines = 3;
+    std::string text = held(file.counts.size(), "solution record", file.refusals.count);
+    if (file.counts.size() > most_lines) return text;
+    return text + in_words(file.counts);
+}
+
+std::string finding(const ReplayedFile& file) {
+    const auto what = [](const auto& content) { return in_words(content); };
+    return say(file.name, ": ", std::visit(what, file.content), '\n');
+}
+
+std::string lower_bounds(const ReplayedFile& file) {
+    if (const auto* degrees = std::get_if<DegreeFile>(&file.content))
+        return in_words(degrees->bounds);
+    if (const auto* solutions = std::get_if<general::SolutionsFile>(&file.content))
+        return in_words(solutions->counts);
+    return {};
+}
+} // namespace checker

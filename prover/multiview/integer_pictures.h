@@ -1,0 +1,20 @@
+// Images with integer coordinates, as a certificate has them (certs/FORMAT.md, section 14).
+#pragma once
+
+#include "prover/degree/random.h"
+#include "prover/multiview/moving_images.h"
+
+namespace plprove::multiview {
+
+/// Integer images: what each view sees, number by number.
+using IntegerImages = std::vector<std::vector<int>>;
+
+/// Random ones that meet the conditions of the format. Throws FormatLimit if that takes too long.
+IntegerImages random_integer_images(const general::Problem& problem, Random& random);
+
+/// Image vectors for computing: those of free points and of lines are divided by `image_scale`, so
+/// that they are about as long as random complex ones.
+Images<Complex> scaled(const general::Problem& problem, const IntegerImages& integers);
+inline constexpr double image_scale = 64;
+
+} // namespace plprove::multiview

@@ -1,0 +1,144 @@
+// Records of solutions (FORMAT.md, section 14): what holds, and what is refused for which reason if
+// anything is altered in it.
+#include "tests/support/text.h"
+
+#include "checker/degrees/krawczyk.h"
+#include "checker/replay.h"
+#include "tests/support/all_classes.h"
+
+#include <doctest/doctest.h>
+
+using namespace checker;
+
+namespace {
+
+/// Three solutions, of which two are complex conjugates.
+const std::string seven_points = R"(problem projective: 7*P/P
+view 31 80 -3 -2 39 26 10 -1 -22 13 -51 -36 -26 -18 36 63 -32 -6 96 47 -75
+view 23 83 -92 -22 -55 -84 -46 74 1 -50 -27 13 -18 94 -95 -33 42 -55 -38 44 -34
+pair 5 -9 2 18 -3 52 -13 -52 13 20 -8 -26 10 -100 59 108 77 30 -1 20 -18 -217 -72 3 22 -754 \
+-83 -444 -186
+real 5 -3 9 -93 -15 -3 5 75 116 11 103 70 205 1256 1318
+)";
+
+/// Points on a line, a pin and a free line, of calibrated cameras: one solution.
+const std::string lines = R"(problem 2*PL/PL/PL + PLa/PLa/PLa + a/a/a
+view 51 -21 74 -50 -92 -18 -1 -5 50 77 54 -82 5 49 39 93 -75
+view -27 86 79 81 -67 31 -2 -5 -86 -42 40 50 -31 90 76 74 69
+view -40 -69 87 23 24 98 -5 1 45 17 -7 -26 74 95 7 -86 -20
+real 5 -71 186 -100 -135 -94 -3 22 -10 3 3 -5 -99551 28179 -23061 -34523 36232
+)";
+
+/// `so many solutions`, or the first complaint as `line: reason`, after `syntax` if the file does
+/// not conform.
+std::string outcome(const std::string& records) {
+    const ReplayedFile file = replay(all_classes(), "file", "plcert 2 solutions\n" + records);
+    if (const auto* malformed = std::get_if<Malformed>(&file.content))
+        return say("syntax, ", malformed->complaint.line, ": ", malformed->complaint.reason);
+    const auto& content = std::get<general::SolutionsFile>(file.content);
+    if (content.refusals.count > 0)
+        return say(content.refusals.first[0].line, ": ", content.refusals.first[0].reason);
+    std::string counts;
+    for (const general::SolutionCount& count : content.counts)
+        counts += say(counts.empty() ? "" : ", ", count.solutions);
+    return counts;
+}
+
+/// The same of the first record with another part in the place of the first such one.
+std::string altered(const std::string& record, const char* old, const char* replacement) {
+    return outcome(with(record, old, replacement));
+}
+
+/// The last line of a text.
+std::string last_line(const std::string& text) {
+    const std::size_t end = text.size() - 1;
+    return text.substr(text.rfind('\n', end - 1) + 1);
+}
+
+} // namespace
+
+TEST_CASE("records hold, alone and together") {
+    if (!has_arb) return;
+    CHECK(outcome(seven_points) == "3");
+    CHECK(outcome(lines) == "1");
+    CHECK(outcome(seven_points + lines + seven_points) == "3, 1, 3");
+}
+
+TEST_CASE("a solution counts once") {
+    if (!has_arb) return;
+    CHECK(outcome(lines + last_line(lines)) ==
+          "7: 2*PL/PL/PL + PLa/PLa/PLa + a/a/a: this may be the solution of line 6");
+    // The same cameras at other depths lead to the same solution.
+    CHECK(outcome(lines + with(last_line(lines), " 36232", " 36300")) ==
+          "7: 2*PL/PL/PL + PLa/PLa/PLa + a/a/a: this may be the solution of line 6");
+}
+
+TEST_CASE("a starting value far from any solution is refused, and the others of a file stand") {
+    if (!has_arb) return;
+    std::string far = lines.substr(0, lines.size() - last_line(lines).size()) + "real 0";
+    for (int i = 0; i < 16; ++i)
+        far += " 999999999999999999";
+    far += '\n';
+    CHECK(contains(outcome(far), "6: 2*PL/PL/PL + PLa/PLa/PLa + a/a/a: no "));
+    const ReplayedFile file =
+        replay(all_classes(), "file", "plcert 2 solutions\n" + far + seven_points);
+    CHECK(std::get<general::SolutionsFile>(file.content).counts.size() == 1);
+}
+
+TEST_CASE("a pair that is real is refused, and so is a real line that leads nowhere real") {
+    if (!has_arb) return;
+    std::string pair = "pair 5";
+    std::string words = last_line(lines).substr(6);
+    words.pop_back();
+    for (std::size_t at = 0; (at = words.find(' ', at)) != words.npos;) {
+        const std::size_t end = std::min(words.find(' ', at + 1), words.size());
+        pair += words.substr(at, end - at) + " 0";
+        at = end;
+    }
+    CHECK(contains(outcome(lines.substr(0, lines.size() - last_line(lines).size()) + pair + '\n'),
+                   "the pair may be real"));
+}
+
+TEST_CASE("images that do not meet the conditions are refused") {
+    if (!has_arb) return;
+    CHECK(contains(altered(lines, "view 51 -21 74", "view 51 -21 0"),
+                   "an image point has 0 as third coordinate"));
+    CHECK(contains(altered(lines, "-50 -92 -18", "51 -21 74"),
+                   "its auxiliary line contains another point"));
+    CHECK(contains(altered(lines, "-18 -1 -5", "-18 -1 0"),
+                   "its auxiliary line contains another point"));
+    CHECK(contains(altered(lines, "-82 5 49", "39 93 -75"),
+                   "two image points of a line are the same"));
+}
+
+TEST_CASE("problems without such a system are refused") {
+    if (!has_arb) return;
+    const std::string five = "problem 5*P/P\nview 1 2 3 1 2 4 1 2 5 1 2 6 1 2 7\n"
+                             "view 1 2 3 1 2 4 1 2 5 1 2 6 1 2 7\nreal 0 1 1 1 1 1 1 1 1 1 1\n";
+    CHECK(outcome(five).starts_with("5: 5*P/P: "));
+    const std::string four = "problem 4*P/P\nview 1 2 3 1 2 4 1 2 5 1 2 6\n"
+                             "view 1 2 3 1 2 4 1 2 5 1 2 6\nreal 0 1 1 1 1 1 1 1 1 1\n";
+    CHECK(outcome(four) == "2: 4*P/P: it is not balanced, so it has no degree");
+    const std::string hidden = "problem P/P + 4*P/P/P\n";
+    CHECK(outcome(hidden).starts_with("syntax, 2: "));
+}
+
+TEST_CASE("what does not conform is refused with its line") {
+    if (!has_arb) return;
+    for (const auto& [old, replacement, line] : {std::tuple{"-75\nview", "-75 1\nview", 3},
+                                                 {" -75\nview", "\nview", 3},
+                                                 {"view 51", "view 1000", 3},
+                                                 {"view 51", "view 051", 3},
+                                                 {"problem 2", "problem 1", 2},
+                                                 {"real 5 ", "real 201 ", 6},
+                                                 {"real 5 ", "real ", 6},
+                                                 {"real", "solution", 6},
+                                                 {" 36232", " 36232 1", 6},
+                                                 {"real", "pair", 6},
+                                                 {"+ a/a/a", "+ a/a/-", 3}}) {
+        CAPTURE(replacement);
+        const std::string found = altered(lines, old, replacement);
+        CHECK((found.starts_with(say("syntax, ", line, ": ")) ||
+               contains(found, "it is not balanced")));
+    }
+}

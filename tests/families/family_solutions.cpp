@@ -1,0 +1,64 @@
+// Certificates of the degrees of a family that are on file (certs/family-degrees.csv): a file of
+// solutions (certs/FORMAT.md, section 14), with as many of each problem as its degree says.
+//
+// Usage: family_solutions plmp|projective [PROBLEM]...
+//
+// Prints the file, or that of these problems. Names each problem on stderr, and those of which it
+// finds fewer solutions; then the status is 1.
+#include "prover/general/notation.h"
+#include "prover/multiview/certificate.h"
+#include "prover/multiview/degrees_on_file.h"
+
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+using namespace plprove;
+
+namespace {
+
+/// How many ways between images usually find all solutions; more where a few seeds did not.
+int ways_for(int degree, std::uint64_t seed) {
+    if (degree == 1) return 1;
+    return seed <= 3 ? 3 : 12;
+}
+
+/// The record with the most solutions that a few seeds find.
+multiview::SolutionsRecord best_record(const multiview::DegreeOnFile& known) {
+    constexpr std::uint64_t most_seeds = 8;
+    const general::Problem problem = general::parse(std::string(known.problem));
+    multiview::MonodromySettings settings;
+    settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    multiview::SolutionsRecord best{problem, {}, {}};
+    for (std::uint64_t seed = 1; seed <= most_seeds && best.count() < known.degree; ++seed) {
+        settings.edges = settings.edges_of_few = ways_for(known.degree, seed);
+        const auto found = multiview::run_monodromy(problem, seed, settings);
+        const auto record = multiview::certify(found, seed, settings.threads);
+        if (record.count() > best.count()) best = record;
+    }
+    return best;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::cerr << "usage: family_solutions plmp|projective [PROBLEM]...\n";
+        return 3;
+    }
+    const std::string_view family = argv[1];
+    const std::vector<std::string_view> only(argv + 2, argv + argc);
+    std::vector<multiview::SolutionsRecord> records;
+    bool complete = true;
+    for (const std::string_view line : multiview::family_degree_lines()) {
+        const multiview::DegreeOnFile known = multiview::parse_family_degree(line);
+        const bool wanted = only.empty() || std::ranges::find(only, known.problem) != only.end();
+        if (known.family != family || !wanted) continue;
+        records.push_back(best_record(known));
+        const int count = records.back().count();
+        std::cerr << known.problem << ": " << count << " of " << known.degree << '\n';
+        complete = complete && count >= known.degree;
+    }
+    std::cout << multiview::write_solutions(records);
+    return complete ? 0 : 1;
+}
