@@ -29,6 +29,25 @@ view -40 -69 87 23 24 98 -5 1 45 17 -7 -26 74 95 7 -86 -20
 real 5 -71 186 -100 -135 -94 -3 22 -10 3 3 -5 -99551 28179 -23061 -34523 36232
 )";
 
+/// Images of three points on a line, of which view 3 shows two at the same place. The zeros of such
+/// equations explain no images.
+const std::string no_point = R"(problem projective: 3*PL/PL/PL + 2*P/P/P + 2*a/a/a
+view 79 63 -92 -67 -60 55 2 -4 57 -92 -39 -74 -92 -86 21 -43 53 11 -84 -24 -72 -92 -30 74 34 1
+view -53 -98 24 -19 74 -92 2 -5 89 -33 -34 -17 86 -62 -88 -74 -48 -29 -98 -35 -21 91 -42 -81 \
+-46 -83
+view 74 -95 54 -11 96 64 0 1 48 85 31 52 74 60 68 -60 -48 -43 -49 -55 -95 -81 -51 -49 79 -6
+real 5 -3 52 -42 -14 6 -28 64 3 35 -22 33 -3 44 -71 27 -1 36 -53 -766 -343 100 1743 1474 -93 \
+-978 652
+)";
+const std::string no_camera = R"(problem projective: 3*PLa/PLa/PLa + P/P/P + Pa/Pa/Pa
+view 79 63 -92 -67 -60 55 2 -4 57 -92 -39 -74 -92 -86 21 -43 53 11 -84 -24 -72 -92 -30 74 34 1
+view -53 -98 24 -19 74 -92 2 -5 89 -33 -34 -17 86 -62 -88 -74 -48 -29 -98 -35 -21 91 -42 -81 \
+-46 -83
+view 74 -95 54 -11 96 64 0 1 48 85 31 52 74 60 68 -60 -48 -43 -49 -55 -95 -81 -51 -49 79 -6
+real 5 -29 105 -19 -30 52 -75 53 143 -70 156 -279 -1252 607 -1364 -186 -835 405 -909 -3679 \
+-1648 1773 1961 1880 -1825 958 -1469
+)";
+
 /// `so many solutions`, or the first complaint as `line: reason`, after `syntax` if the file does
 /// not conform.
 std::string outcome(const std::string& records) {
@@ -109,6 +128,27 @@ TEST_CASE("images that do not meet the conditions are refused") {
                    "its auxiliary line contains another point"));
     CHECK(contains(altered(lines, "-82 5 49", "39 93 -75"),
                    "two image points of a line are the same"));
+}
+
+TEST_CASE("zeros that explain no images are refused") {
+    if (!has_arb) return;
+    CHECK(contains(outcome(no_point), ": a point may be the centre of a camera"));
+    CHECK(contains(outcome(no_camera), ": a camera may have a rank less than 3"));
+}
+
+TEST_CASE("problems with incomplete visibility are refused") {
+    if (!has_arb) return;
+    std::string record = "problem 2*P/P/P + a/Pa/Pa + a/a/a\n";
+    for (int view = 1; view <= 3; ++view) {
+        record += "view";
+        for (int number = 1; number <= 18; ++number)
+            record += say(' ', number * number - view);
+        record += '\n';
+    }
+    record += "real 0";
+    for (int unknown = 0; unknown < 17; ++unknown)
+        record += " 1";
+    CHECK(contains(outcome(record + '\n'), ": some view misses a point or a line"));
 }
 
 TEST_CASE("problems without such a system are refused") {
