@@ -1,8 +1,11 @@
 #include "prover/cli/general_report.h"
 
+#include "prover/cli/problem_report.h"
 #include "prover/cli/sections.h"
 #include "prover/general/notation.h"
+#include "prover/general/spec.h"
 #include "prover/multiview/degrees_on_file.h"
+#include "prover/problem/spec.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -26,6 +29,28 @@ std::string balance(const general::Problem& problem) {
            (balanced ? ": balanced" : ": unbalanced");
 }
 
+/// What is on file of a degree.
+struct Known {
+    int degree = 0;
+    bool exact = true;
+    std::string status;
+};
+
+/// Of a problem that has a reduction to label classes what certs/degrees.csv says, which may be
+/// certified exactly; else what certs/family-degrees.csv says; nothing if neither has it.
+std::optional<Known> degree_of(const Certificate& certificate) {
+    const std::string notation = general::notation(certificate.problem);
+    if (general::is_minimal(certificate) && !general::parse_spec(notation)) {
+        const std::vector<DegreeRecord> records = report_on(parse_spec(notation)).degrees;
+        if (!records.empty())
+            return Known{records.front().degree, records.front().bound == DegreeBound::exact,
+                         std::string(name(records.front().status))};
+    }
+    const auto found = multiview::degree_on_file(notation);
+    if (!found) return std::nullopt;
+    return Known{found->degree, found->bound == "exact", std::string(found->status)};
+}
+
 std::string csv_line(const Certificate& certificate) {
     const general::Problem& problem = certificate.problem;
     const general::Counts counts = general::counts(problem);
@@ -34,14 +59,13 @@ std::string csv_line(const Certificate& certificate) {
                              counts.free_lines, counts.adjacent_lines})
         line += std::to_string(number) + ',';
     line += general::is_minimal(certificate) ? "1," : "0,";
-    const auto degree = multiview::degree_on_file(general::notation(problem));
+    const std::optional<Known> degree = degree_of(certificate);
     if (degree) line += std::to_string(degree->degree);
     line += ',';
     line += general::name(problem) + ',' + general::notation(problem) + ',';
     if (!general::is_minimal(certificate)) line += '"' + general::explanation(certificate) + '"';
     line += ',';
-    if (degree)
-        line += (degree->bound == "exact" ? "" : "at least: ") + std::string(degree->status);
+    if (degree) line += (degree->exact ? "" : "at least: ") + degree->status;
     return line;
 }
 

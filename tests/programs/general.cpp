@@ -39,6 +39,10 @@ TEST_CASE("problems in general: families as CSV and as archives") {
     CHECK(csv.out.starts_with(
         "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,"));
     CHECK(lines_of(csv.out).size() == 1 + 660);
+    const std::string plmp = run(plprove + " list --family plmp --format csv").out;
+    CHECK(contains(plmp, ",20,5000_2,5*P/P,,certified\n"));
+    CHECK(contains(plmp, ",312,3002_1,P/P/P + 2*Pa/Pa/Pa,,certified\n"));
+    CHECK(contains(plmp, ",16,4100_3,3*PL/PL + 2*P/P,,evidence\n"));
     CHECK(run(plprove + " list --family plmp --minimal --count").out == "30\n");
     CHECK(run(plprove + " list --family plmp --not-minimal --count").out == "9\n");
     for (const std::string family : {"plmp", "projective"})
