@@ -224,9 +224,9 @@ std::uint64_t CameraSolver::follow_paths(const Images& images, const SearchOptio
     const int most_ways = options.effort == Effort::thorough ? 3 : 1;
     Random random(0, start_.number);
     std::atomic<std::uint64_t> steps = 0;
-    int before = -1; // where a way finds nothing new, others are no better
-    for (int way = 0; way < most_ways && !search.is_complete() && search.found().size() != before;
-         ++way) {
+    int before = 0; // where the second way finds nothing new, the third is no better
+    for (int way = 0; way < most_ways && !search.is_complete(); ++way) {
+        if (way >= 2 && search.found().size() == before) break;
         before = search.found().size();
         const Images to = way == 0 ? images : rephased(images, Phases::near_one, random);
         const TrackedImages straight = moving_images(system_, start_.constants, start_.images, to);
