@@ -6,6 +6,7 @@
 #include "prover/solver/in_parts.h"
 
 #include <atomic>
+#include <cmath>
 
 namespace plprove {
 
@@ -44,6 +45,12 @@ CameraPoint conjugate(const CameraChart& chart, const CameraPoint& zero) {
         for (Complex& x : centre)
             x = std::conj(x);
     return chart.point(cameras);
+}
+
+/// Not a number compares with nothing, and would seem new.
+bool is_finite(const CameraPoint& point) {
+    return std::ranges::all_of(
+        point, [](const Complex& x) { return std::isfinite(x.real()) && std::isfinite(x.imag()); });
 }
 
 /// The ends from all points, by so many threads. `work` takes points to ends, each by itself.
@@ -110,8 +117,10 @@ public:
     /// Adds the zeros that these cameras approximate.
     void add(const std::vector<QuaternionCameras>& approximations) {
         std::vector<CameraPoint> points;
-        for (const QuaternionCameras& cameras : approximations)
-            points.push_back(solver_.start_.chart.point(cameras));
+        for (const QuaternionCameras& cameras : approximations) {
+            const CameraPoint point = solver_.start_.chart.point(cameras);
+            if (is_finite(point)) points.push_back(point);
+        }
         const PathFollower::Ends ends =
             in_threads(points, [&](const auto& part) { return settled(part); });
         for (const auto& end : polished(ends))
@@ -121,6 +130,7 @@ public:
 
 private:
     void add(const CameraPoint& zero) {
+        if (!is_finite(zero)) return;
         const QuaternionCameras cameras = solver_.start_.chart.cameras(zero);
         if (nondegeneracy(solver_.system_, vectors_, cameras) > least_nondegeneracy &&
             !found_.find(zero))

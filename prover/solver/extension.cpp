@@ -10,9 +10,9 @@ namespace plprove {
 
 namespace {
 
-/// Templates of 109 to 149 rows take 0.3 to 0.9 times as long as paths for scenes, and about as long
-/// for random images. Those of 222 rows and more take 0.6 to 2.2 times as long for scenes, and twice
-/// as long for random images (docs/solve.md).
+/// Templates of 109 to 149 rows take 0.3 to 0.9 times as long as paths for scenes, and about as
+/// long for random images. Those of 222 rows and more take 0.6 to 2.2 times as long for scenes, and
+/// twice as long for random images (docs/solve.md).
 constexpr std::size_t most_rows = 150;
 
 std::size_t rows(const bounds::Template& found) {

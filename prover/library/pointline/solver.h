@@ -105,7 +105,8 @@ public:
 
     Result<Answer> solve(const Images& images, const Options& options = {}) const noexcept;
     /// The answers to many images, in their order, by so many threads, or fewer if the system does
-    /// not give so many: this is faster than to share each answer. Empty if there is no memory for it.
+    /// not give so many: this is faster than to share each answer. Empty if there is no memory for
+    /// it.
     std::vector<Result<Answer>> solve(std::span<const Images> images, const Options& options,
                                       unsigned threads) const noexcept;
 

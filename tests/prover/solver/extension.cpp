@@ -71,6 +71,18 @@ TEST_CASE("templates find the cameras that paths find") {
     }
 }
 
+TEST_CASE("what is not a number is no camera") {
+    // In this scene a template has solutions that overflow.
+    const SolvePlan how = plan(parse_problem("a/Pa/Pa + 4*-/P/P + 4*P/-/P"));
+    const CameraSolver solver(find_start(*how.number, 0));
+    const FoundCameras found = solver.solve(images_of(how, solver.system(), 4), {});
+    CHECK(found.cameras.size() == 400);
+    for (const QuaternionCameras& cameras : found.cameras)
+        for (const auto& quaternion : cameras.quaternion)
+            for (const Complex& x : quaternion)
+                CHECK(std::isfinite(std::abs(x)));
+}
+
 TEST_CASE("each frame has its template, and problems that are no extensions have none") {
     for (const Extension& extension : extensions) {
         CAPTURE(extension.problem);
