@@ -31,25 +31,26 @@ public:
     /// t of camera 2, or its second row.
     static CameraChart standard(general::CameraModel model, int views);
 
+    /// The numbers that make a camera, a quaternion and t, or the matrix row by row:
+    /// origin + basis · coordinates.
+    struct Chart {
+        Eigen::VectorXcd origin;
+        Eigen::MatrixXcd basis;
+    };
+
     int views() const { return static_cast<int>(charts_.size()) + 1; }
+    const Chart& chart(std::size_t view) const { return charts_[view - 1]; }
     /// The number of coordinates of the camera of a view (1, 2, ...), and of those before.
     Eigen::Index coordinates(std::size_t view) const { return charts_[view - 1].basis.cols(); }
     Eigen::Index offset(std::size_t view) const { return offsets_[view - 1]; }
     /// Of all cameras.
     Eigen::Index dimension() const { return offsets_.back(); }
 
-    /// The numbers that make a camera: a quaternion and t, or the matrix row by row.
     Eigen::VectorXcd numbers(std::size_t view, const Eigen::VectorXcd& coordinates) const;
 
     CameraWithDerivatives camera(std::size_t view, const Eigen::VectorXcd& coordinates) const;
 
 private:
-    /// The numbers that make a camera: origin + basis · coordinates.
-    struct Chart {
-        Eigen::VectorXcd origin;
-        Eigen::MatrixXcd basis;
-    };
-
     explicit CameraChart(general::CameraModel model) : model_(model) {}
 
     void add(Chart chart);

@@ -8,10 +8,11 @@ namespace plprove::multiview {
 
 /// l · (M x + depth t) = 0 for the camera [M | t] of the view. The depth is a linear function of
 /// the unknown depths.
+template <class Scalar>
 struct Incidence {
     std::size_t view = 0; ///< counted from 0, not 0
-    Vector<Moving> l, x;
-    std::vector<Moving> depth; ///< the factors of the unknown depths
+    Vector<Scalar> l, x;
+    std::vector<Scalar> depth; ///< the factors of the unknown depths
 };
 
 /// How many depths are unknown: one of each free point and of each line with one point, two of each
@@ -20,6 +21,9 @@ std::size_t unknown_depths(const general::Problem& problem);
 
 /// All equations. They are as many as there are unknown depths and camera parameters if the problem
 /// is balanced. Assumes that all views see everything.
-std::vector<Incidence> incidences(const general::Problem& problem, const Images<Moving>& images);
+std::vector<Incidence<Moving>> incidences(const general::Problem& problem,
+                                          const Images<Moving>& images);
+std::vector<Incidence<Polynomial>> incidences(const general::Problem& problem,
+                                              const Images<Polynomial>& images);
 
 } // namespace plprove::multiview

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "prover/general/arrangement.h"
+#include "prover/multiview/polynomial.h"
 
 #include <array>
 #include <complex>
@@ -19,14 +20,19 @@ using Complex = std::complex<double>;
 struct Moving {
     Complex value, speed;
 
+    Moving() = default;
+    /// At rest, unless a speed is given.
+    explicit Moving(const Complex& number, const Complex& derivative = 0)
+        : value(number), speed(derivative) {}
+
     friend Moving operator+(const Moving& a, const Moving& b) {
-        return {a.value + b.value, a.speed + b.speed};
+        return Moving(a.value + b.value, a.speed + b.speed);
     }
     friend Moving operator-(const Moving& a, const Moving& b) {
-        return {a.value - b.value, a.speed - b.speed};
+        return Moving(a.value - b.value, a.speed - b.speed);
     }
     friend Moving operator*(const Moving& a, const Moving& b) {
-        return {a.value * b.value, a.value * b.speed + a.speed * b.value};
+        return Moving(a.value * b.value, a.value * b.speed + a.speed * b.value);
     }
 };
 
@@ -49,6 +55,9 @@ using Images = std::vector<ViewImages<Scalar>>;
 
 /// Images on the straight way from one to the other, at this time between 0 and 1.
 Images<Moving> on_the_way(const Images<Complex>& from, const Images<Complex>& to, double time);
+
+/// The same as polynomials in time.
+Images<Polynomial> straight_way(const Images<Complex>& from, const Images<Complex>& to);
 
 /// The image vectors of all points.
 template <class Scalar>

@@ -6,13 +6,23 @@ namespace {
 
 using Eigen::Index;
 
-Moving on_the_way(const Complex& from, const Complex& to, double time) {
-    return {from + time * (to - from), to - from};
-}
-
-Vector<Moving> on_the_way(const Vector<Complex>& from, const Vector<Complex>& to, double time) {
-    return {on_the_way(from[0], to[0], time), on_the_way(from[1], to[1], time),
-            on_the_way(from[2], to[2], time)};
+/// The images whose numbers a function makes of those of two images.
+template <class Scalar, class Function>
+Images<Scalar> combined(const Images<Complex>& from, const Images<Complex>& to, Function number) {
+    const auto vector = [&](const Vector<Complex>& a, const Vector<Complex>& b) {
+        return Vector<Scalar>{number(a[0], b[0]), number(a[1], b[1]), number(a[2], b[2])};
+    };
+    Images<Scalar> result(from.size());
+    for (std::size_t view = 0; view < from.size(); ++view) {
+        const auto& a = from[view];
+        const auto& b = to[view];
+        for (std::size_t p = 0; p < a.points.size(); ++p)
+            result[view].points.push_back(vector(a.points[p], b.points[p]));
+        for (std::size_t line = 0; line < a.lines.size(); ++line)
+            result[view].lines.push_back({vector(a.lines[line][0], b.lines[line][0]),
+                                          vector(a.lines[line][1], b.lines[line][1])});
+    }
+    return result;
 }
 
 bool is_dependent(const general::Problem& problem, std::size_t point) {
@@ -62,17 +72,14 @@ ViewImages<Complex> seen_by(const general::Problem& problem, const Camera& camer
 } // namespace
 
 Images<Moving> on_the_way(const Images<Complex>& from, const Images<Complex>& to, double time) {
-    Images<Moving> result(from.size());
-    for (std::size_t view = 0; view < from.size(); ++view) {
-        const auto& a = from[view];
-        const auto& b = to[view];
-        for (std::size_t p = 0; p < a.points.size(); ++p)
-            result[view].points.push_back(on_the_way(a.points[p], b.points[p], time));
-        for (std::size_t line = 0; line < a.lines.size(); ++line)
-            result[view].lines.push_back({on_the_way(a.lines[line][0], b.lines[line][0], time),
-                                          on_the_way(a.lines[line][1], b.lines[line][1], time)});
-    }
-    return result;
+    return combined<Moving>(from, to, [&](const Complex& a, const Complex& b) {
+        return Moving(a + time * (b - a), b - a);
+    });
+}
+
+Images<Polynomial> straight_way(const Images<Complex>& from, const Images<Complex>& to) {
+    return combined<Polynomial>(
+        from, to, [](const Complex& a, const Complex& b) { return Polynomial(a, b - a); });
 }
 
 System::System(general::Problem problem, Random& random)
@@ -83,7 +90,7 @@ System::System(general::Problem problem, CameraChart chart)
       chart_(std::move(chart)) {}
 
 void System::evaluate(const Images<Moving>& images, const Point& point, Evaluation& result) const {
-    const std::vector<Incidence> equations = incidences(problem_, images);
+    const std::vector<Incidence<Moving>> equations = incidences(problem_, images);
     const auto size = static_cast<Index>(equations.size());
     result.values.resize(size);
     result.speeds.resize(size);
@@ -94,12 +101,12 @@ void System::evaluate(const Images<Moving>& images, const Point& point, Evaluati
         cameras.push_back(chart_.camera(view, point.segment(first, chart_.coordinates(view))));
     }
     for (Index e = 0; e < size; ++e) {
-        const Incidence& equation = equations[static_cast<std::size_t>(e)];
+        const Incidence<Moving>& equation = equations[static_cast<std::size_t>(e)];
         const auto& [camera, by_coordinate] = cameras[equation.view];
         Moving depth;
         for (Index k = 0; k < depths_; ++k) {
             const Moving& factor = equation.depth[static_cast<std::size_t>(k)];
-            depth = depth + factor * Moving{point[k], 0};
+            depth = depth + factor * Moving(point[k]);
         }
         const auto& [l, x] = std::pair(equation.l, equation.x);
         const Eigen::RowVector3cd line(l[0].value, l[1].value, l[2].value);

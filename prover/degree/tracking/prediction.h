@@ -4,6 +4,7 @@
 #pragma once
 
 #include "prover/degree/tracking/evaluation.h"
+#include "prover/degree/tracking/step_control.h"
 
 namespace plprove::PLC_LANES {
 
@@ -34,35 +35,12 @@ struct History {
     Real points; ///< how many of them there are
 };
 
-/// Hermite extrapolation (Newton's form, each node twice) to the time `after` the newest point.
+/// Where the paths are at the time `after` their newest points.
 inline void predict(const History& h, Real after, Number* out) {
-    const Real a = h.time[0] - h.time[1], b = h.time[0] - h.time[2], c = h.time[1] - h.time[2];
-    const Real one = Real::of(1), zero = Real::of(0);
-    const Real by_a = one / a, by_b = one / b, by_c = one / c;
-    const Mask two = less(Real::of(1.5), h.points), three = less(Real::of(2.5), h.points);
-    const Real s = after, ss = s * s, sa = s + a;
-    const Real w3 = ss * sa, w4 = w3 * sa, w5 = w4 * (s + b);
-    for (int k = 0; k < n; ++k) {
-        const auto part = [&](auto member) {
-            const Real x0 = member(h.point[0][k]), x1 = member(h.point[1][k]),
-                       x2 = member(h.point[2][k]);
-            const Real v0 = member(h.speed[0][k]), v1 = member(h.speed[1][k]),
-                       v2 = member(h.speed[2][k]);
-            const Real d01 = (x0 - x1) * by_a, d12 = (x1 - x2) * by_c;
-            const Real d001 = (v0 - d01) * by_a, d011 = (d01 - v1) * by_a;
-            const Real d112 = (v1 - d12) * by_c, d122 = (d12 - v2) * by_c;
-            const Real d0011 = (d001 - d011) * by_a, d0112 = (d011 - d112) * by_b,
-                       d1122 = (d112 - d122) * by_c;
-            const Real d00112 = (d0011 - d0112) * by_b, d01122 = (d0112 - d1122) * by_b;
-            const Real d001122 = (d00112 - d01122) * by_b;
-            Real sum = fma(s, v0, x0);
-            sum = fma(ss, select(two, d001, zero), sum);
-            sum = fma(w3, select(two, d0011, zero), sum);
-            sum = fma(w4, select(three, d00112, zero), sum);
-            return fma(w5, select(three, d001122, zero), sum);
-        };
-        out[k] = {part([](Number x) { return x.re; }), part([](Number x) { return x.im; })};
-    }
+    const Extrapolation extrapolation(h.time, h.points, after);
+    for (int k = 0; k < n; ++k)
+        out[k] = extrapolation(h.point[0][k], h.point[1][k], h.point[2][k], h.speed[0][k],
+                               h.speed[1][k], h.speed[2][k]);
 }
 
 } // namespace

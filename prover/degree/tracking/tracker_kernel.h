@@ -17,8 +17,11 @@ class Tracker {
 public:
     Tracker(const TrackedSystem& system, const TrackedImages& images, const TrackSettings& settings,
             std::size_t count, const CameraPoint* starts, CameraPoint* ends, TrackOutcome* outcomes)
-        : system_(system), images_(images), settings_(settings), count_(count), starts_(starts),
-          ends_(ends), outcomes_(outcomes) {}
+        : system_(system), images_(images),
+          settings_(settings), goals_{settings.prediction * settings.prediction,
+                                      settings.contraction * settings.contraction,
+                                      settings.noise * settings.noise},
+          count_(count), starts_(starts), ends_(ends), outcomes_(outcomes) {}
 
     TrackCost run() {
         if (count_ == 0) return cost_;
@@ -93,7 +96,7 @@ private:
         const Real corrected = relative_size(second, point);
         for (int k = 0; k < n; ++k)
             point[k] = point[k] + second[k];
-        const Judgement judgement = judge(predicted, corrected);
+        const Judgement judgement = judge(goals_, predicted, corrected, history_.points);
         const Mask good = judgement.good;
         const Mask starting = less(history_.points, Real::of(0.5));
         remember(good, starting, time, point, speed);
@@ -101,40 +104,6 @@ private:
                        step_ * judgement.shrink);
         step_ = select(both(good, starting), Real::of(settings_.first_step), step_);
         settle(good);
-    }
-
-    /// Whether steps are accepted, and the factor of the next step: where they are, where not.
-    struct Judgement {
-        Mask good;
-        Real stretch, shrink;
-    };
-
-    /// Judges by the sizes of Newton's two corrections, squared, as everything here is. Comparisons
-    /// with NaN are false, so a step to nowhere is refused.
-    [[gnu::always_inline]] Judgement judge(Real predicted, Real corrected) const {
-        const Real goal = Real::of(settings_.prediction * settings_.prediction);
-        const Real noise = Real::of(settings_.noise * settings_.noise);
-        const Real contraction = Real::of(settings_.contraction * settings_.contraction);
-        const Mask quiet = less(corrected, noise);
-        const Mask newton = less(corrected, contraction * predicted);
-        const Mask near = less(predicted, Real::of(64) * goal);
-        const Mask good = both(near, either(quiet, newton));
-
-        // How far the step may stretch: both the prediction and the contraction of Newton's
-        // method, unless that is noise, are to stay within their limits.
-        const Real tiny = Real::of(1e-40);
-        Real ratio = goal / (predicted + tiny);
-        const Real by_newton = contraction * predicted / (corrected + tiny);
-        ratio = select(quiet, ratio, smaller(ratio, by_newton));
-        const Real root8 = sqrt(sqrt(sqrt(ratio + tiny))); // of the square: the fourth root
-        const Real root16 = sqrt(root8);
-        const Real high = Real::of(0.9) * root16 * sqrt(root16);
-        const Mask full = less(Real::of(2.5), history_.points);
-        const Real stretch = smaller(
-            larger(select(full, high, Real::of(0.9) * root8), Real::of(0.3)), Real::of(2.5));
-        const Real shrink = smaller(larger(Real::of(0.7) * root8, Real::of(0.1)), Real::of(0.5));
-        // The comparison is false for NaN, whose step shrinks at most.
-        return {good, stretch, select(less(ratio, Real::of(1e80)), shrink, Real::of(0.1))};
     }
 
     /// Makes the point the newest one of the lanes whose step is good.
@@ -179,6 +148,7 @@ private:
     const TrackedSystem& system_;
     const TrackedImages& images_;
     const TrackSettings& settings_;
+    StepGoals goals_;
     std::size_t count_;
     const CameraPoint* starts_;
     CameraPoint* ends_;

@@ -1,0 +1,22 @@
+#include "prover/multiview/tracking/tracked_way.h"
+
+namespace plprove::multiview {
+
+std::size_t workspace_size(const TrackedWay& way) {
+    int rows = way.depths * (way.depths + 2);
+    for (int v = 0; v < way.cameras; ++v)
+        rows += way.camera[v].equations * (way.camera[v].coordinates + way.depths + 2);
+    const int points = 10; // three with their speeds, and what a step needs
+    const int numbers_of_place = 8;
+    return static_cast<std::size_t>(points * way.unknowns + numbers_of_place * way.places + rows);
+}
+
+TrackFunction* fastest_tracker() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f")) return avx512::track;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2::track;
+#endif
+    return portable::track;
+}
+
+} // namespace plprove::multiview
