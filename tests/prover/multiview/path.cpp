@@ -103,8 +103,7 @@ TEST_CASE("every instruction set follows the same paths to the same bits") {
             std::vector<LaneNumber> workspace(workspace_size(way.tracked()));
             ends.emplace_back(2 * unknowns * 11);
             outcomes.emplace_back(11);
-            TrackSettings settings;
-            settings.most_steps = 300;
+            const TrackSettings settings;
             track(way.tracked(), settings, 11, starts.data(), ends.back().data(),
                   outcomes.back().data(), workspace.data());
         }
