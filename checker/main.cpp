@@ -87,7 +87,8 @@ Not trusted: certificate files, the programs that wrote them, the numbers of the
 )";
 static constexpr std::string_view with_arb = "This plcheck was built with Arb.\n";
 static constexpr std::string_view without_arb =
-    "This plcheck was built without Arb: it refuses degree files. Install FLINT with Arb (Debian:\n"
+    "This plcheck was built without Arb: it refuses degree files and files of\n"
+    "solutions. Install FLINT with Arb (Debian:\n"
     "libflint-dev libflint-arb-dev) and build plcheck again to check them.\n";
 
 static std::string version() {
