@@ -1,11 +1,11 @@
 #include "checker/degrees/solutions.h"
 
 namespace checker {
-/// The effort of a proof. It grows with the cube of the number of coordinates, 11 for three views;
-/// numbers of twice as many bits, and more steps, take four times as much.
+/// The effort of a proof. It grows with the square of the number of coordinates, 11 for three
+/// views; numbers of twice as many bits, and more steps, take four times as much.
 static std::uint64_t effort_of(const Proof& proof, std::size_t coordinates) {
-    constexpr std::size_t usual = 11 * 11 * 11;
-    const std::uint64_t size = (coordinates * coordinates * coordinates + usual - 1) / usual;
+    constexpr std::size_t usual = camera_unknowns * camera_unknowns;
+    const std::uint64_t size = (coordinates * coordinates + usual - 1) / usual;
     const auto* box = std::get_if<Box>(&proof);
     if (!box || box->tries == 1) return size;
     return box->tries == 2 ? 4 * size : 16 * size;

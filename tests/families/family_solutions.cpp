@@ -1,15 +1,16 @@
 // Certificates of the degrees of a family that are on file (certs/family-degrees.csv): a file of
 // solutions (certs/FORMAT.md, section 14), with as many of each problem as its degree says.
 //
-// Usage: family_solutions plmp|projective [PROBLEM]...
+// Usage: family_solutions plmp|projective MOST [PROBLEM]...
 //
-// Prints the file, or that of these problems. Names each problem on stderr, and those of which it
-// finds fewer solutions; then the status is 1.
+// Prints the file of all problems with at most MOST solutions, or of these problems. Says on stderr
+// how many solutions it finds of each; the status is 1 if they are too few of some.
 #include "prover/general/notation.h"
 #include "prover/multiview/certificate.h"
 #include "prover/multiview/degrees_on_file.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <thread>
 
@@ -42,18 +43,19 @@ multiview::SolutionsRecord best_record(const multiview::DegreeOnFile& known) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 2) {
-        std::cerr << "usage: family_solutions plmp|projective [PROBLEM]...\n";
+    if (argc < 3) {
+        std::cerr << "usage: family_solutions plmp|projective MOST [PROBLEM]...\n";
         return 3;
     }
     const std::string_view family = argv[1];
-    const std::vector<std::string_view> only(argv + 2, argv + argc);
+    const int most = std::atoi(argv[2]);
+    const std::vector<std::string_view> only(argv + 3, argv + argc);
     std::vector<multiview::SolutionsRecord> records;
     bool complete = true;
     for (const std::string_view line : multiview::family_degree_lines()) {
         const multiview::DegreeOnFile known = multiview::parse_family_degree(line);
         const bool wanted = only.empty() || std::ranges::find(only, known.problem) != only.end();
-        if (known.family != family || !wanted) continue;
+        if (known.family != family || known.degree > most || !wanted) continue;
         records.push_back(best_record(known));
         const int count = records.back().count();
         std::cerr << known.problem << ": " << count << " of " << known.degree << '\n';

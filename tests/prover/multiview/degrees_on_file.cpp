@@ -43,11 +43,13 @@ TEST_CASE("degrees of families on file are of different minimal problems of thes
         CHECK(open[std::string(line.family)].erase(std::string(line.problem)) == 1);
         CHECK(line.degree > 0);
         CHECK(line.status == "evidence");
-        CHECK(line.bound == "exact");
+        // Two runs have to agree; of one problem they did not.
+        const bool agreed = line.problem != "Pa/Pa/Pa/Pa/Pa + Pab/Pab/Pab/Pab/Pab";
+        CHECK(line.bound == (agreed ? "exact" : "at-least"));
     }
     CHECK(open.size() == 2);
-    for (const std::string& problem : open["projective"]) // those that are not on file yet
-        CHECK(general::parse(problem).views > 3);
+    CHECK(open["projective"].empty());
+    CHECK(open["plmp"] == std::set<std::string>{"Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a"});
 }
 
 TEST_CASE("two engines agree on problems in three views with pins and free lines") {
@@ -63,5 +65,5 @@ TEST_CASE("two engines agree on problems in three views with pins and free lines
         CHECK(records.front().degree == line.degree);
         ++compared;
     }
-    CHECK(compared >= 7);
+    CHECK(compared >= 12);
 }
