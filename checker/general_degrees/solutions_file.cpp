@@ -43,7 +43,8 @@ SolutionsFile replay_solutions(Reader& reader, const Execution& execution) try {
     SolutionsReplay solutions(reader, file.refusals, execution);
     while (!reader.at_end()) {
         const ImagesRecord record = read_record_of_images(reader);
-        const auto& [notation, problem] = record.problem;
+        const std::string& notation = record.problem.notation;
+        const Problem& problem = record.problem.problem;
         const auto prepare = [&]() -> Certify {
             return [system = scene_system(problem, record.views)](const auto& start) {
                 return certify_cameras(system, start);
