@@ -1,8 +1,7 @@
 """Writes the problems of a family as JSON, for the page of two more papers:
 python3 atlas/families.py build/bin/plprove plmp|projective
 
-Of each problem it has what `plprove list --family` says. The degree of a problem of calibrated
-cameras is the one on its page: what `plprove problem` says.
+Of each problem it has what `plprove list --family` says.
 """
 
 import csv
@@ -12,11 +11,7 @@ import subprocess
 import sys
 
 
-def output_of(*command):
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
-
-
-def degree_on_file(row):
+def degree_of(row):
     """The degree in a line of the list; None if none is on file."""
     if not row["degree"]:
         return None
@@ -25,28 +20,21 @@ def degree_on_file(row):
     return {"value": int(row["degree"]), "bound": bound, "status": status}
 
 
-def degree_on_page(plprove, row):
-    """The degree that the page of a problem shows; None if it shows none."""
-    report = json.loads(output_of(plprove, "problem", row["notation"], "--json"))
-    degree = report.get("degree")
-    return degree and {key: degree[key] for key in ("value", "bound", "status")}
-
-
-def member_of(plprove, row, family):
+def member_of(row):
     return {
         "name": row["name"],
         "notation": row["notation"],
         "views": int(row["views"]),
         "minimal": row["minimal"] == "1",
         "reason": row["reason"],
-        "degree": degree_on_page(plprove, row) if family == "plmp" else degree_on_file(row),
+        "degree": degree_of(row),
     }
 
 
 def main(plprove, family):
-    lines = output_of(plprove, "list", "--family", family, "--format", "csv")
-    members = [member_of(plprove, row, family) for row in csv.DictReader(io.StringIO(lines))]
-    json.dump(members, sys.stdout)
+    command = [plprove, "list", "--family", family, "--format", "csv"]
+    lines = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    json.dump([member_of(row) for row in csv.DictReader(io.StringIO(lines))], sys.stdout)
 
 
 main(*sys.argv[1:])

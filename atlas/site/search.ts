@@ -53,7 +53,9 @@ function showComplaint(error: unknown): void {
 /** A problem that the drawing board cannot show. */
 function showGeneralAnswer(report: GeneralReport): void {
     spec.removeAttribute("aria-invalid");
-    board.showNothing("The board draws what up to three calibrated cameras see of lines with at most one point.");
+    board.showNothing(
+        "The board draws what up to three calibrated cameras see of lines with at most one point.",
+    );
     answerPlace.replaceChildren(
         make("p", { class: "asked" }, notation(report.problem)),
         generalVerdictView(report),
