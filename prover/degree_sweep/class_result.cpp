@@ -2,6 +2,7 @@
 
 #include "prover/degree_sweep/read_record.h"
 #include "prover/degree_sweep/write.h"
+#include "prover/system/sha256.h"
 
 #include <fstream>
 #include <iterator>
@@ -16,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view run_mark = "# run ";
+constexpr std::string_view digest_mark = " sha256 ";
 constexpr const char* shown_key = "certificate";   // the word of `plprove degree --json`, too
 constexpr const char* old_shown_key = "certified"; // up to version 1.2
 constexpr int most_edges = 99;                     // as in a record
@@ -86,6 +88,17 @@ std::optional<CompletenessEvidence> evidence_of(const Json& json) {
     else if (evidence.edges == 0)
         throw BadRunLine("completeness without evidence");
     return evidence;
+}
+
+/// The JSON text of the line, whose digest must agree. Sweeps up to version 1.3 wrote no digest.
+std::string_view undamaged(std::string_view text) {
+    if (text.ends_with('}')) return text;
+    const std::size_t end = text.rfind(digest_mark);
+    if (end == text.npos) throw BadRunLine("neither a digest nor the end of the JSON text");
+    const std::string_view json = text.substr(0, end);
+    if (text.substr(end + digest_mark.size()) != sha256(std::string(json)))
+        throw BadRunLine("another digest");
+    return json;
 }
 
 /// Throws Json::exception or BadRunLine.
@@ -191,8 +204,9 @@ std::string run_line(const ClassResult& result) {
 }
 
 std::string write(const ClassResult& result) {
+    const std::string json = run_line(result);
     std::string lines(run_mark);
-    lines.append(run_line(result)) += '\n';
+    lines.append(json).append(digest_mark).append(sha256(json)) += '\n';
     return degree_file(lines + result.record);
 }
 
@@ -201,7 +215,8 @@ std::optional<ClassResult> parse_class_result(std::istream& file, bool whole) {
     if (!std::getline(file, head) || !is_head(head)) return std::nullopt;
     if (!std::getline(file, line) || !line.starts_with(run_mark)) return std::nullopt;
     try {
-        ClassResult result = result_of(Json::parse(line.substr(run_mark.size())));
+        const std::string_view text = std::string_view(line).substr(run_mark.size());
+        ClassResult result = result_of(Json::parse(undamaged(text)));
         if (!whole) return result;
         result.record.assign(std::istreambuf_iterator<char>(file), {});
         if (is_whole(result)) return result;

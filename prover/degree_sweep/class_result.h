@@ -1,8 +1,9 @@
 // What a sweep keeps of a class: one file, which is a valid file of certificates (certs/FORMAT.md,
-// section 9) with the rest of the run in a comment, so that both appear at a stroke.
+// section 9) with the rest of the run in a comment, so that both appear at a stroke. A digest of
+// the comment shows damage to numbers that the record below does not repeat.
 //
 //     plcert 2 degrees
-//     # run {"number":2394,"degree":312,...}
+//     # run {"number":2394,"degree":312,...} sha256 5f70bf18...
 //     degree 2394 evidence complete edges 6 trace -11
 //     ...
 #pragma once

@@ -3,6 +3,7 @@
 #include "prover/degree_sweep/collect.h"
 #include "prover/degree_sweep/read_record.h"
 #include "prover/system/exit.h"
+#include "prover/system/sha256.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/program.h"
 
@@ -60,11 +61,26 @@ struct SmallSweep {
         CHECK(read_file(folder / "degrees.csv") == degrees);
     }
 
+    /// The file with the first match replaced.
+    std::string changed(const std::string& pattern, const std::string& by) const {
+        std::string result = std::regex_replace(text, std::regex(pattern), by,
+                                                std::regex_constants::format_first_only);
+        REQUIRE(result != text);
+        return result;
+    }
+
+    /// Replaces the first match in the file, and keeps the digest of the run line right.
     void replace(const std::string& pattern, const std::string& by) const {
-        const std::string changed = std::regex_replace(text, std::regex(pattern), by,
-                                                       std::regex_constants::format_first_only);
-        REQUIRE(changed != text);
-        write_file(path(), changed);
+        write_file(path(), with_digest(changed(pattern, by)));
+    }
+
+    static std::string with_digest(const std::string& file) {
+        const std::string mark = "\n# run ", digest_mark = " sha256 ";
+        const std::size_t start = file.find(mark) + mark.size();
+        const std::size_t end = file.find(digest_mark, start);
+        const std::size_t digest = end + digest_mark.size();
+        return file.substr(0, digest) + sha256(file.substr(start, end - start)) +
+               file.substr(file.find('\n', digest));
     }
 };
 
@@ -101,6 +117,32 @@ TEST_CASE("a run line that says something else than the record is damage, and --
         sweep.replace(pattern, by);
         sweep.check_damaged();
     }
+}
+
+TEST_CASE("a number of a run line that nothing else repeats is guarded by the line's digest") {
+    const SmallSweep sweep;
+    const std::string degree = std::to_string(fake_engine::degree(sweep.number));
+    const std::pair<std::string, std::string> changes[] = {
+        {"\"degree\":" + degree, "\"degree\":" + degree + "0"},
+        {"\"tracks\":", "\"tracks\":1"},
+        {" sha256 [0-9a-f]", " sha256 x"},
+        {" sha256 [0-9a-f]*", " sha256 "},
+        {" sha256 ", " "}};
+    for (const auto& [pattern, by] : changes) {
+        CAPTURE(by);
+        write_file(sweep.path(), sweep.changed(pattern, by));
+        CHECK(!sweep.results.read(sweep.number, false));
+        CHECK(collect(sweep.results, {}).damaged == std::vector{sweep.number});
+        run_sweep(sweep.results, sweep.classes, {0, 0, true});
+        sweep.check_as_it_was();
+    }
+}
+
+TEST_CASE("a sweep of version 1.3, without digests of run lines, goes on") {
+    const SmallSweep sweep;
+    write_file(sweep.path(), sweep.changed(" sha256 [0-9a-f]*", ""));
+    CHECK(left_to_do(sweep.results, sweep.classes, {0, 0, true}) == 0);
+    sweep.check_as_it_was();
 }
 
 TEST_CASE("numbers that no run can have are damage, which any sweep mends") {
