@@ -154,11 +154,11 @@ Solver make(const std::string& problem, const std::optional<std::string>& start)
 }
 
 py::dict solve(const Solver& solver, const Array& points, const Array& lines, const Array& K,
-               bool quick, bool conditions) {
+               bool quick, bool conditions, unsigned threads) {
     const pointline::Images images = images_of(solver, points, lines, K);
     auto answer = [&] {
         const py::gil_scoped_release release;
-        return solver.solver.solve(images, {quick, conditions});
+        return solver.solver.solve(images, {quick, conditions, threads});
     }();
     return arrays_of(solver, value(std::move(answer)));
 }

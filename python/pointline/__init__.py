@@ -112,7 +112,7 @@ class Solver:
         """How many complex solutions there are."""
         return self._content.degree
 
-    def solve(self, points=None, lines=None, K=None, quick=False, conditions=False):
+    def solve(self, points=None, lines=None, K=None, quick=False, conditions=False, threads=1):
         """The real solutions for these images.
 
         points: (F, V, 2), what the V views see of the F features in the order of the notation;
@@ -123,9 +123,12 @@ class Solver:
         K: (3, 3) or (V, 3, 3), or None for normalised coordinates. No skew.
         quick: let lost paths go: some times as fast.
         conditions: also estimate the conditions.
+        threads: how many threads share the work, 1 to 1024; the answer does not depend on it.
 
         Raises ValueError where the images are not what the problem says that the views see.
         """
+        if not 1 <= threads <= 1024:
+            raise ValueError(f"threads is {threads}: give 1 to 1024")
         content, views = self.problem._content, self.problem.views
         features, count = len(content.points), sum(map(len, content.lines))
         if points is None:
@@ -138,6 +141,7 @@ class Solver:
             _intrinsics(K, views),
             bool(quick),
             bool(conditions),
+            int(threads),
         )
         return Answer(**found)
 

@@ -49,6 +49,7 @@ class Solver:
         K: Optional[ArrayLike] = ...,
         quick: bool = ...,
         conditions: bool = ...,
+        threads: int = ...,
     ) -> Answer: ...
 
 def problem(text: Union[str, int]) -> Problem: ...

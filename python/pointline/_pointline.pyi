@@ -15,7 +15,13 @@ class Problem:
 class Solver:
     degree: int
     def solve(
-        self, points: ndarray, lines: ndarray, K: ndarray, quick: bool, conditions: bool
+        self,
+        points: ndarray,
+        lines: ndarray,
+        K: ndarray,
+        quick: bool,
+        conditions: bool,
+        threads: int,
     ) -> dict[str, Any]: ...
 
 def problem(text: str) -> Problem: ...

@@ -77,6 +77,8 @@ def test_chicago_with_two_points_a_line():
     assert np.abs(np.cross(answer.line_directions[index], directions)).max() < 1e-6
     quick = solver.solve(points=points, lines=lines, K=K, quick=True)
     assert nearest(quick, R, t)[1] < 1e-8
+    shared = solver.solve(points=points, lines=lines, K=K, threads=2)
+    assert np.array_equal(shared.R, answer.R) and np.array_equal(shared.t, answer.t)
     # The same lines by coefficients.
     homogeneous = np.concatenate([lines, np.ones(lines.shape[:3] + (1,))], axis=3)
     coefficients = np.cross(homogeneous[..., 0, :], homogeneous[..., 1, :])
@@ -122,6 +124,9 @@ def test_what_is_wrong_is_a_value_error():
         solver.solve(points=points, lines=np.zeros((1, 2, 3)))
     with pytest.raises(ValueError, match="K must be"):
         solver.solve(points=points, K=np.ones((3, 3)))
+    for threads in [0, 1025]:
+        with pytest.raises(ValueError, match="give 1 to 1024"):
+            solver.solve(points=points, threads=threads)
 
 
 def test_the_problem_and_its_representation():
