@@ -27,7 +27,7 @@ Record read_record(Reader& reader, bool minimal) {
             reader.fail("kernel", "at most 11 kernel vectors");
         reader.take("kernel");
         for (mpz_class& entry : record.kernel.emplace_back())
-            entry = reader.big_integer();
+            entry = reader.big_integer(1000);
         reader.end_line();
     } while (reader.comes("kernel"));
     return record;

@@ -16,6 +16,13 @@ template <slong bits> class Ball {
 public:
     Ball() { acb_init(value_); }
     explicit Ball(double x) : Ball() { acb_set_d(value_, x); }
+    explicit Ball(const mpz_class& x) : Ball() { // exactly, whatever its size
+        fmpz_t integer;
+        fmpz_init(integer);
+        fmpz_set_mpz(integer, x.get_mpz_t());
+        acb_set_fmpz(value_, integer);
+        fmpz_clear(integer);
+    }
     Ball(const Ball& other) : Ball() { acb_set(value_, other.value_); }
     Ball(Ball&& other) noexcept : Ball() { acb_swap(value_, other.value_); }
     ~Ball() { acb_clear(value_); }

@@ -5,11 +5,9 @@
 #include "checker/file/complaint.h"
 #include "checker/problem/features.h"
 
-#include <cstdint>
-
 namespace checker {
-/// Coordinates of an image point or an image line; at most 13 digits, so that doubles are exact.
-using Image = Vector3<std::int64_t>;
+/// Coordinates of an image point or an image line.
+using Image = IntegerVector;
 
 /// The images of a feature: of its point, by view, and of its pins (or of the free line).
 struct FeatureImages {

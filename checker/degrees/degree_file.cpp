@@ -20,8 +20,11 @@ struct DegreeRecord {
 
 /// Takes a word and a vector.
 static Image read_image(Reader& reader, std::string_view word) {
-    const Numbers x = reader.take(say(word, " @ @ @"));
-    return {x[0], x[1], x[2]};
+    reader.take(word);
+    Image image;
+    for (mpz_class& coordinate : image)
+        coordinate = reader.big_integer(18);
+    return image;
 }
 
 /// Takes the rest of an image line.

@@ -5,9 +5,19 @@
 
 #include "checker/degrees/camera_equations.h"
 
+#include <type_traits>
+
 namespace checker {
 /// The camera coordinates x_2 y_2 z_2 x_3 y_3 z_3 c_22 c_23 c_31 c_32 c_33, or derivatives by them.
 template <class T> using CameraCoordinates = std::array<T, camera_unknowns>;
+
+/// The integer as a number of the ring; a double close to it.
+template <class T> T number(const mpz_class& x) {
+    if constexpr (std::is_constructible_v<T, mpz_class>)
+        return T(x);
+    else
+        return T(x.get_d());
+}
 
 template <class T> using Matrix3 = std::array<Vector3<T>, 3>; // by rows
 
@@ -60,7 +70,7 @@ void back_project(const CameraSystem& system, const CameraCoordinates<T>& c,
     for (std::size_t n = 0; n < system.vectors.size(); ++n) {
         const auto& [view, image] = system.vectors[n];
         BackProjection<T>& projection = result.vectors[n];
-        const Vector3<T> x{T(double(image[0])), T(double(image[1])), T(double(image[2]))};
+        const Vector3<T> x{number<T>(image[0]), number<T>(image[1]), number<T>(image[2])};
         if (view == 0) {
             projection.vector = x;
             continue;

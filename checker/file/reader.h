@@ -67,11 +67,11 @@ public:
 
     int small_integer(int low, int high) { return static_cast<int>(integer(low, high)); }
 
-    /// An integer of at most 1000 digits.
-    std::string big_integer() {
+    std::string big_integer(std::size_t most_digits) {
         const std::string found(word());
         const std::size_t digits = found.size() - found.starts_with('-');
-        if (!canonical(found) || digits > 1000) fail(found, "an integer of at most 1000 digits");
+        if (!canonical(found) || digits > most_digits)
+            fail(found, say("an integer of at most ", most_digits, " digits"));
         return found;
     }
 

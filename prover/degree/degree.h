@@ -30,8 +30,8 @@ struct DegreeOptions {
 
 /// What one view sees of a feature: integer vectors as in FORMAT.md, section 9.
 struct ViewImage {
-    std::optional<std::array<int, 3>> point;
-    std::vector<std::array<int, 3>> lines; ///< `toward` if there is a point, else `line`
+    std::optional<std::array<std::int64_t, 3>> point;
+    std::vector<std::array<std::int64_t, 3>> lines; ///< `toward` if there is a point, else `line`
 };
 
 /// The images of one feature, with one entry per view (empty where it sees nothing).

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 namespace plprove {
 
@@ -13,13 +15,25 @@ constexpr double small_imaginary_part = 1e-8; ///< of a real solution, relative;
 
 /// Which solutions are to be written.
 struct Demands {
-    double nondegeneracy = 0; ///< at least; larger than for complex images, as the checker refuses
-                              ///< records with a solution that may be degenerate
-    bool sure = true;         ///< only those that Newton's method surely finds again
+    double nondegeneracy = 0;  ///< at least; larger than for complex images, as the checker refuses
+                               ///< records with a solution that may be degenerate
+    bool sure = true;          ///< only those that Newton's method surely finds again
+    std::span<const int> bits; ///< how many bits to try after the binary point, ascending
 };
-constexpr Demands usual{1e-9, true};
+
+constexpr std::array some_bits{3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 14, 16,
+                               19, 22, 26, 30, 35, 40, 44, 46, 48, 50, 52};
+constexpr std::array all_bits = [] {
+    std::array<int, 50> bits{};
+    std::iota(bits.begin(), bits.end(), 3);
+    return bits;
+}();
+
+constexpr Demands usual{1e-9, true, some_bits};
 /// If the checker refuses one of these, other images will do.
-constexpr Demands all{1e-13, false};
+constexpr Demands all{1e-13, false, some_bits};
+/// Nothing else will do. Solutions with a large coordinate have room for few bits.
+constexpr Demands for_given_images{1e-9, true, all_bits};
 
 /// The images as the certificate has them.
 std::vector<FeatureImage> feature_images(const CameraSystem& system,
@@ -113,14 +127,13 @@ bool has_few_digits(const CameraPoint& point, int bits) {
 
 /// Finds for each solution how many bits after the binary point are enough. A single success may be
 /// luck, as the region that Newton's method converges from has a ragged edge: two coarser roundings
-/// must lead to the solution as well. Unless `sure`, the last success counts.
-void choose_bits(std::vector<Found>& found, const FixedImages& fixed, bool sure) {
+/// must lead to the solution as well. Unless that is demanded, the last success counts.
+void choose_bits(std::vector<Found>& found, const FixedImages& fixed, const Demands& demands) {
     constexpr int wanted = 3;
     constexpr int most_sure_bits = 44;
     std::vector<int> successes(found.size(), 0), last(found.size(), 0);
-    for (const int bits :
-         {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44, 46, 48, 50, 52}) {
-        if (sure && bits > most_sure_bits) break;
+    for (const int bits : demands.bits) {
+        if (demands.sure && bits > most_sure_bits) break;
         std::vector<std::size_t> open;
         std::vector<CameraPoint> starts;
         for (std::size_t i = 0; i < found.size(); ++i)
@@ -141,7 +154,7 @@ void choose_bits(std::vector<Found>& found, const FixedImages& fixed, bool sure)
         }
     }
     for (std::size_t i = 0; i < found.size(); ++i)
-        if (found[i].bits == 0 && !sure) found[i].bits = last[i];
+        if (found[i].bits == 0 && !demands.sure) found[i].bits = last[i];
 }
 
 ApproximateSolution approximate(const Found& solution) {
@@ -185,7 +198,7 @@ public:
     int size() const { return seen_.size(); }
 
     std::vector<ApproximateSolution> written() {
-        choose_bits(found_, fixed_, demands_.sure);
+        choose_bits(found_, fixed_, demands_);
         std::ranges::sort(found_, {}, [](const Found& solution) {
             return std::pair(solution.point[0].real(), std::abs(solution.point[0].imag()));
         });
@@ -236,7 +249,7 @@ LowerBound find_for_integer_images(const CameraSystem& system, const DegreeOptio
 DegreeCertificate certify_zeros(const CameraSystem& system,
                                 const std::vector<IntegerVector>& vectors,
                                 const std::vector<CameraPoint>& zeros) {
-    return certificate_of(system, vectors, zeros, usual);
+    return certificate_of(system, vectors, zeros, for_given_images);
 }
 
 DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, int most,

@@ -84,7 +84,8 @@ double spread(const CameraSystem& system, const Images& images) {
 std::vector<IntegerVector> random_vectors(const CameraSystem& system, Random& random) {
     constexpr std::uint64_t largest = 19;
     const auto digit = [&] {
-        return static_cast<int>(random.bits() % (2 * largest + 1)) - static_cast<int>(largest);
+        return static_cast<std::int64_t>(random.bits() % (2 * largest + 1)) -
+               static_cast<std::int64_t>(largest);
     };
     return generic_vectors(system, [&](std::size_t) {
         return IntegerVector{digit(), digit(), digit()};
@@ -99,7 +100,7 @@ std::vector<IntegerVector> vectors_near(const CameraSystem& system, const Images
         const Images near = random_neighbour({images[f]}, random, Field::real);
         IntegerVector x;
         for (std::size_t k = 0; k < 3; ++k)
-            x[k] = static_cast<int>(std::nearbyint(scale * near.front()[k].real()));
+            x[k] = std::llrint(scale * near.front()[k].real());
         return x;
     };
     std::vector<IntegerVector> best;
@@ -117,7 +118,8 @@ std::vector<IntegerVector> vectors_near(const CameraSystem& system, const Images
 Images unit_images(const std::vector<IntegerVector>& vectors) {
     Images result;
     for (const auto& [x, y, z] : vectors) {
-        const double a = x, b = y, c = z;
+        const auto a = static_cast<double>(x), b = static_cast<double>(y),
+                   c = static_cast<double>(z);
         const double scale = 1 / std::sqrt(a * a + b * b + c * c);
         result.push_back({a * scale, b * scale, c * scale});
     }

@@ -8,7 +8,7 @@
 
 namespace plprove {
 
-using IntegerVector = std::array<int, 3>;
+using IntegerVector = std::array<std::int64_t, 3>;
 
 /// Random vectors of integers from -19 to 19, one for each free vector of the system, that are
 /// generic enough for solutions to arrive there.

@@ -7,7 +7,6 @@ namespace plprove {
 
 namespace {
 
-constexpr std::int64_t largest_coordinate = 999'999;
 constexpr std::int64_t largest_value = 999'999'999'999'999'999;
 constexpr std::int64_t most_bits = 200;
 constexpr std::int64_t most_edges = 99;
@@ -54,7 +53,7 @@ public:
 
     void coordinates() {
         for (int i = 0; i < 3; ++i)
-            integer(-largest_coordinate, largest_coordinate);
+            integer(-largest_value, largest_value);
     }
 
     void end_line() {

@@ -6,6 +6,7 @@ namespace plprove {
 
 namespace {
 
+constexpr std::size_t digits_of_images = 18;
 constexpr std::size_t digits_of_solutions = 18;
 
 std::string words_of(const std::optional<CompletenessEvidence>& evidence) {
@@ -20,9 +21,9 @@ std::string words_of(const FeatureImage& image) {
     for (const ViewImage& view : image.views) {
         if (!view.point && view.lines.empty()) continue;
         words += " view";
-        if (view.point) words += " point " + coordinates(*view.point);
-        for (const std::array<int, 3>& line : view.lines)
-            words += (view.point ? " toward " : " line ") + coordinates(line);
+        if (view.point) words += " point " + coordinates(*view.point, digits_of_images);
+        for (const std::array<std::int64_t, 3>& line : view.lines)
+            words += (view.point ? " toward " : " line ") + coordinates(line, digits_of_images);
     }
     return words;
 }

@@ -7,14 +7,13 @@ namespace plprove {
 namespace {
 
 constexpr std::string_view continuation = " \\";
-constexpr std::size_t digits_of_coordinates = 6;
 
 template <class Integer>
-std::string written_coordinates(std::span<const Integer> values) {
+std::string written_coordinates(std::span<const Integer> values, std::size_t digits) {
     std::string text;
     for (const Integer value : values) {
         if (!text.empty()) text += ' ';
-        text += with_digits(std::int64_t{value}, digits_of_coordinates, "a coordinate");
+        text += with_digits(std::int64_t{value}, digits, "a coordinate");
     }
     return text;
 }
@@ -65,12 +64,12 @@ std::string with_digits(std::int64_t value, std::size_t most, std::string_view w
     return with_digits(std::to_string(value), most, what);
 }
 
-std::string coordinates(std::span<const std::int64_t> values) {
-    return written_coordinates(values);
+std::string coordinates(std::span<const std::int64_t> values, std::size_t digits) {
+    return written_coordinates(values, digits);
 }
 
 std::string coordinates(std::span<const int> values) {
-    return written_coordinates(values);
+    return written_coordinates(values, 6);
 }
 
 } // namespace plprove

@@ -41,8 +41,8 @@ std::string with_digits(std::int64_t value, std::size_t most, std::string_view w
 /// The same for an integer that is written already.
 std::string with_digits(std::string value, std::size_t most, std::string_view what);
 
-/// Integers of at most 6 digits, which points, directions, cameras and images consist of.
-std::string coordinates(std::span<const std::int64_t> values);
+/// Integers of at most so many digits; points, directions, cameras and most images have 6.
+std::string coordinates(std::span<const std::int64_t> values, std::size_t digits = 6);
 std::string coordinates(std::span<const int> values);
 
 /// Lines of a file, or of a part of one.

@@ -1,56 +1,46 @@
 #include "prover/solver/certificate.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 namespace plprove {
 
 namespace {
 
-constexpr int largest = 999'999;
+constexpr std::int64_t largest = 999'999'999'999'999'999; // as FORMAT.md allows for images
+
+IntegerVector integers(const std::array<mpz_class, 3>& x) {
+    return {x[0].get_si(), x[1].get_si(), x[2].get_si()};
+}
 
 /// The proportional integer vector without a common divisor; nothing if it has more digits.
 std::optional<IntegerVector> proportional(const ExactVector& x) {
     mpz_class denominator = 1, divisor = 0;
     for (const mpq_class& coordinate : x)
         denominator = lcm(denominator, coordinate.get_den());
-    std::array<mpz_class, 3> integers;
+    std::array<mpz_class, 3> result;
     for (std::size_t k = 0; k < 3; ++k) {
-        integers[k] = x[k].get_num() * (denominator / x[k].get_den());
-        divisor = gcd(divisor, integers[k]);
+        result[k] = x[k].get_num() * (denominator / x[k].get_den());
+        divisor = gcd(divisor, result[k]);
     }
-    IntegerVector result{};
+    for (mpz_class& coordinate : result) {
+        coordinate /= divisor;
+        if (abs(coordinate) > largest) return std::nullopt;
+    }
+    return integers(result);
+}
+
+/// The vector of the same direction whose largest coordinate has all digits, rounded.
+IntegerVector nearest(const ExactVector& x) {
+    mpq_class size = 0;
+    for (const mpq_class& coordinate : x)
+        size = std::max<mpq_class>(size, abs(coordinate));
+    std::array<mpz_class, 3> result;
     for (std::size_t k = 0; k < 3; ++k) {
-        const mpz_class reduced = integers[k] / divisor;
-        if (abs(reduced) > largest) return std::nullopt;
-        result[k] = static_cast<int>(reduced.get_si());
+        const mpq_class twice = 2 * largest * x[k] / size + 1;
+        mpz_fdiv_q(result[k].get_mpz_t(), twice.get_num_mpz_t(),
+                   mpz_class(2 * twice.get_den()).get_mpz_t());
     }
-    return result;
-}
-
-/// The integer vector of six digits with about the least angle to x.
-IntegerVector nearest(const Eigen::Vector3d& x) {
-    const Eigen::Vector3d direction = x / x.cwiseAbs().maxCoeff();
-    double least = 1;
-    int best = largest;
-    for (int length = largest; length > largest / 20; --length) {
-        const Eigen::Vector3d scaled = length * direction;
-        const double error = (scaled - scaled.array().round().matrix()).norm() / length;
-        if (error < least) {
-            least = error;
-            best = length;
-        }
-    }
-    const Eigen::Vector3d vector = (best * direction).array().round();
-    return {static_cast<int>(vector[0]), static_cast<int>(vector[1]), static_cast<int>(vector[2])};
-}
-
-Eigen::Vector3d vector(const IntegerVector& x) {
-    return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])};
-}
-
-Eigen::Vector3d vector(const ExactVector& x) {
-    return {x[0].get_d(), x[1].get_d(), x[2].get_d()};
+    return integers(result);
 }
 
 mpq_class dot(const ExactVector& a, const ExactVector& b) {
@@ -65,8 +55,10 @@ ExactVector exact(const IntegerVector& x) {
     return {mpq_class(x[0]), mpq_class(x[1]), mpq_class(x[2])};
 }
 
-double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::asin(std::min(1.0, a.normalized().cross(b.normalized()).norm()));
+double angle(const ExactVector& a, const ExactVector& b) {
+    const ExactVector normal = exact_cross(a, b);
+    const mpq_class squared_sine = dot(normal, normal) / (dot(a, a) * dot(b, b));
+    return std::asin(std::min(1.0, std::sqrt(squared_sine.get_d())));
 }
 
 /// Any other point: it gives a line through this one.
@@ -79,9 +71,9 @@ IntegerVector other_than(const IntegerVector& point) {
 class Rounding {
 public:
     IntegerVector of(const ExactVector& x) {
-        if (const auto exact = proportional(x)) return *exact;
-        const IntegerVector near = nearest(vector(x));
-        note(angle(vector(near), vector(x)));
+        if (const auto same = proportional(x)) return *same;
+        const IntegerVector near = nearest(x);
+        note(angle(exact(near), x));
         return near;
     }
 
@@ -90,11 +82,10 @@ public:
         const ExactVector through = exact(point);
         if (dot(line, through) == 0)
             for (const ExactVector& other :
-                 {ExactVector{0, 0, 1}, ExactVector{0, 1, 0}, ExactVector{1, 0, 0}})
+                 {ExactVector{0, 0, 1}, ExactVector{0, 1, 0}, ExactVector{1, 0, 0}, through})
                 if (const auto meet = meeting_point(line, other, through)) return *meet;
-        const Eigen::Vector3d normal = vector(line).normalized(), x = vector(point).normalized();
-        const IntegerVector second = nearest(normal.cross(x));
-        note(angle(vector(point).cross(vector(second)), normal));
+        const IntegerVector second = nearest(exact_cross(line, through));
+        note(angle(exact_cross(through, exact(second)), line));
         return second;
     }
 
@@ -118,6 +109,10 @@ private:
     bool exact_ = true;
     double moved_ = 0;
 };
+
+Eigen::Vector3d vector(const IntegerVector& x) {
+    return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])};
+}
 
 } // namespace
 

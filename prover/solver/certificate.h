@@ -9,15 +9,15 @@
 
 namespace plprove {
 
-/// Images of the class in integers of at most six digits, as a degree file has them.
+/// Images of the class in integers of at most 18 digits, as a degree file has them.
 struct IntegerImages {
     std::vector<IntegerVector> vectors; ///< one for each free vector of the system
     bool exact = true;                  ///< whether they are the given images
     double moved = 0;                   ///< if not: the largest angle to a given one, in radians
 };
 
-/// The integer vectors that are proportional to the images, where six digits are enough; elsewhere
-/// those nearest to them, which are off by some 1e-9.
+/// The integer vectors that are proportional to the images, where 18 digits are enough; elsewhere
+/// some nearby, which are off by 1e-18.
 IntegerImages integer_images(const SolvePlan& plan, const CameraSystem& system,
                              const ConsistentImages& images);
 

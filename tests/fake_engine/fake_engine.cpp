@@ -1,5 +1,7 @@
 #include "tests/fake_engine/fake_engine.h"
 
+#include "prover/degree/integer_vectors.h"
+
 #include <random>
 #include <stdexcept>
 
@@ -9,8 +11,8 @@ using namespace plprove;
 
 namespace {
 
-std::array<int, 3> triple(std::mt19937_64& random) {
-    const auto coordinate = [&] { return static_cast<int>(random() % 1999) - 999; };
+IntegerVector triple(std::mt19937_64& random) {
+    const auto coordinate = [&] { return static_cast<std::int64_t>(random() % 1999) - 999; };
     return {coordinate(), coordinate(), 1 + coordinate() % 7};
 }
 

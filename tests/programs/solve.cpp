@@ -112,17 +112,28 @@ TEST_CASE("a certificate for exactly the given images is replayed by plcheck") {
           std::string::npos);
 }
 
-TEST_CASE("a certificate for images in pixels says how far its images are from them") {
+TEST_CASE("a certificate is for exactly the images in pixels, or says how far they are from its") {
     const Session session;
     session.plprove("solve --example Cleveland -o images.json");
-    const Outcome outcome =
-        session.plprove("solve '3*P/P/P + a/a/a' images.json --certify mine.plc --json");
-    CHECK(outcome.status == 0);
-    const Json certificate = Json::parse(outcome.out)["certificate"];
-    CHECK(certificate["exact"] == false);
-    CHECK(certificate["moved"] < 1e-8);
-    CHECK(certificate["moved"] > 0);
-    CHECK(run(plcheck + " " + (session / "mine.plc").string()).status == 0);
+    const auto certify = [&] {
+        const Outcome outcome =
+            session.plprove("solve '3*P/P/P + a/a/a' images.json --certify mine.plc --json");
+        CHECK(outcome.status == 0);
+        CHECK(run(plcheck + " " + (session / "mine.plc").string()).status == 0);
+        return Json::parse(outcome.out)["certificate"];
+    };
+    const Json certificate = certify();
+    CHECK(certificate["exact"] == true);
+    CHECK(certificate["moved"] == 0);
+    CHECK(certificate["solutions"] == 216);
+
+    Json images = session.json("images.json");
+    images["features"][0]["views"][0]["point"][0] = "320.1234567890123456789012345";
+    write_file(session / "images.json", images.dump());
+    const Json of_long_decimals = certify();
+    CHECK(of_long_decimals["exact"] == false);
+    CHECK(of_long_decimals["moved"] < 2e-18);
+    CHECK(of_long_decimals["moved"] > 0);
 }
 
 TEST_CASE(

@@ -1,4 +1,5 @@
 // What a sweep keeps of a class, as a file: written as FORMAT.md has it, and read back.
+#include "prover/degree/integer_vectors.h"
 #include "prover/degree_sweep/class_result.h"
 #include "prover/degree_sweep/write.h"
 #include "tests/support/fake_sweep.h"
@@ -18,10 +19,11 @@ TEST_CASE("a certificate is written as FORMAT.md has it") {
     const Feature bent = parse_feature("Pa/P/a");
     certificate.images = {
         {bent,
-         {ViewImage{std::array{1, 2, 3}, {{4, 5, 6}}}, ViewImage{std::array{-7, 8, 9}, {}},
+         {ViewImage{IntegerVector{1, 2, 3}, {{4, 5, 6}}}, ViewImage{IntegerVector{-7, 8, 9}, {}},
           ViewImage{std::nullopt, {{0, 1, -1}}}}},
         {parse_feature("-/P/P"),
-         {ViewImage{}, ViewImage{std::array{1, 1, 1}, {}}, ViewImage{std::array{2, 2, 1}, {}}}}};
+         {ViewImage{}, ViewImage{IntegerVector{1, 1, 1}, {}},
+          ViewImage{IntegerVector{2, 2, 1}, {}}}}};
     certificate.solutions = {{true, 10, {1, -2, 3}}, {false, 0, {0, 5}}};
     CHECK(write_degree_file(std::span(&certificate, 1)) ==
           "plcert 2 degrees\n"

@@ -170,7 +170,7 @@ TEST_CASE("the images of a lower bound are integers near those of a scene, and g
     CHECK(monodromy.solutions().size() == 0); // the scene is that of the other node
     REQUIRE(vectors.size() == system.free.size());
     for (const IntegerVector& vector : vectors)
-        for (const int x : vector) {
+        for (const std::int64_t x : vector) {
             CHECK(x != 0);
             CHECK(std::abs(x) <= 90);
         }

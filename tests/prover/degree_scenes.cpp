@@ -94,7 +94,7 @@ struct ExactCamera {
     }
 };
 
-Exact3 exactly(const std::array<int, 3>& x) {
+Exact3 exactly(const IntegerVector& x) {
     return {Gaussian{x[0], 0}, Gaussian{x[1], 0}, Gaussian{x[2], 0}};
 }
 
@@ -122,7 +122,7 @@ struct InView {
 
 /// A line through the image point, or a point of the image line; any will do.
 Exact3 auxiliary(const Exact3& x) {
-    return exact_cross(x, exactly(std::array{3, 1, 4}));
+    return exact_cross(x, exactly(IntegerVector{3, 1, 4}));
 }
 
 /// The image point of the first view that sees one, or else a point of the first image line.
@@ -205,7 +205,7 @@ double reprojection_error(const FeatureImage& image, const ExactCameras& cameras
 /// The images of the certificate, in the order of the free vectors of the system.
 Images images_of(const DegreeCertificate& certificate) {
     Images images;
-    const auto add = [&](const std::array<int, 3>& x) {
+    const auto add = [&](const IntegerVector& x) {
         images.push_back(
             {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])});
     };

@@ -184,7 +184,7 @@ TEST_CASE("a record with a garbled line is left out of a collection, named, and 
         {" point ", " point x"},
         {" point ([-0-9]+) ", " point 0$1 "},
         {" point ([-0-9]+) ", " point "},
-        {" point ", " point 1000000"},
+        {" point ", " point 1000000000000000000"},
         {"\nimage [^\n]*", ""},
         {"\n(real|pair) ", "\n$1 -"},
         {"\n(real|pair) ", "\n$1 9"},

@@ -34,12 +34,9 @@ bool is_zero(const Space& x) {
 }
 
 Image integer_image(const Space& x) {
-    Image image;
-    const std::array<mpz_class, 3> integers = coprime(x);
-    for (std::size_t i = 0; i < 3; ++i) {
-        REQUIRE(abs(integers[i]) < 1'000'000'000'000);
-        image[i] = static_cast<std::int64_t>(integers[i].get_d());
-    }
+    const Image image = coprime(x);
+    for (const mpz_class& coordinate : image)
+        REQUIRE(abs(coordinate) < 1'000'000'000'000);
     return image;
 }
 

@@ -1,6 +1,9 @@
 // Proofs that a starting value leads to one solution (FORMAT.md, section 9), and that solutions are
 // different.
+#include "checker/degrees/ball.h"
 #include "tests/checker/degrees/instances.h"
+
+#include <regex>
 
 using namespace checker;
 using namespace instances;
@@ -23,6 +26,30 @@ TEST_CASE("true cameras are certified, for all kinds of features, from few digit
     }
     const std::string complete = with(example_images(), "none", "complete edges 6 trace -12");
     CHECK(replayed(complete + example_solution()).bounds.at(0).complete);
+}
+
+TEST_CASE("images of many digits are taken exactly") {
+    const mpz_class large("999999999999999999999999999999999989");
+    const Ball<64> difference = Ball<64>(large) - Ball<64>(mpz_class(large - 1));
+    CHECK(acb_contains_int(difference.get()));
+    CHECK(!nonzero(difference - Ball<64>(1)));
+    CHECK(nonzero(difference - Ball<64>(2)));
+
+    // The same image points, and lines, by vectors of up to 18 digits.
+    const std::string factor = "99999999999"; // the images have at most six
+    std::string text = example_images(), longer;
+    const std::regex integer(" (-?[1-9][0-9]*)(?=[ \n])");
+    const std::size_t start = text.find("image");
+    longer = text.substr(0, start);
+    text.erase(0, start);
+    for (std::smatch match; std::regex_search(text, match, integer);) {
+        longer += match.prefix().str() + " " +
+                  mpz_class(mpz_class(match[1]) * mpz_class(factor)).get_str();
+        text = match.suffix();
+    }
+    const DegreeFile file = replayed(longer + text + example_solution());
+    REQUIRE(file.bounds.size() == 1);
+    CHECK(file.bounds[0].solutions == 1);
 }
 
 TEST_CASE("pairs count twice; a solution counts once") {

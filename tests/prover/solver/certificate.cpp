@@ -1,39 +1,47 @@
-// Images in integers of six digits: exactly those given, or as near as they say.
+// Images in integers of 18 digits: exactly those given, or as near as they say.
 #include "prover/solver/certificate.h"
 
 #include "prover/solver/images_file.h"
 #include "prover/solver/synthetic.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <doctest/doctest.h>
 
 using namespace plprove;
 
 namespace {
 
-using Eigen::Vector3d;
-
-Vector3d vector(const IntegerVector& x) {
-    return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])};
+ExactVector exactly(const IntegerVector& x) {
+    return {mpq_class(x[0]), mpq_class(x[1]), mpq_class(x[2])};
 }
 
-double angle(const Vector3d& a, const Vector3d& b) {
-    return std::asin(std::min(1.0, a.normalized().cross(b.normalized()).norm()));
+mpq_class dot(const ExactVector& a, const ExactVector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+ExactVector exact_cross(const ExactVector& a, const ExactVector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The small angle between two vectors, by Lagrange's identity.
+double angle(const ExactVector& a, const ExactVector& b) {
+    const mpq_class squared_cosine = dot(a, b) * dot(a, b) / (dot(a, a) * dot(b, b));
+    return std::sqrt(mpq_class(1 - squared_cosine).get_d());
 }
 
 /// The largest angle between a point, or a line, of the integer images and what was given.
 double largest_angle(const SolvePlan& plan, const CameraSystem& system,
-                     const IntegerImages& integers, const Observation& observation) {
+                     const IntegerImages& integers, const ConsistentImages& given) {
     double largest = 0;
-    Vector3d point = Vector3d::Zero();
+    ExactVector point;
     for (std::size_t k = 0; k < system.free.size(); ++k) {
         const FreeVector& free = system.free[k];
         const SourceFeature& source = plan.sources[static_cast<std::size_t>(free.feature)];
         const auto view =
             static_cast<std::size_t>(plan.view_of[static_cast<std::size_t>(free.view)]);
-        const Sighting& sighting = observation[source.feature][view];
-        const Vector3d x = vector(integers.vectors[k]);
+        const ExactSighting& sighting = given.features[source.feature][view];
+        const ExactVector x = exactly(integers.vectors[k]);
         if (free.line < 0) {
             point = x;
             largest = std::max(largest, angle(x, *sighting.point));
@@ -41,14 +49,27 @@ double largest_angle(const SolvePlan& plan, const CameraSystem& system,
         }
         const auto pin = static_cast<std::size_t>(source.pins[static_cast<std::size_t>(free.line)]);
         if (!sighting.lines[pin]) continue; // any line does
-        largest = std::max(largest, angle(free.toward ? point.cross(x) : x, *sighting.lines[pin]));
+        const ExactVector line = free.toward ? exact_cross(point, x) : x;
+        largest = std::max(largest, angle(line, *sighting.lines[pin]));
     }
     return largest;
 }
 
+/// The images, stretched a little, so that they have more digits than a file.
+ConsistentImages with_many_digits(ConsistentImages images) {
+    const mpq_class factor("79792266297612002/79792266297612001"); // 1 + 1/7^20
+    for (auto& views : images.features)
+        for (ExactSighting& sighting : views) {
+            if (sighting.point) (*sighting.point)[0] *= factor;
+            for (auto& line : sighting.lines)
+                if (line) (*line)[0] /= factor;
+        }
+    return images;
+}
+
 } // namespace
 
-TEST_CASE("images in pixels have integer vectors nearby, as near as they say") {
+TEST_CASE("images in pixels are kept exactly; of more digits, those nearby say how near") {
     for (const char* text : {"2*Pa/Pa/Pa + P/P/P", "a/a/a + 3*P/P/P",
                              "Pa/a/Pa + Pa/Pa/a + "
                              "Pa/a/P + 3*P/-/P",
@@ -58,18 +79,20 @@ TEST_CASE("images in pixels have integer vectors nearby, as near as they say") {
         const CameraSystem system = camera_system(label_classes()[*how.number]);
         const GivenImages images =
             read_images(images_file(synthetic_scene(how.problem, 3)), "f", how.problem);
-        const ConsistentImages exact = consistent(images);
+        const ConsistentImages pixels = consistent(images);
+        const IntegerImages same = integer_images(how, system, pixels);
+        CHECK(same.exact);
+        CHECK(same.moved == 0);
+        CHECK(largest_angle(how, system, same, pixels) == 0);
+        const ConsistentImages exact = with_many_digits(pixels);
         const IntegerImages integers = integer_images(how, system, exact);
         REQUIRE(integers.vectors.size() == system.free.size());
         CHECK(!integers.exact);
-        CHECK(integers.moved < 1e-8);
-        const double found =
-            largest_angle(how, system, integers, rounded(images, exact).observation);
-        CHECK(found > 0.5 * integers.moved);
-        CHECK(found < 1.01 * integers.moved);
+        CHECK(integers.moved < 2e-18);
+        CHECK(largest_angle(how, system, integers, exact) == doctest::Approx(integers.moved));
         for (const IntegerVector& x : integers.vectors)
-            for (const int coordinate : x)
-                CHECK(std::abs(coordinate) <= 999'999);
+            for (const std::int64_t coordinate : x)
+                CHECK(std::abs(coordinate) <= 999'999'999'999'999'999);
     }
 }
 
