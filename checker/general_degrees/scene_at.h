@@ -67,7 +67,11 @@ private:
         std::size_t fixed = 0;              // of the numbers that make it, the first
     };
 
-    static T number(std::int64_t value) { return T(double(value)); }
+    /// The sum of two integers that doubles hold exactly: of 32 and of 31 bits.
+    static T number(std::int64_t value) {
+        const std::int64_t low = value % (std::int64_t{1} << 31);
+        return low == value ? T(double(low)) : T(double(value - low)) + T(double(low));
+    }
 
     static Vector3<T> vector(const ImageCoordinates& v) {
         return {number(v[0]), number(v[1]), number(v[2])};

@@ -24,9 +24,7 @@ static std::int64_t combination(const std::array<std::int64_t, 2>& factors, std:
 
 /// The line through two image points, or the other way round. It must not be zero.
 static ImageCoordinates join(const ImageCoordinates& a, const ImageCoordinates& b) {
-    ImageCoordinates line = cross(a, b);
-    for (std::int64_t& coordinate : line)
-        coordinate = bounded(coordinate);
+    const ImageCoordinates line = cross(a, b);
     if (line == ImageCoordinates{}) throw Refused("two image points of a line are the same");
     return line;
 }

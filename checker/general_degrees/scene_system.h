@@ -10,7 +10,7 @@
 #include "checker/general/problem.h"
 
 namespace checker::general {
-/// Of an image point or an image line: integers, at most 10^9 in size.
+/// Of an image point: integers, at most 10^9 in size. Of an image line: at most 2 · 10^18.
 using ImageCoordinates = Vector3<std::int64_t>;
 
 /// A linear form of the unknown depths, by its coefficients.

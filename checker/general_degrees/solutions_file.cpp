@@ -21,7 +21,7 @@ static ImagesRecord read_record_of_images(Reader& reader) {
         reader.take("view");
         Numbers& numbers = record.views.emplace_back();
         for (std::size_t left = numbers_of_view(problem); left > 0; --left)
-            numbers.push_back(reader.small_integer(-999, 999));
+            numbers.push_back(reader.small_integer(-999'999'999, 999'999'999));
         reader.end_line();
     }
     return record;

@@ -2,9 +2,12 @@
 
 #include "prover/cli/solve_report.h"
 #include "prover/degree_sweep/write.h"
+#include "prover/general/notation.h"
+#include "prover/multiview/certificate.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/certificate.h"
 #include "prover/solver/images_file.h"
+#include "prover/solver/poses.h"
 #include "prover/solver/synthetic.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
@@ -57,20 +60,38 @@ Solver solver_for(const SolveRequest& request, const Problem& problem) {
     return {plan(problem), read_start(content_of(request.start), request.start)};
 }
 
+constexpr const char* nothing_to_certify =
+    "no solution was found that could be certified: solve without --certify to see what was found";
+
+/// Solves the images and writes the certificate of the five points: a file of solutions.
+Answer solve_and_certify_two_views(const SolveRequest& request, const Solver& solver,
+                                   const ConsistentImages& consistent, const Deliver& deliver,
+                                   SolveReport& report) {
+    Answer answer = solver.solve(rounded(report.images, consistent), request.options);
+    std::vector<multiview::QuaternionCamera> cameras;
+    for (const Solution& solution : answer.solutions) {
+        const auto& [R, t] = solution.cameras[1];
+        cameras.push_back({quaternion(R), {t[0], t[1], t[2]}});
+    }
+    const FivePointImages images = five_point_images(solver.plan(), consistent);
+    const multiview::SolutionsRecord record =
+        multiview::certify(general::parse("5*P/P"), images.views, FivePointImages::digits, cameras);
+    if (record.solutions.empty()) throw std::runtime_error(nothing_to_certify);
+    report.certificate = {request.certificate, record.count(), images.exact, images.moved};
+    deliver(request.certificate, multiview::write_solutions(std::span(&record, 1)));
+    return answer;
+}
+
 /// Solves the images in integers and writes the certificate.
 Answer solve_and_certify(const SolveRequest& request, const Solver& solver,
                          const ConsistentImages& consistent, const Deliver& deliver,
                          SolveReport& report) {
-    if (!solver.plan().number)
-        throw BadInput("certificates are for problems in three views: solve without --certify");
     const IntegerImages integers = integer_images(solver.plan(), solver.system(), consistent);
     Answer answer =
         solver.solve(rounded(report.images, consistent), unit_vectors(integers), request.options);
     const DegreeCertificate certificate =
         certify_images(solver.start(), solver.system(), integers, answer.zeros);
-    if (certificate.solutions.empty())
-        throw std::runtime_error("no solution was found that could be certified: solve without "
-                                 "--certify to see what was found");
+    if (certificate.solutions.empty()) throw std::runtime_error(nothing_to_certify);
     report.certificate = {request.certificate, certificate.degree(), integers.exact,
                           integers.moved};
     deliver(request.certificate, write_degree_file(std::span(&certificate, 1)));
@@ -88,6 +109,8 @@ int solve_images(const SolveRequest& request, const Deliver& deliver) {
     report.number = solver.plan().number;
     if (request.certificate.empty())
         report.answer = solver.solve(rounded(report.images, images), request.options);
+    else if (!report.number)
+        report.answer = solve_and_certify_two_views(request, solver, images, deliver, report);
     else
         report.answer = solve_and_certify(request, solver, images, deliver, report);
     deliver(request.path, request.json ? json_report(report) : text_report(report));
@@ -121,7 +144,7 @@ Command add_solve_command(CLI::App& program, const Deliver& deliver) {
         ->capture_default_str();
     app->add_flag("--json", request->json, "print JSON");
     app->add_option("--certify", request->certificate,
-                    "also write a degree file for these images: plcheck replays it")
+                    "also write a certificate for these images: plcheck replays it")
         ->type_name("FILE");
     app->add_option("--start", request->start, "the start to use, instead of the one in the cache")
         ->type_name("FILE");

@@ -68,8 +68,8 @@ std::string coordinates(std::span<const std::int64_t> values, std::size_t digits
     return written_coordinates(values, digits);
 }
 
-std::string coordinates(std::span<const int> values) {
-    return written_coordinates(values, 6);
+std::string coordinates(std::span<const int> values, std::size_t digits) {
+    return written_coordinates(values, digits);
 }
 
 } // namespace plprove

@@ -43,7 +43,7 @@ std::string with_digits(std::string value, std::size_t most, std::string_view wh
 
 /// Integers of at most so many digits; points, directions, cameras and most images have 6.
 std::string coordinates(std::span<const std::int64_t> values, std::size_t digits = 6);
-std::string coordinates(std::span<const int> values);
+std::string coordinates(std::span<const int> values, std::size_t digits = 6);
 
 /// Lines of a file, or of a part of one.
 class CertificateText {

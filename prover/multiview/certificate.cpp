@@ -7,6 +7,7 @@
 #include "prover/multiview/solution_set.h"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -56,12 +57,13 @@ Point in_standard_chart(const System& system, const Point& point) {
     return result;
 }
 
-/// The equations at the integer images, in the standard chart.
+/// The equations at the integer images, in the standard chart. Their vectors are divided by the
+/// scale.
 class IntegerSystem {
 public:
-    IntegerSystem(const general::Problem& problem, const IntegerImages& integers)
-        : system_(problem, CameraChart::standard(problem.model, problem.views)),
-          images_(scaled(problem, integers)), still_(on_the_way(images_, images_, 0)) {}
+    IntegerSystem(const general::Problem& problem, const IntegerImages& integers, double scale)
+        : system_(problem, CameraChart::standard(problem.model, problem.views)), scale_(scale),
+          images_(scaled(problem, integers, scale)), still_(on_the_way(images_, images_, 0)) {}
 
     const Images<Complex>& images() const { return images_; }
 
@@ -85,18 +87,19 @@ public:
     Point written(const Point& point) const {
         Point result(point.size());
         const Index cameras = point.size() - system_.depths();
-        result << point.tail(cameras), point.head(system_.depths()) * image_scale;
+        result << point.tail(cameras), point.head(system_.depths()) * scale_;
         return result;
     }
     Point read(const Point& written) const {
         Point result(written.size());
         const Index cameras = written.size() - system_.depths();
-        result << written.tail(system_.depths()) / image_scale, written.head(cameras);
+        result << written.tail(system_.depths()) / scale_, written.head(cameras);
         return result;
     }
 
 private:
     System system_;
+    double scale_;
     Images<Complex> images_;
     Images<Moving> still_;
     Evaluation evaluation_;
@@ -141,6 +144,31 @@ StartingValues starting_values(const Point& written, bool real, int bits) {
         if (!real) put(x.imag());
     }
     return result;
+}
+
+Eigen::Vector3cd vector(const Vector<Complex>& x) {
+    return {x[0], x[1], x[2]};
+}
+
+/// The point of the standard chart with this second camera. The depth d of a point is such that
+/// the camera sees it where the second view does: M x + d t = s y.
+Point second_camera_with_depths(const Images<Complex>& images, const QuaternionCamera& camera) {
+    const auto chart = CameraChart::standard(general::CameraModel::calibrated, 2);
+    const auto& [q, t] = camera;
+    Eigen::VectorXcd coordinates(5);
+    coordinates << q[1] / q[0], q[2] / q[0], q[3] / q[0], t[1] / t[0], t[2] / t[0];
+    const Camera matrix = chart.camera(1, coordinates).camera;
+    const std::size_t count = images[0].points.size();
+    Point point(static_cast<Index>(count) + coordinates.size());
+    for (std::size_t p = 0; p < count; ++p) {
+        Eigen::Matrix<Complex, 3, 2> factors; // of d and s
+        factors << matrix.col(3), -vector(images[1].points[p]);
+        const Eigen::Vector3cd turned = matrix.leftCols<3>() * vector(images[0].points[p]);
+        const Eigen::Vector2cd depths = factors.colPivHouseholderQr().solve(-turned);
+        point[static_cast<Index>(p)] = depths[0];
+    }
+    point.tail(coordinates.size()) = coordinates;
+    return point;
 }
 
 /// The solutions at the integer images, as they arrive there.
@@ -192,10 +220,11 @@ int SolutionsRecord::count() const {
 SolutionsRecord certify(const MonodromyResult& found, std::uint64_t seed, int threads) {
     constexpr int most_paths = 4;
     constexpr std::uint64_t stream = 2; // another one than that of monodromy
+    constexpr double scale = 64;        // of random integer images
     const general::Problem& problem = found.system.problem();
     Random random(seed, stream);
     const IntegerImages integers = random_integer_images(problem, random);
-    IntegerSystem system(problem, integers);
+    IntegerSystem system(problem, integers, scale);
     Arrivals arrivals(system);
     const int wanted = static_cast<int>(std::ssize(found.points));
     for (int path = 0; path < most_paths && arrivals.size() < wanted; ++path) {
@@ -208,17 +237,26 @@ SolutionsRecord certify(const MonodromyResult& found, std::uint64_t seed, int th
     return {problem, integers, arrivals.written()};
 }
 
+SolutionsRecord certify(const general::Problem& points, const IntegerImages& integers, int digits,
+                        std::span<const QuaternionCamera> cameras) {
+    IntegerSystem system(points, integers, std::pow(10.0, digits));
+    Arrivals arrivals(system);
+    for (const QuaternionCamera& camera : cameras)
+        arrivals.add(second_camera_with_depths(system.images(), camera));
+    return {points, integers, arrivals.written()};
+}
+
 std::string write_solutions(std::span<const SolutionsRecord> records) {
-    constexpr std::size_t digits = 18;
+    constexpr std::size_t digits_of_images = 9, digits_of_solutions = 18;
     CertificateText text;
     for (const SolutionsRecord& record : records) {
         text.line("problem", general::notation(record.problem));
         for (const std::vector<int>& view : record.views)
-            text.line("view", coordinates(view));
+            text.line("view", coordinates(view, digits_of_images));
         for (const StartingValues& solution : record.solutions) {
             std::vector<std::string> words;
             for (const std::int64_t value : solution.values)
-                words.push_back(with_digits(value, digits, "a solution"));
+                words.push_back(with_digits(value, digits_of_solutions, "a solution"));
             text.line(solution.real ? "real" : "pair", solution.bits, words);
         }
     }

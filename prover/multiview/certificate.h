@@ -2,8 +2,10 @@
 // 14): the solutions that monodromy has found, carried over to integer images.
 #pragma once
 
+#include "prover/multiview/integer_pictures.h"
 #include "prover/multiview/monodromy.h"
 
+#include <array>
 #include <span>
 #include <string>
 
@@ -20,7 +22,7 @@ struct StartingValues {
 /// What a record of the file says.
 struct SolutionsRecord {
     general::Problem problem;
-    std::vector<std::vector<int>> views; ///< what each sees
+    IntegerImages views; ///< what each sees
     std::vector<StartingValues> solutions;
 
     /// How many solutions these are: one that is not real stands for its conjugate, too.
@@ -31,6 +33,18 @@ struct SolutionsRecord {
 /// record has all that arrive, each real one and each pair once. The same result for the same seed,
 /// whatever the number of threads.
 SolutionsRecord certify(const MonodromyResult& found, std::uint64_t seed, int threads);
+
+/// A calibrated camera: a quaternion, not of the norm 0, and t of its matrix, times any number.
+struct QuaternionCamera {
+    std::array<Complex, 4> quaternion;
+    std::array<Complex, 3> t;
+};
+
+/// The record that these images of points in two views have these solutions: approximate second
+/// cameras, whose quaternions and t do not begin with 0. The largest coordinates of the image
+/// vectors have `digits` digits. Leaves out what Newton's method does not confirm.
+SolutionsRecord certify(const general::Problem& points, const IntegerImages& integers, int digits,
+                        std::span<const QuaternionCamera> cameras);
 
 /// The file of these records. Throws FormatLimit if the format does not allow it.
 std::string write_solutions(std::span<const SolutionsRecord> records);

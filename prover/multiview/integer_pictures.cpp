@@ -114,18 +114,19 @@ IntegerImages random_integer_images(const general::Problem& problem, Random& ran
     throw FormatLimit("found no integer images whose coordinates the format allows: leave -o out");
 }
 
-Images<Complex> scaled(const general::Problem& problem, const IntegerImages& integers) {
+Images<Complex> scaled(const general::Problem& problem, const IntegerImages& integers,
+                       double scale) {
     Images<Complex> images;
     for (const std::vector<int>& numbers : integers) {
         ViewImages<Complex> view = vectors_of(problem, numbers);
         for (std::size_t p = 0; p < view.points.size(); ++p)
             if (!general::carrier(problem, static_cast<int>(p)))
                 for (Complex& x : view.points[p])
-                    x /= image_scale;
+                    x /= scale;
         for (auto& ends : view.lines)
             for (Vector<Complex>& end : ends)
                 for (Complex& x : end)
-                    x /= image_scale;
+                    x /= scale;
         images.push_back(view);
     }
     return images;

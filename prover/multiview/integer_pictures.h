@@ -12,9 +12,9 @@ using IntegerImages = std::vector<std::vector<int>>;
 /// Random ones that meet the conditions of the format. Throws FormatLimit if that takes too long.
 IntegerImages random_integer_images(const general::Problem& problem, Random& random);
 
-/// Image vectors for computing: those of free points and of lines are divided by `image_scale`, so
-/// that they are about as long as random complex ones.
-Images<Complex> scaled(const general::Problem& problem, const IntegerImages& integers);
-inline constexpr double image_scale = 64;
+/// Image vectors for computing: those of free points and of lines are divided by `scale`, so that
+/// they are about as long as random complex ones.
+Images<Complex> scaled(const general::Problem& problem, const IntegerImages& integers,
+                       double scale);
 
 } // namespace plprove::multiview

@@ -1,65 +1,15 @@
 #include "prover/solver/certificate.h"
 
+#include "prover/solver/exact_vector.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace plprove {
 
 namespace {
 
-constexpr std::int64_t largest = 999'999'999'999'999'999; // as FORMAT.md allows for images
-
-IntegerVector integers(const std::array<mpz_class, 3>& x) {
-    return {x[0].get_si(), x[1].get_si(), x[2].get_si()};
-}
-
-/// The proportional integer vector without a common divisor; nothing if it has more digits.
-std::optional<IntegerVector> proportional(const ExactVector& x) {
-    mpz_class denominator = 1, divisor = 0;
-    for (const mpq_class& coordinate : x)
-        denominator = lcm(denominator, coordinate.get_den());
-    std::array<mpz_class, 3> result;
-    for (std::size_t k = 0; k < 3; ++k) {
-        result[k] = x[k].get_num() * (denominator / x[k].get_den());
-        divisor = gcd(divisor, result[k]);
-    }
-    for (mpz_class& coordinate : result) {
-        coordinate /= divisor;
-        if (abs(coordinate) > largest) return std::nullopt;
-    }
-    return integers(result);
-}
-
-/// The vector of the same direction whose largest coordinate has all digits, rounded.
-IntegerVector nearest(const ExactVector& x) {
-    mpq_class size = 0;
-    for (const mpq_class& coordinate : x)
-        size = std::max<mpq_class>(size, abs(coordinate));
-    std::array<mpz_class, 3> result;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const mpq_class twice = 2 * largest * x[k] / size + 1;
-        mpz_fdiv_q(result[k].get_mpz_t(), twice.get_num_mpz_t(),
-                   mpz_class(2 * twice.get_den()).get_mpz_t());
-    }
-    return integers(result);
-}
-
-mpq_class dot(const ExactVector& a, const ExactVector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-ExactVector exact_cross(const ExactVector& a, const ExactVector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-ExactVector exact(const IntegerVector& x) {
-    return {mpq_class(x[0]), mpq_class(x[1]), mpq_class(x[2])};
-}
-
-double angle(const ExactVector& a, const ExactVector& b) {
-    const ExactVector normal = exact_cross(a, b);
-    const mpq_class squared_sine = dot(normal, normal) / (dot(a, a) * dot(b, b));
-    return std::asin(std::min(1.0, std::sqrt(squared_sine.get_d())));
-}
+constexpr std::int64_t largest = 999'999'999'999'999'999; // as FORMAT.md, section 9, allows
 
 /// Any other point: it gives a line through this one.
 IntegerVector other_than(const IntegerVector& point) {
@@ -71,8 +21,8 @@ IntegerVector other_than(const IntegerVector& point) {
 class Rounding {
 public:
     IntegerVector of(const ExactVector& x) {
-        if (const auto same = proportional(x)) return *same;
-        const IntegerVector near = nearest(x);
+        if (const auto same = proportional(x, largest)) return *same;
+        const IntegerVector near = nearest(x, largest);
         note(angle(exact(near), x));
         return near;
     }
@@ -84,7 +34,7 @@ public:
             for (const ExactVector& other :
                  {ExactVector{0, 0, 1}, ExactVector{0, 1, 0}, ExactVector{1, 0, 0}, through})
                 if (const auto meet = meeting_point(line, other, through)) return *meet;
-        const IntegerVector second = nearest(exact_cross(line, through));
+        const IntegerVector second = nearest(exact_cross(line, through), largest);
         note(angle(exact_cross(through, exact(second)), line));
         return second;
     }
@@ -98,7 +48,7 @@ private:
     meeting_point(const ExactVector& line, const ExactVector& other, const ExactVector& through) {
         const ExactVector meet = exact_cross(line, other);
         if (exact_cross(meet, through) == ExactVector{0, 0, 0}) return std::nullopt;
-        return proportional(meet);
+        return proportional(meet, largest);
     }
 
     void note(double by) {
@@ -142,6 +92,29 @@ IntegerImages integer_images(const SolvePlan& plan, const CameraSystem& system,
     }
     result.exact = rounding.exact_so_far();
     result.moved = rounding.moved();
+    return result;
+}
+
+FivePointImages five_point_images(const SolvePlan& plan, const ConsistentImages& images) {
+    constexpr std::int64_t most = 999'999'999;
+    FivePointImages result;
+    for (std::size_t view = 0; view < 2; ++view) {
+        std::vector<int>& numbers = result.views.emplace_back();
+        for (const SourceFeature& source : plan.sources) {
+            const ExactVector& point = *images.features[source.feature][view].point;
+            const auto same = proportional(point, most);
+            const IntegerVector vector = same ? *same : nearest(point, most);
+            if (!same) {
+                result.exact = false;
+                result.moved = std::max(result.moved, angle(exact(vector), point));
+            }
+            // Vectors of about the same length suit Newton's method.
+            const std::int64_t factor =
+                most / std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+            for (const std::int64_t coordinate : vector)
+                numbers.push_back(static_cast<int>(factor * coordinate));
+        }
+    }
     return result;
 }
 

@@ -21,6 +21,19 @@ struct IntegerImages {
 IntegerImages integer_images(const SolvePlan& plan, const CameraSystem& system,
                              const ConsistentImages& images);
 
+/// Images of five points in two views as integers of nine digits, as a file of solutions has them
+/// (certs/FORMAT.md, section 14).
+struct FivePointImages {
+    static constexpr int digits = 9;
+    std::vector<std::vector<int>> views; ///< three numbers for each point
+    bool exact = true;                   ///< as in IntegerImages
+    double moved = 0;
+};
+
+/// The five points that the plan solves. Where nine digits are not enough, those nearby are off by
+/// some 1e-9.
+FivePointImages five_point_images(const SolvePlan& plan, const ConsistentImages& images);
+
 /// The same as unit vectors, as the solver takes them.
 std::vector<Eigen::Vector3d> unit_vectors(const IntegerImages& images);
 

@@ -1,15 +1,12 @@
 #include "prover/solver/images.h"
 
 #include "prover/solver/consistency.h"
+#include "prover/solver/exact_vector.h"
 #include "prover/system/exit.h"
 
 namespace plprove {
 
 namespace {
-
-mpq_class dot(const ExactVector& a, const ExactVector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 Eigen::Vector3d rounded(const ExactVector& x) {
     return {x[0].get_d(), x[1].get_d(), x[2].get_d()};

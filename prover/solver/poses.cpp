@@ -21,20 +21,6 @@ Eigen::Vector3cd centre(const ComplexPose& pose) {
     return -pose.R.transpose() * pose.t;
 }
 
-/// A quaternion of the rotation: a column of the products of its coordinates, the largest one.
-std::array<Complex, 4> quaternion(const Eigen::Matrix3cd& R) {
-    Eigen::Matrix4cd products;
-    products << 1.0 + R.trace(), R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1), //
-        0, 1.0 + R(0, 0) - R(1, 1) - R(2, 2), R(0, 1) + R(1, 0), R(0, 2) + R(2, 0),       //
-        0, 0, 1.0 - R(0, 0) + R(1, 1) - R(2, 2), R(1, 2) + R(2, 1),                       //
-        0, 0, 0, 1.0 - R(0, 0) - R(1, 1) + R(2, 2);
-    products.triangularView<Eigen::StrictlyLower>() = products.transpose();
-    Eigen::Index largest = 0;
-    products.diagonal().cwiseAbs().maxCoeff(&largest);
-    const Eigen::Vector4cd q = products.col(largest).normalized();
-    return {q[0], q[1], q[2], q[3]};
-}
-
 /// The same cameras in the frame of the first one: X = R_1^T (Y - t_1).
 std::vector<ComplexPose> in_first_frame(std::vector<ComplexPose> poses) {
     const ComplexPose first = poses[0];
@@ -77,6 +63,20 @@ QuaternionCameras quaternion_cameras(const std::vector<ComplexPose>& poses) {
         result.centre[v] = {c[0], c[1], c[2]};
     }
     return result;
+}
+
+// A column of the products of its coordinates, the largest one.
+std::array<Complex, 4> quaternion(const Eigen::Matrix3cd& R) {
+    Eigen::Matrix4cd products;
+    products << 1.0 + R.trace(), R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1), //
+        0, 1.0 + R(0, 0) - R(1, 1) - R(2, 2), R(0, 1) + R(1, 0), R(0, 2) + R(2, 0),       //
+        0, 0, 1.0 - R(0, 0) + R(1, 1) - R(2, 2), R(1, 2) + R(2, 1),                       //
+        0, 0, 0, 1.0 - R(0, 0) - R(1, 1) + R(2, 2);
+    products.triangularView<Eigen::StrictlyLower>() = products.transpose();
+    Eigen::Index largest = 0;
+    products.diagonal().cwiseAbs().maxCoeff(&largest);
+    const Eigen::Vector4cd q = products.col(largest).normalized();
+    return {q[0], q[1], q[2], q[3]};
 }
 
 bool are_real(const std::vector<ComplexPose>& poses) {

@@ -14,6 +14,9 @@ std::vector<ComplexPose> poses_of(const QuaternionCameras& cameras);
 /// The other way: quaternions and centres in the frame of camera 1, in any unit of length.
 QuaternionCameras quaternion_cameras(const std::vector<ComplexPose>& poses);
 
+/// A quaternion whose matrix is a multiple of the rotation (certs/FORMAT.md, section 2).
+std::array<Complex, 4> quaternion(const Eigen::Matrix3cd& R);
+
 /// Whether the cameras are real, up to rounding.
 bool are_real(const std::vector<ComplexPose>& poses);
 

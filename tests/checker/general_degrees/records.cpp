@@ -151,6 +151,13 @@ TEST_CASE("problems with incomplete visibility are refused") {
     CHECK(contains(outcome(record + '\n'), ": some view misses a point or a line"));
 }
 
+TEST_CASE("points that are combinations of others may have nine digits, too, and no more") {
+    if (!has_arb) return;
+    CHECK(contains(altered(lines, " -1 -5 ", " 10000000 -5 "), "no proof of a zero"));
+    CHECK(altered(lines, " -1 -5 ", " 20000000 -5 ") ==
+          "2: 2*PL/PL/PL + PLa/PLa/PLa + a/a/a: a coordinate of the images is too large");
+}
+
 TEST_CASE("problems without such a system are refused") {
     if (!has_arb) return;
     const std::string five = "problem 5*P/P\nview 1 2 3 1 2 4 1 2 5 1 2 6 1 2 7\n"
@@ -167,7 +174,7 @@ TEST_CASE("what does not conform is refused with its line") {
     if (!has_arb) return;
     for (const auto& [old, replacement, line] : {std::tuple{"-75\nview", "-75 1\nview", 3},
                                                  {" -75\nview", "\nview", 3},
-                                                 {"view 51", "view 1000", 3},
+                                                 {"view 51", "view 1000000000", 3},
                                                  {"view 51", "view 051", 3},
                                                  {"problem 2", "problem 1", 2},
                                                  {"real 5 ", "real 201 ", 6},
