@@ -1,6 +1,7 @@
 // Degrees by Theorem R (proofs/relations.md): the number of camera solutions of minimal problems of
-// which one view sees all points, then the problem. Each row is a constraint class. The program
-// proofs/computations/central_view.cpp computes the rows and compares them with these.
+// which one view sees all points, then the problem. Each row is a constraint class. The rows of
+// central_views_lines.h go on. The program proofs/computations/central_view.cpp computes all rows
+// and compares them with these.
 #pragma once
 
 #include <string_view>

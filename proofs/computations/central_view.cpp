@@ -1,6 +1,6 @@
 // The degrees by Theorem R of proofs/relations.md. Compares them with the checker's table
-// (checker/bounds/central_views.h); `--rows` prints the rows of the table. From the folder that
-// holds checker/ and proofs/:
+// (checker/bounds/central_views.h and central_views_lines.h); `--rows` prints the rows of the
+// table. From the folder that holds checker/ and proofs/:
 //
 //   c++ -std=c++20 -O2 -I. proofs/computations/central_view.cpp -o central_view
 //
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
         return 0;
     }
     std::map<std::string, unsigned> table;
-    for (const auto& [theorem, problem, bound] : checker::rows_of(checker::central_view_bounds))
+    for (const auto& [theorem, problem, bound] : checker::central_view_rows())
         table[std::string(problem)] = bound;
     const bool holds = table == expected;
     std::cout << "Theorem R: " << expected.size() << " constraint classes, the rows of the table: "

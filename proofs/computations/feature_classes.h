@@ -1,8 +1,9 @@
-// The classes of the features that Theorem R of proofs/relations.md speaks of (section 5 there).
-// View 1 sees the points.
+// The classes of the features that Theorem R of proofs/relations.md speaks of (sections 1 and 7
+// there). View 1 sees the points.
 #pragma once
 
 #include "checker/degrees/constraint_class.h"
+#include "proofs/computations/boundary_strata.h"
 #include "proofs/computations/camera_space.h"
 
 #include <optional>
@@ -11,7 +12,7 @@
 
 namespace proofs {
 
-/// The classes of Lemmas R3 to R8, named as there.
+/// The classes of section 1 and what they consist of, named as there.
 struct FeatureClasses {
     Cycle k_2 = class_of(k2), k_3 = class_of(k3);
     Cycle T = class_of(xi) - class_of(e);              // P/a/a
@@ -32,37 +33,57 @@ struct FeatureClasses {
     Cycle A = Q * T - k_2 * k_2 * k_3 * k_3 - s_2 * k_3 * k_3 * E_3 - s_3 * k_2 * k_2 * E_2;
 };
 
-/// A feature and its class.
+/// A feature, the one with the views 2 and 3 exchanged, and its class.
 struct FeatureClass {
-    std::string_view notation;
+    std::string_view notation, mirrored;
     const Cycle& cycle;
-    bool once; // at most one feature of this kind may occur, and then one P/P/P at most
 };
 
 inline std::vector<FeatureClass> feature_classes() {
     static const FeatureClasses c;
-    return {{"P/a/a", c.T, false},    {"P/-/P", c.E_2, false},  {"P/P/-", c.E_3, false},
-            {"P/a/Pa", c.S_2, false}, {"P/Pa/a", c.S_3, false}, {"P/P/P", c.Q, false},
-            {"a/a/a", c.L, true},     {"Pa/a/Pa", c.W_2, true}, {"Pa/Pa/a", c.W_3, true},
-            {"Pa/Pa/Pa", c.A, true}};
+    return {{"P/a/a", "P/a/a", c.T},       {"P/-/P", "P/P/-", c.E_2},
+            {"P/P/-", "P/-/P", c.E_3},     {"P/a/Pa", "P/Pa/a", c.S_2},
+            {"P/Pa/a", "P/a/Pa", c.S_3},   {"P/P/P", "P/P/P", c.Q},
+            {"a/a/a", "a/a/a", c.L},       {"Pa/a/Pa", "Pa/Pa/a", c.W_2},
+            {"Pa/Pa/a", "Pa/a/Pa", c.W_3}, {"Pa/Pa/Pa", "Pa/Pa/Pa", c.A}};
 }
 
-/// The degree by Theorem R of problems with a signature of which view 1 sees all points, where
-/// feature_classes() has all features; none if the theorem does not speak of it.
-inline std::optional<std::int64_t> degree_in_view_1(const checker::Signature& signature) {
-    unsigned weight = 0, once = 0;
-    for (const auto& [notation, cycle, only_once] : feature_classes()) {
-        const std::size_t index = checker::index_of(notation);
+/// Whether all features of a signature are in feature_classes(), of weight 11 together.
+inline bool has_classes(const checker::Signature& signature) {
+    unsigned weight = 0;
+    for (const FeatureClass& feature : feature_classes()) {
+        const std::size_t index = checker::index_of(feature.notation);
         weight += signature[index] * checker::features[index].weight();
-        if (only_once) once += signature[index];
     }
-    if (weight != checker::camera_unknowns) return std::nullopt; // there are other features
-    const unsigned points = signature[checker::index_of("P/P/P")];
-    if (once > 1 || (once == 1 && points > 1)) return std::nullopt;
+    return weight == checker::camera_unknowns;
+}
+
+/// The degree of the product of the classes of all features.
+inline std::int64_t product_of_classes(const checker::Signature& signature) {
     Cycle product{{Monomial{}, 1}};
-    for (const auto& [notation, cycle, only_once] : feature_classes())
-        product = product * power(cycle, signature[checker::index_of(notation)]);
+    for (const FeatureClass& feature : feature_classes()) {
+        const unsigned count = signature[checker::index_of(feature.notation)];
+        product = product * power(feature.cycle, count);
+    }
     return degree_of(product);
+}
+
+/// Whether the features avoid all strata, as Proposition R8 asks.
+inline bool avoids_the_boundary(const checker::Signature& signature) {
+    std::vector<std::string_view> features, mirrored;
+    for (const FeatureClass& feature : feature_classes()) {
+        const unsigned count = signature[checker::index_of(feature.notation)];
+        features.insert(features.end(), count, feature.notation);
+        mirrored.insert(mirrored.end(), count, feature.mirrored);
+    }
+    return strata_in_the_way(features).empty() && strata_in_the_way(mirrored).empty();
+}
+
+/// The degree by Theorem R of problems with a signature of which view 1 sees all points; none if
+/// the theorem does not speak of it.
+inline std::optional<std::int64_t> degree_in_view_1(const checker::Signature& signature) {
+    if (!has_classes(signature) || !avoids_the_boundary(signature)) return std::nullopt;
+    return product_of_classes(signature);
 }
 
 /// The signature with each feature replaced by the one with the same constraint that
