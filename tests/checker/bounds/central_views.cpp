@@ -216,7 +216,9 @@ TEST_CASE("the degrees of Theorem R are those on file, and multiples of 8") {
     const auto certified = certified_on_file();
     CHECK(on_file.size() == 10073);
     CHECK(certified.size() == 1740);
-    for (const auto& [signature, degree] : rows()) {
+    for (const auto& row : rows()) {
+        const Signature& signature = row.first;
+        const std::size_t degree = row.second;
         CAPTURE(notation(signature));
         CHECK(on_file.at(signature) == degree);
         CHECK(certified.contains(signature));
