@@ -52,6 +52,35 @@ CountedInGeneral count_in_general(const Findings& findings, const general::Probl
     return most;
 }
 
+/// Solutions of problems, by what a renaming keeps of them.
+using CountsByInvariant = std::map<general::Invariant, std::vector<general::SolutionCount>>;
+
+static std::size_t most_solutions(const CountsByInvariant& counts,
+                                  const general::Problem& problem) {
+    std::size_t most = 0;
+    const auto alike = counts.find(general::invariant(problem));
+    if (alike == counts.end()) return most;
+    for (const general::SolutionCount& count : alike->second)
+        if (count.solutions > most && general::isomorphic(problem, count.problem))
+            most = count.solutions;
+    return most;
+}
+
+std::map<std::size_t, std::size_t> lower_bounds_of(const Findings& findings,
+                                                   const general::ProblemsFile& problems) {
+    CountsByInvariant counts;
+    for (const ReplayedFile* file : files_of<general::SolutionsFile>(findings))
+        for (const auto& count : std::get<general::SolutionsFile>(file->content).counts)
+            counts[general::invariant(count.problem)].push_back(count);
+    std::map<std::size_t, std::size_t> bounds;
+    for (const general::Verdict& verdict : problems.verdicts) {
+        if (!verdict.minimal) continue;
+        const std::size_t solutions = most_solutions(counts, verdict.problem);
+        if (solutions > 0) ++bounds[solutions];
+    }
+    return bounds;
+}
+
 const ReplayedFile* file_of_family(const Findings& findings, std::string_view family) {
     for (const ReplayedFile* file : files_of<general::ProblemsFile>(findings)) {
         const auto& content = std::get<general::ProblemsFile>(file->content);

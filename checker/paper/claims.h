@@ -5,6 +5,8 @@
 #include "checker/counts/counts.h"
 #include "checker/general/problems_file.h"
 
+#include <map>
+
 namespace checker::paper {
 /// A line of the table: a count of classes, or the verdict on a problem that has a name.
 struct Claim {
@@ -35,6 +37,7 @@ std::vector<Claim> compare_counts(const Classification& classes, const Verdicts&
 struct FamilyTable {
     std::string family{}; // `plmp` or `projective`
     std::vector<Claim> claims{};
+    std::map<std::size_t, std::size_t> lower_bounds{}; // of degrees: how many problems have each
 };
 
 /// The lines on a family; none unless the file has all its problems.

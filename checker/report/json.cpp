@@ -130,7 +130,11 @@ static std::string item(const paper::FamilyTable& table) {
     std::vector<std::string> claims;
     for (const paper::Claim& claim : table.claims)
         claims.push_back(item(claim));
-    return say("{\"family\": ", json_string(table.family), ", \"claims\": ", array_of(claims), "}");
+    std::vector<std::string> bounds;
+    for (const auto& [solutions, problems] : table.lower_bounds)
+        bounds.push_back(say("[", solutions, ", ", problems, "]"));
+    return say("{\"family\": ", json_string(table.family), ", \"claims\": ", array_of(claims),
+               ", \"lower_bounds\": ", array_of(bounds), "}");
 }
 
 static std::string item(const paper::DegreeClaim& c) {

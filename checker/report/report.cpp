@@ -1,5 +1,7 @@
 #include "checker/report/report.h"
 
+#include "checker/conclusion/in_general.h"
+
 namespace checker {
 std::string_view kind_of(const ReplayedFile& file) {
     constexpr std::array<std::string_view, 9> kinds{"",         "classification", "problem",
@@ -53,8 +55,10 @@ static void add_families(Report& report) {
     for (std::size_t i = 0; i < findings.files.size(); ++i) {
         const auto* file = std::get_if<general::ProblemsFile>(&findings.files[i].content);
         if (!file || !findings.counts(i)) continue;
-        const paper::FamilyTable table = paper::compare_family(*file);
-        if (!table.claims.empty()) report.families.push_back(table);
+        paper::FamilyTable table = paper::compare_family(*file);
+        if (table.claims.empty()) continue;
+        table.lower_bounds = lower_bounds_of(findings, *file);
+        report.families.push_back(table);
     }
 }
 

@@ -177,10 +177,31 @@ static std::string table_of_counts(const std::vector<paper::Claim>& claims) {
     return aligned(rows);
 }
 
+/// So many solutions, and in brackets how many problems have so many at least, and no more
+/// certified.
+static std::string list_of_lower_bounds(const std::map<std::size_t, std::size_t>& lower_bounds) {
+    if (lower_bounds.empty()) return "";
+    std::size_t problems = 0;
+    std::string line, lines;
+    for (const auto& [solutions, number] : lower_bounds) {
+        problems += number;
+        const std::string entry = say(' ', solutions, " (", number, "),");
+        if (line.size() + entry.size() > widest_line) {
+            lines += line + '\n';
+            line.clear();
+        }
+        line += (line.empty() ? " " : "") + entry;
+    }
+    line.back() = '\n';
+    return say("solutions certified for ", counted(problems, "minimal problem"),
+               ", at least (of so many problems):\n", lines, line, '\n');
+}
+
 static std::string tables_of_families(const Report& report) {
     std::string result;
-    for (const auto& [family, claims] : report.families)
-        result += say("\nfamily ", family, '\n', table_of_counts(claims), '\n');
+    for (const auto& [family, claims, lower_bounds] : report.families)
+        result += say("\nfamily ", family, '\n', table_of_counts(claims), '\n',
+                      list_of_lower_bounds(lower_bounds));
     return result;
 }
 

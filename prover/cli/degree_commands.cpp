@@ -71,13 +71,10 @@ DegreeReport computed(const Decision& decision, std::size_t number, DegreeOption
 
 int find_degree_in_general(const DegreeRequest& request, const general::Problem& problem,
                            const Deliver& deliver) {
-    if (request.options.at_least > 0)
-        throw BadInput("--at-least is for at most three calibrated views and one point on a line: "
-                       "use --target for " +
-                       general::notation(problem));
-    return find_multiview_degree(
-        problem, {request.options.seed, request.options.target, request.path, request.json},
-        deliver);
+    return find_multiview_degree(problem,
+                                 {request.options.seed, request.options.target,
+                                  request.options.at_least, request.path, request.json},
+                                 deliver);
 }
 
 int find_degree(const DegreeRequest& request, const Deliver& deliver,

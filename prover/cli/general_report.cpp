@@ -34,7 +34,16 @@ struct Known {
     int degree = 0;
     bool exact = true;
     std::string status;
+    int certified = 0; ///< at least so many; 0: none
 };
+
+/// The largest lower bound that is certified; 0 if none is.
+int most_certified(std::span<const DegreeRecord> records) {
+    int most = 0;
+    for (const DegreeRecord& record : records)
+        if (record.status == DegreeStatus::certified) most = std::max(most, record.degree);
+    return most;
+}
 
 /// Of a problem that has a reduction to label classes what certs/degrees.csv says, which may be
 /// certified exactly; else what certs/family-degrees.csv says; nothing if neither has it.
@@ -44,11 +53,12 @@ std::optional<Known> degree_of(const Certificate& certificate) {
         const std::vector<DegreeRecord> records = report_on(parse_spec(notation)).degrees;
         if (!records.empty())
             return Known{records.front().degree, records.front().bound == DegreeBound::exact,
-                         std::string(name(records.front().status))};
+                         std::string(name(records.front().status)), most_certified(records)};
     }
     const auto found = multiview::degree_on_file(notation);
     if (!found) return std::nullopt;
-    return Known{found->degree, found->bound == "exact", std::string(found->status)};
+    return Known{found->degree, found->bound == "exact", std::string(found->status),
+                 found->certified};
 }
 
 std::string csv_line(const Certificate& certificate) {
@@ -66,6 +76,8 @@ std::string csv_line(const Certificate& certificate) {
     if (!general::is_minimal(certificate)) line += '"' + general::explanation(certificate) + '"';
     line += ',';
     if (degree) line += (degree->exact ? "" : "at least: ") + degree->status;
+    line += ',';
+    if (degree && degree->certified > 0) line += std::to_string(degree->certified);
     return line;
 }
 
@@ -76,10 +88,14 @@ std::string in_words(const multiview::DegreeOnFile& degree) {
 
 void write_degree(std::ostream& out, const std::string& notation) {
     section(out, "degree");
-    if (const auto degree = multiview::degree_on_file(notation))
-        out << in_words(*degree) << ' ' << degree->status << ": " << degree->source << '\n';
-    else
+    const auto degree = multiview::degree_on_file(notation);
+    if (!degree) {
         out << "none on file\n";
+        return;
+    }
+    out << in_words(*degree) << ' ' << degree->status << ": " << degree->source << '\n';
+    if (degree->certified > 0)
+        section(out, "") << "at least " << degree->certified << " certified\n";
 }
 
 } // namespace
@@ -116,6 +132,7 @@ std::string json_report(const Certificate& certificate) {
         report["degree"] = {{"value", degree->degree},
                             {"bound", degree->bound},
                             {"status", degree->status},
+                            {"certified_at_least", degree->certified},
                             {"source", degree->source}};
     return report.dump(2) + '\n';
 }
@@ -124,7 +141,7 @@ std::string list_of(std::span<const Certificate> certificates, const std::string
     std::string text;
     if (format == "csv")
         text = "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,name,"
-               "notation,reason,degree_status\n";
+               "notation,reason,degree_status,degree_certified\n";
     for (const Certificate& certificate : certificates) {
         const general::Problem& problem = certificate.problem;
         text += format == "csv"        ? csv_line(certificate)

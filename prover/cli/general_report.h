@@ -14,7 +14,7 @@ std::string json_report(const general::Certificate& certificate);
 
 /// One problem a line. Formats: `name`, `notation`, and `csv` with a header: views, free_points,
 /// dependent_points, free_lines, adjacent_lines, minimal (1 or 0), degree (empty: not computed),
-/// name, notation, reason.
+/// name, notation, reason, degree_status, degree_certified (empty: no lower bound is certified).
 std::string list_of(std::span<const general::Certificate> certificates, const std::string& format);
 
 } // namespace plprove

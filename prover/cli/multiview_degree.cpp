@@ -45,10 +45,22 @@ multiview::MonodromyResult computed(const general::Problem& problem,
     multiview::MonodromySettings settings;
     settings.threads = all_threads();
     if (request.target > 0) settings.most_solutions = request.target;
+    if (request.at_least > 0) {
+        constexpr int ways_that_find_all = 3; // usually
+        settings.edges = ways_that_find_all;
+        settings.most_solutions = request.at_least;
+    }
     settings.report = [&](int known, std::int64_t paths) {
         line.show(static_cast<std::size_t>(known), " so far, " + std::to_string(paths) + " paths");
     };
     return multiview::run_monodromy(problem, request.seed, settings);
+}
+
+multiview::SolutionsRecord record_of(const multiview::MonodromyResult& found,
+                                     const MultiviewDegreeRequest& request) {
+    const int all = static_cast<int>(std::ssize(found.points));
+    const int wanted = request.at_least > 0 ? request.at_least : all;
+    return multiview::certify(found, wanted, request.seed, all_threads());
 }
 
 /// The `certified` last is how many solutions the certificate shows; 0 if there is none.
@@ -93,10 +105,13 @@ int find_multiview_degree(const general::Problem& problem, const MultiviewDegree
     const multiview::MonodromyResult found = computed(problem, request);
     int certified = 0;
     if (!request.path.empty()) {
-        const auto record = multiview::certify(found, request.seed, all_threads());
+        const auto record = record_of(found, request);
         certified = record.count();
         if (certified == 0)
             throw std::runtime_error("the run found no certificate: try another --seed");
+        if (certified < request.at_least)
+            throw std::runtime_error("the run found a certificate of only " +
+                                     std::to_string(certified) + " solutions: try another --seed");
         deliver(request.path, multiview::write_solutions(std::span(&record, 1)));
     }
     if (request.path != "-")

@@ -21,7 +21,7 @@ using Eigen::Index;
 constexpr double small_imaginary_part = 1e-8;
 
 bool is_real(const Point& point) {
-    return point.imag().cwiseAbs().maxCoeff() < small_imaginary_part * (1 + point.norm());
+    return are_near(point, point.conjugate(), 2 * small_imaginary_part);
 }
 
 /// The same cameras and places in the standard chart.
@@ -129,7 +129,7 @@ int enough_bits(IntegerSystem& system, const Point& point) {
     for (const int bits : {3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44}) {
         if (!has_few_digits(written, bits)) return 0;
         const auto end = system.solve(system.read(rounded(written, bits)));
-        const bool good = end && (*end - point).norm() < near * (1 + point.norm());
+        const bool good = end && are_near(*end, point, near);
         successes = good ? successes + 1 : 0;
         if (successes == wanted) return bits;
     }
@@ -204,7 +204,7 @@ public:
 
 private:
     IntegerSystem& system_;
-    SolutionSet seen_;
+    SolutionSet seen_{Nearness::of_coordinates};
     std::vector<Point> found_;
 };
 
@@ -217,8 +217,7 @@ int SolutionsRecord::count() const {
     return count;
 }
 
-SolutionsRecord certify(const MonodromyResult& found, std::uint64_t seed, int threads) {
-    constexpr int most_paths = 4;
+SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t seed, int threads) {
     constexpr std::uint64_t stream = 2; // another one than that of monodromy
     constexpr double scale = 64;        // of random integer images
     const general::Problem& problem = found.system.problem();
@@ -226,13 +225,16 @@ SolutionsRecord certify(const MonodromyResult& found, std::uint64_t seed, int th
     const IntegerImages integers = random_integer_images(problem, random);
     IntegerSystem system(problem, integers, scale);
     Arrivals arrivals(system);
-    const int wanted = static_cast<int>(std::ssize(found.points));
-    for (int path = 0; path < most_paths && arrivals.size() < wanted; ++path) {
+    int in_vain = 0;
+    for (int way = 0; in_vain < 2 && arrivals.size() < wanted; ++way) {
+        const int before = arrivals.size();
         const Images<Complex> to = rephased(problem, system.images(), random);
-        const Care care = path == 0 ? Care::usual : Care::careful;
+        const Care care = way == 0 ? Care::usual : Care::careful;
         for (const auto& end :
              follow_all(found.system, found.images, to, found.points, care, threads))
-            if (end) arrivals.add(in_standard_chart(found.system, *end));
+            if (end && !found.system.has_null_quaternion(*end))
+                arrivals.add(in_standard_chart(found.system, *end));
+        in_vain = arrivals.size() > before ? 0 : in_vain + 1;
     }
     return {problem, integers, arrivals.written()};
 }

@@ -29,10 +29,10 @@ struct SolutionsRecord {
     int count() const;
 };
 
-/// Follows the solutions to random integer images, on other paths again if some get lost. The
-/// record has all that arrive, each real one and each pair once. The same result for the same seed,
-/// whatever the number of threads.
-SolutionsRecord certify(const MonodromyResult& found, std::uint64_t seed, int threads);
+/// Follows the solutions to random integer images, on other ways again if fewer than `wanted`
+/// arrive, until two ways in a row bring nothing new. The record has all that arrive, each real one
+/// and each pair once. The same result for the same seed, whatever the number of threads.
+SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t seed, int threads);
 
 /// A calibrated camera: a quaternion, not of the norm 0, and t of its matrix, times any number.
 struct QuaternionCamera {

@@ -23,6 +23,8 @@ DegreeOnFile parse_family_degree(std::string_view line) {
     std::from_chars(degree.data(), degree.data() + degree.size(), result.degree);
     result.bound = take_column(line);
     result.status = take_column(line);
+    const std::string_view certified = take_column(line);
+    std::from_chars(certified.data(), certified.data() + certified.size(), result.certified);
     result.source = line;
     return result;
 }

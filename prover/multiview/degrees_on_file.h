@@ -9,13 +9,14 @@
 namespace plprove::multiview {
 
 /// One line of the file: a problem, how many solutions generic images have, or a lower bound on
-/// that, and what is known of it: evidence.
+/// that, by evidence; and the lower bound that is certified.
 struct DegreeOnFile {
     std::string_view family;
     std::string_view problem; ///< in notation
     int degree = 0;
     std::string_view bound;  ///< `exact` or `at-least`
     std::string_view status; ///< `evidence`
+    int certified = 0;       ///< plcheck has certified at least so many; 0: none
     std::string_view source;
 };
 

@@ -76,7 +76,8 @@ private:
         for (int i = edge.tried[from]; i < known; ++i)
             if (!edge.match[from].contains(i)) starts.push_back(i);
         edge.tried[from] = known;
-        if (starts.empty() || known > settings_.most_solutions) return false;
+        const bool enough = nodes_[0].solutions.size() > settings_.most_solutions;
+        if (starts.empty() || enough) return false;
         Targets targets = follow(edge, from, starts, Care::usual);
         const std::vector<int> doubtful = doubtful_starts(edge, from, targets);
         for (const auto& [start, target] : follow(edge, from, doubtful, Care::careful))
@@ -100,7 +101,7 @@ private:
         Targets targets;
         for (std::size_t k = 0; k < indices.size(); ++k) {
             std::optional<int>& target = targets[indices[k]];
-            if (!ends[k]) continue;
+            if (!ends[k] || system_.has_null_quaternion(*ends[k])) continue;
             target = others.find(*ends[k]);
             if (!target) target = others.add(*ends[k]);
         }

@@ -29,7 +29,7 @@ struct MonodromySettings {
     /// So many where few solutions are known: a loop may well leave each of two where it is.
     int edges_of_few = 16;
     int threads = 1;
-    int most_solutions = 1'000'000; ///< stops when more are known
+    int most_solutions = 1'000'000; ///< stops when more are known at the first end
     std::function<void(int known, std::int64_t paths)> report = [](int, std::int64_t) {};
 };
 

@@ -125,6 +125,19 @@ void System::evaluate(const Images<Moving>& images, const Point& point, Evaluati
     }
 }
 
+bool System::has_null_quaternion(const Point& point) const {
+    constexpr double small = 1e-8;
+    if (problem_.model != general::CameraModel::calibrated) return false;
+    for (std::size_t view = 1; view < static_cast<std::size_t>(chart_.views()); ++view) {
+        const Eigen::Index first = depths_ + chart_.offset(view);
+        const Eigen::VectorXcd coordinates = point.segment(first, chart_.coordinates(view));
+        const Eigen::Vector4cd quaternion = chart_.numbers(view, coordinates).head<4>();
+        const Complex norm = quaternion.transpose() * quaternion;
+        if (std::abs(norm) < small * quaternion.squaredNorm()) return true;
+    }
+    return false;
+}
+
 SolvedImages System::random_scene(Random& random) const {
     Point solution(unknowns());
     for (Complex& x : solution)

@@ -34,7 +34,8 @@ multiview::SolutionsRecord best_record(const multiview::DegreeOnFile& known) {
     for (std::uint64_t seed = 1; seed <= most_seeds && best.count() < known.degree; ++seed) {
         settings.edges = settings.edges_of_few = ways_for(known.degree, seed);
         const auto found = multiview::run_monodromy(problem, seed, settings);
-        const auto record = multiview::certify(found, seed, settings.threads);
+        const int wanted = static_cast<int>(std::ssize(found.points));
+        const auto record = multiview::certify(found, wanted, seed, settings.threads);
         if (record.count() > best.count()) best = record;
     }
     return best;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <map>
+#include <sstream>
 
 namespace {
 
@@ -25,16 +26,24 @@ std::string example() {
     return format.substr(start, format.find("```", start) - start);
 }
 
-/// By notation, the numbers in the column `degree` of certs/family-degrees.csv.
-/// Those that are small enough for files of solutions.
-std::map<std::string, int> degrees_on_file() {
-    constexpr int most = 600;
-    std::map<std::string, int> degrees;
+/// A line of certs/family-degrees.csv; `certified` is 0 if the column is empty.
+struct OnFile {
+    std::string family, problem;
+    int degree = 0, certified = 0;
+};
+
+std::vector<OnFile> degrees_on_file() {
+    std::vector<OnFile> degrees;
     for (const std::string& line : lines_of(read_file(certs + "family-degrees.csv"))) {
         if (line.starts_with("#") || line.starts_with("family,")) continue;
-        const std::size_t begin = line.find(',') + 1, end = line.find(',', begin);
-        const int degree = std::stoi(line.substr(end + 1));
-        if (degree <= most) degrees[line.substr(begin, end - begin)] = degree;
+        std::istringstream columns(line);
+        std::string degree, bound, status, certified;
+        OnFile& row = degrees.emplace_back();
+        for (std::string* column :
+             {&row.family, &row.problem, &degree, &bound, &status, &certified})
+            std::getline(columns, *column, ',');
+        row.degree = std::stoi(degree);
+        row.certified = certified.empty() ? 0 : std::stoi(certified);
     }
     return degrees;
 }
@@ -52,17 +61,47 @@ TEST_CASE("the file of solutions in FORMAT.md holds") {
     CHECK(outcome.err.empty());
 }
 
-TEST_CASE("every degree of the families up to 600 is certified as a lower bound") {
-    const Outcome outcome = run(plcheck + " --json " + certs + "solutions/plmp.plc " + certs +
-                                "solutions/projective.plc");
+TEST_CASE("every degree of the families up to 600 is certified as a lower bound, and the tables of "
+          "the families say so") {
+    const Outcome outcome =
+        run("cd " + certs + " && " + plcheck + " --json plmp.plc projective.plc solutions/*.plc");
     REQUIRE(outcome.status == 0);
-    std::map<std::string, int> certified;
+    std::map<std::string, int> certified, expected;
     const nlohmann::json report = nlohmann::json::parse(outcome.out);
     for (const auto& file : report["files"])
-        for (const auto& record : file["solutions"])
-            certified[record["problem"]] = record["certified_at_least"];
+        if (file.contains("solutions"))
+            for (const auto& record : file["solutions"])
+                certified[record["problem"]] = record["certified_at_least"];
+    std::map<std::string, std::map<int, int>> tables, expected_tables;
+    constexpr int most = 600; // solutions, of what has a file
+    for (const OnFile& row : degrees_on_file()) {
+        if (row.degree > most) continue;
+        CHECK(row.certified == row.degree);
+        expected[row.problem] = row.certified;
+        ++expected_tables[row.family][row.certified];
+    }
+    for (const auto& table : report["families"])
+        for (const auto& bound : table["lower_bounds"])
+            tables[table["family"]][bound[0]] = bound[1];
     CHECK(certified.size() > 300);
-    CHECK(certified == degrees_on_file());
+    CHECK(certified == expected);
+    CHECK(tables == expected_tables);
+}
+
+TEST_CASE("the table of a family counts the problems with certified solutions, whatever the names "
+          "of their points and lines") {
+    const TemporaryFolder folder;
+    write_file(folder / "seven.plc", example());
+    const std::string in_folder = "cd " + folder.path().string() + " && ";
+    const std::string family = plcheck + " " + certs + "projective.plc";
+    CHECK(contains(run(in_folder + family + " seven.plc").out,
+                   "\nsolutions certified for 1 minimal problem, at least (of so many problems):\n"
+                   "  3 (1)\n"));
+    CHECK(!contains(run(family).out, "solutions certified"));
+    const std::string other = "projective: 4*P/P + 3*PX/PX"; // 3*PL/PL + 4*P/P there
+    REQUIRE(run(in_folder + plprove + " degree '" + other + "' -o other.plc").status == 0);
+    CHECK(contains(run(in_folder + family + " other.plc seven.plc").out,
+                   "for 2 minimal problems, at least (of so many problems):\n  2 (1), 3 (1)\n"));
 }
 
 TEST_CASE("what the prover writes of a degree in general, the checker certifies") {
@@ -102,10 +141,6 @@ TEST_CASE("the same seed writes the same bytes, to a file or alone on standard o
     const std::string file = (folder / "one.plc").string();
     REQUIRE(run(command + file).status == 0);
     CHECK(run(command + "-").out == read_file(file));
-    const Outcome unsupported =
-        run(plprove + " degree 'projective: 7*P/P' --at-least 2 -o " + file);
-    CHECK(unsupported.status == 2);
-    CHECK(contains(unsupported.err, "use --target"));
 }
 
 TEST_CASE("an altered file of solutions is refused with status 1 or 2") {
@@ -124,4 +159,22 @@ TEST_CASE("an altered file of solutions is refused with status 1 or 2") {
     const Outcome empty = run(plcheck + " " + file);
     CHECK(empty.status == 1);
     CHECK(contains(empty.err, "it has no record, so it proves nothing"));
+}
+
+TEST_CASE("--at-least certifies so many solutions, the same bytes each time, or writes nothing") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "some.plc").string();
+    const std::string problem = "'projective: Pab/Pab/Pab/Pab/Pab/Pab/Pab/Pab + 4*a/a/a/a/a/a/a/a'";
+    const auto command = [&](int solutions) {
+        return plprove + " degree " + problem + " --at-least " + std::to_string(solutions);
+    };
+    constexpr int degree = 38, some = 20;
+    REQUIRE(run(command(some) + " -o " + file).status == 0);
+    CHECK(run(command(some) + " -o -").out == read_file(file));
+    const std::string expect = plcheck + " --quiet --expect " + problem + " --degree '>=";
+    CHECK(run(expect + std::to_string(some) + "' " + file).status == 0);
+    const Outcome too_many = run(command(degree + 1) + " -o " + file + ".more");
+    CHECK(too_many.status == 1);
+    CHECK(contains(too_many.err, "a certificate of only 38 solutions: try another --seed"));
+    CHECK(read_file(file + ".more").empty());
 }

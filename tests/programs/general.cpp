@@ -33,6 +33,31 @@ TEST_CASE("problems in general: verdict, JSON and certificate") {
     CHECK(contains(drawn.err, "for projective cameras are not drawn"));
 }
 
+TEST_CASE(
+    "problems in general: the published schema holds for the JSON report, and refuses what is "
+    "wrong") {
+    const TemporaryFolder folder;
+    const auto is_valid = [&](const std::string& report) {
+        write_file(folder / "report.json", report);
+        return run(std::string(SOURCE_DIR) + "/tests/support/validate " + SOURCE_DIR +
+                   "/docs/schema/problem_in_general.json " + (folder / "report.json").string())
+                   .status == 0;
+    };
+    for (const char* problem : {"1021_1", "3001_1", "projective: 7*P/P", "projective: 8*P/P",
+                                "4*PL/PL + P/P", "P/P/P/P + P/P/P/- + a/a/a/-"}) {
+        CAPTURE(problem);
+        CHECK(is_valid(run(plprove + " problem '" + problem + "' --json").out));
+    }
+    const std::string good = run(plprove + " problem 'projective: 7*P/P' --json").out;
+    REQUIRE(is_valid(good));
+    CHECK(!is_valid(with(good, "\"minimal\": true", "\"minimal\": false")));
+    CHECK(!is_valid(with(good, "\"verdict\": \"minimal\"", "\"verdict\": \"unbalanced\"")));
+    CHECK(!is_valid(with(good, "\"views\": 2", "\"views\": 1")));
+    CHECK(!is_valid(with(good, "\"value\": 3", "\"value\": 0")));
+    CHECK(!is_valid(with(good, "\"evidence\"", "\"certified\"")));
+    CHECK(!is_valid(with(good, "\"name\"", "\"names\"")));
+}
+
 TEST_CASE("problems in general: families as CSV and as archives") {
     const Outcome csv = run(plprove + " list --family projective --format csv");
     CHECK(csv.status == 0);
@@ -40,9 +65,9 @@ TEST_CASE("problems in general: families as CSV and as archives") {
         "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,"));
     CHECK(lines_of(csv.out).size() == 1 + 660);
     const std::string plmp = run(plprove + " list --family plmp --format csv").out;
-    CHECK(contains(plmp, ",20,5000_2,5*P/P,,certified\n"));
-    CHECK(contains(plmp, ",312,3002_1,P/P/P + 2*Pa/Pa/Pa,,certified\n"));
-    CHECK(contains(plmp, ",16,4100_3,3*PL/PL + 2*P/P,,evidence\n"));
+    CHECK(contains(plmp, ",20,5000_2,5*P/P,,certified,20\n"));
+    CHECK(contains(plmp, ",312,3002_1,P/P/P + 2*Pa/Pa/Pa,,certified,312\n"));
+    CHECK(contains(plmp, ",16,4100_3,3*PL/PL + 2*P/P,,evidence,16\n"));
     CHECK(run(plprove + " list --family plmp --minimal --count").out == "30\n");
     CHECK(run(plprove + " list --family plmp --not-minimal --count").out == "9\n");
     for (const std::string family : {"plmp", "projective"})

@@ -19,7 +19,8 @@ SolutionsRecord record_of(const std::string& text, int threads = 2) {
     MonodromySettings settings;
     settings.edges = settings.edges_of_few = 5;
     settings.threads = threads;
-    return certify(run_monodromy(general::parse(text), 1, settings), 1, threads);
+    const MonodromyResult found = run_monodromy(general::parse(text), 1, settings);
+    return certify(found, found.solutions, 1, threads);
 }
 
 /// How many solutions the checker proves.

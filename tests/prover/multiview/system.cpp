@@ -4,6 +4,7 @@
 
 #include "prover/general/notation.h"
 
+#include <Eigen/LU>
 #include <doctest/doctest.h>
 
 using namespace plprove;
@@ -74,4 +75,23 @@ TEST_CASE("derivatives are limits of differences") {
             CHECK(largest(difference - middle.jacobian.col(k)) < 1e-7);
         }
     }
+}
+
+TEST_CASE("a camera whose quaternion has norm zero is told from one that is nearly so") {
+    Random random(5, 1);
+    const System system(general::parse("3*PL/PL/PL/PL + a/a/a/a"),
+                        multiview::CameraChart::standard(general::CameraModel::calibrated, 4));
+    Point point = system.random_scene(random).solution;
+    CHECK(!system.has_null_quaternion(point));
+    const Eigen::Index last = system.depths() + system.chart().offset(3);
+    point.segment(last, 3) << Complex(0), Complex(0), Complex(0, 1); // 1 + i i = 0
+    CHECK(system.has_null_quaternion(point));
+    // The matrix has rank 1 there: what is left of the camera is its translation.
+    const Camera camera =
+        system.chart().camera(3, point.segment(last, system.chart().coordinates(3))).camera;
+    CHECK(camera.leftCols<3>().fullPivLu().rank() == 1);
+    point[last + 2] += 1e-5;
+    CHECK(!system.has_null_quaternion(point));
+    const System projective(general::parse("projective: 7*P/P"), random);
+    CHECK(!projective.has_null_quaternion(projective.random_scene(random).solution));
 }
