@@ -54,6 +54,29 @@ std::map<int, OnFile> degrees_on_file() {
     return classes;
 }
 
+/// What certs/solutions lists: a problem by PLMP's name, in a name NAME-SOLUTIONS-SEED.plc.
+struct ListedProblem {
+    std::string name, seed, file, digest;
+    int solutions = 0;
+};
+
+std::vector<ListedProblem> listed_problems() {
+    std::vector<ListedProblem> problems;
+    for (const std::string& line :
+         lines_of(read_file(certs + "/solutions/SHA256SUMS-lower-bounds"))) {
+        ListedProblem& problem = problems.emplace_back();
+        problem.digest = line.substr(0, 64);
+        problem.file = line.substr(66);
+        std::istringstream words(problem.file);
+        std::string solutions;
+        std::getline(words, problem.name, '-');
+        std::getline(words, solutions, '-');
+        std::getline(words, problem.seed, '.');
+        problem.solutions = std::stoi(solutions);
+    }
+    return problems;
+}
+
 } // namespace
 
 TEST_CASE("the list of lower bounds has for each of its classes the degree on file, and plcheck "
@@ -112,4 +135,49 @@ TEST_CASE("plprove gives back the bytes of a dozen certificates of lower bounds,
         CHECK(file.at("degrees").at(0).at("class") == listed.number);
         CHECK(file.at("degrees").at(0).at("certified_at_least") >= listed.solutions);
     }
+}
+
+TEST_CASE(
+    "the list of lower bounds in general has problems of PLMP with more than 600 solutions, as "
+    "certified as their lines say, and plcheck reported it") {
+    const std::string table = read_file(certs + "/family-degrees.csv");
+    const std::string report = read_file(certs + "/solutions/lower-bounds.txt");
+    std::set<std::string> lines;
+    for (const std::string& line : lines_of(table)) {
+        std::istringstream columns(line);
+        std::vector<std::string> row;
+        for (std::string column; std::getline(columns, column, ',');)
+            row.push_back(column);
+        if (row[0] != "plmp" || row[5].empty() || std::stoi(row[5]) <= 600) continue;
+        lines.insert(row[1] + ": " + row[5]);
+    }
+    std::set<std::string> listed;
+    for (const ListedProblem& problem : listed_problems()) {
+        CAPTURE(problem.file);
+        const std::string said = problem.name + ": certified to have at least ";
+        const std::size_t place = report.find(said);
+        REQUIRE(place != std::string::npos);
+        const int certified = std::stoi(report.substr(place + said.size()));
+        CHECK(certified >= problem.solutions);
+        const std::string notation =
+            lines_of(run(plprove + " problem " + problem.name).out)[0].substr(12);
+        listed.insert(notation + ": " + std::to_string(certified));
+    }
+    CHECK(listed == lines);
+    CHECK(listed.size() >= 3);
+    CHECK(lines_of(report).size() == listed.size());
+}
+
+TEST_CASE("plprove gives back the bytes of the smallest certificate in general, and it holds") {
+    const ListedProblem problem = listed_problems().at(0);
+    const TemporaryFolder folder;
+    const std::string path = (folder / problem.file).string();
+    REQUIRE(run(plprove + " degree " + problem.name + " --at-least " +
+                std::to_string(problem.solutions) + " --seed " + problem.seed + " -o " + path)
+                .status == 0);
+    const Outcome checked = run(plcheck + " --json " + path);
+    CHECK(checked.status == 0);
+    const nlohmann::json file = nlohmann::json::parse(checked.out).at("files").at(0);
+    CHECK(file.at("sha256") == problem.digest);
+    CHECK(file.at("solutions").at(0).at("certified_at_least") >= problem.solutions);
 }
