@@ -35,8 +35,8 @@ public:
 
     void evaluate(const Images<Moving>& images, const Point& point, Evaluation& result) const;
 
-    /// Whether the norm of a camera's quaternion is zero, nearly: its matrix has rank 1 then, so the
-    /// point solves the equations, but is no camera. Paths jump to such points.
+    /// Whether the norm of a camera's quaternion is zero, nearly: its matrix has rank 1 then, so
+    /// the point solves the equations, but is no camera. Paths jump to such points.
     bool has_null_quaternion(const Point& point) const;
 
     /// Images of a random scene in random cameras.
