@@ -9,20 +9,20 @@ namespace plprove {
 
 namespace {
 
-constexpr std::int64_t largest = 999'999'999'999'999'999; // as FORMAT.md, section 9, allows
-
 /// Any other point: it gives a line through this one.
 IntegerVector other_than(const IntegerVector& point) {
     const IntegerVector usual{3, -5, 7}, other{5, 7, 3};
     return exact_cross(exact(point), exact(usual)) == ExactVector{0, 0, 0} ? other : usual;
 }
 
-/// Makes integer vectors, and remembers how far they are from what was given.
+/// Makes vectors of integers up to `largest`, and remembers how far they are from what was given.
 class Rounding {
 public:
+    explicit Rounding(std::int64_t largest) : largest_(largest) {}
+
     IntegerVector of(const ExactVector& x) {
-        if (const auto same = proportional(x, largest)) return *same;
-        const IntegerVector near = nearest(x, largest);
+        if (const auto same = proportional(x, largest_)) return *same;
+        const IntegerVector near = nearest(x, largest_);
         note(angle(exact(near), x));
         return near;
     }
@@ -34,7 +34,7 @@ public:
             for (const ExactVector& other :
                  {ExactVector{0, 0, 1}, ExactVector{0, 1, 0}, ExactVector{1, 0, 0}, through})
                 if (const auto meet = meeting_point(line, other, through)) return *meet;
-        const IntegerVector second = nearest(exact_cross(line, through), largest);
+        const IntegerVector second = nearest(exact_cross(line, through), largest_);
         note(angle(exact_cross(through, exact(second)), line));
         return second;
     }
@@ -44,11 +44,11 @@ public:
 
 private:
     /// The meet of two lines, if it has few digits and is not `through`.
-    static std::optional<IntegerVector>
-    meeting_point(const ExactVector& line, const ExactVector& other, const ExactVector& through) {
+    std::optional<IntegerVector> meeting_point(const ExactVector& line, const ExactVector& other,
+                                               const ExactVector& through) const {
         const ExactVector meet = exact_cross(line, other);
         if (exact_cross(meet, through) == ExactVector{0, 0, 0}) return std::nullopt;
-        return proportional(meet, largest);
+        return proportional(meet, largest_);
     }
 
     void note(double by) {
@@ -56,6 +56,7 @@ private:
         moved_ = std::max(moved_, by);
     }
 
+    std::int64_t largest_;
     bool exact_ = true;
     double moved_ = 0;
 };
@@ -68,7 +69,7 @@ Eigen::Vector3d vector(const IntegerVector& x) {
 
 IntegerImages integer_images(const SolvePlan& plan, const CameraSystem& system,
                              const ConsistentImages& images) {
-    Rounding rounding;
+    Rounding rounding(999'999'999'999'999'999); // as FORMAT.md, section 9, allows
     IntegerImages result;
     IntegerVector point{};
     for (const FreeVector& free : system.free) {
@@ -96,25 +97,23 @@ IntegerImages integer_images(const SolvePlan& plan, const CameraSystem& system,
 }
 
 FivePointImages five_point_images(const SolvePlan& plan, const ConsistentImages& images) {
-    constexpr std::int64_t most = 999'999'999;
+    constexpr std::int64_t largest = 999'999'999; // as FORMAT.md, section 14, allows
+    Rounding rounding(largest);
     FivePointImages result;
     for (std::size_t view = 0; view < 2; ++view) {
         std::vector<int>& numbers = result.views.emplace_back();
         for (const SourceFeature& source : plan.sources) {
-            const ExactVector& point = *images.features[source.feature][view].point;
-            const auto same = proportional(point, most);
-            const IntegerVector vector = same ? *same : nearest(point, most);
-            if (!same) {
-                result.exact = false;
-                result.moved = std::max(result.moved, angle(exact(vector), point));
-            }
+            const ExactSighting& sighting = images.features[source.feature][view];
+            const IntegerVector vector = rounding.of(*sighting.point);
             // Vectors of about the same length suit Newton's method.
             const std::int64_t factor =
-                most / std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+                largest / std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
             for (const std::int64_t coordinate : vector)
                 numbers.push_back(static_cast<int>(factor * coordinate));
         }
     }
+    result.exact = rounding.exact_so_far();
+    result.moved = rounding.moved();
     return result;
 }
 
