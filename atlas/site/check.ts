@@ -1,6 +1,6 @@
 // The reader's own files, checked in the browser. They do not leave it.
 import { CheckView } from "./check_view.js";
-import type { CheckFile } from "./checker.js";
+import { atlasFile, type CheckFile } from "./checker.js";
 import { byId, make } from "./elements.js";
 
 const view = new CheckView();
@@ -40,10 +40,7 @@ form.addEventListener("submit", async (event) => {
     const own: CheckFile[] = [];
     for (const file of files) own.push({ name: file.name, bytes: await file.arrayBuffer() });
     const helped = new FormData(form).has("archive")
-        ? [
-              { name: "certs/classification.plc", address: "../certs/classification.plc" },
-              { name: "certs/bounds.plc", address: "../certs/bounds.plc" },
-          ]
+        ? [atlasFile("certs/classification.plc"), atlasFile("certs/bounds.plc")]
         : [];
     await view.run({ options: options(), files: [...helped, ...own] });
 });

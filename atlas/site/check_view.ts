@@ -1,7 +1,28 @@
-// A button that runs plcheck, and what plcheck says, in its own words.
+// Runs of plcheck on a page, and what plcheck says, in its own words.
 import { check, commandLine, type CheckRequest, type Outcome } from "./checker.js";
 import { make } from "./elements.js";
 
+/**
+ * Lets a button check the files of a request: the view of that run appears in `place`. If they
+ * hold, `show` gets the report. While the checker runs, the button is off.
+ */
+export function checkOnClick<Report>(
+    button: HTMLButtonElement,
+    place: HTMLElement,
+    request: CheckRequest,
+    show: (report: Report) => void,
+): void {
+    const view = new CheckView();
+    place.append(view.element);
+    button.addEventListener("click", async () => {
+        button.disabled = true;
+        const outcome = await view.run(request);
+        if (outcome?.status === 0) show(JSON.parse(outcome.report) as Report);
+        button.disabled = false;
+    });
+}
+
+/** What plcheck is asked, how far it is, and what it says. */
 export class CheckView {
     readonly element: HTMLElement;
     private readonly command = make("code", { class: "command" });

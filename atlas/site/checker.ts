@@ -8,6 +8,11 @@ export interface CheckFile {
     address?: string;
 }
 
+/** A file of the atlas, by its path there. The worker that loads it lies in the folder site. */
+export function atlasFile(name: string): CheckFile {
+    return { name, address: `../${name}` };
+}
+
 export interface CheckRequest {
     /** Options of plcheck, such as --expect and what follows it. */
     options: string[];

@@ -1,6 +1,6 @@
 // The report of plcheck (docs/report.schema.json), as far as pages show it: the counts and degrees
 // of the paper beside those that are certified.
-import { byId, make, withCommas } from "./elements.js";
+import { make, withCommas } from "./elements.js";
 import { problemLink } from "./problem_links.js";
 
 export interface Claim {
@@ -55,7 +55,7 @@ export function withLinks(text: string): (Node | string)[] {
 }
 
 /** A claim as a row of a table: what is counted, the paper's number, the certified one. */
-export function claimRow(claim: Claim): HTMLElement {
+function claimRow(claim: Claim): HTMLElement {
     const indent = /^(- )*/.exec(claim.claim)?.[0].length ?? 0;
     return make(
         "tr",
@@ -71,13 +71,19 @@ export function claimRow(claim: Claim): HTMLElement {
     );
 }
 
-/** Fills the table `counts` with the claims that are wanted. */
-export function showCounts(
-    report: ReportOfChecker,
-    caption: string,
-    wanted: (claim: Claim) => boolean = () => true,
-): void {
-    byId("counts-caption", HTMLElement).textContent = caption;
-    const rows = report.claims.filter(wanted).map(claimRow);
-    byId("counts", HTMLTableElement).tBodies[0]?.replaceChildren(...rows);
+/** The claims as a table. */
+export function countsTable(claims: Claim[], caption: string): HTMLTableElement {
+    const heads = [
+        make("th", { scope: "col" }, "claim"),
+        make("th", { scope: "col", class: "number" }, "paper"),
+        make("th", { scope: "col", class: "number" }, "certified"),
+        make("th", { scope: "col" }, "verdict"),
+    ];
+    return make(
+        "table",
+        {},
+        make("caption", {}, caption),
+        make("thead", {}, make("tr", {}, ...heads)),
+        make("tbody", {}, ...claims.map(claimRow)),
+    );
 }

@@ -1,5 +1,6 @@
 // The degree of a problem: on what it rests, and the button that checks what is certified.
 import { CheckView } from "./check_view.js";
+import { atlasFile } from "./checker.js";
 import { make } from "./elements.js";
 import { degreeView } from "./verdict_view.js";
 import type { Degree, Report } from "./prover.js";
@@ -33,7 +34,7 @@ function checkOf(report: Report, degree: Degree): HTMLElement {
                 "--degree",
                 exact ? String(degree.value) : `>=${degree.value}`,
             ],
-            files: names.map((name) => ({ name, address: `../${name}` })),
+            files: names.map(atlasFile),
         });
     return make(
         "div",

@@ -1,7 +1,8 @@
 // Two more papers: their counts beside the certified ones, and a list of all problems. The address
 // has the filters, and after its # the problem whose certificate is open.
-import { CheckView } from "./check_view.js";
-import { builtCaption, claimRow, ownCaption, type Claim } from "./claims.js";
+import { checkOnClick } from "./check_view.js";
+import { atlasFile } from "./checker.js";
+import { builtCaption, countsTable, ownCaption, type Claim } from "./claims.js";
 import { byId, withCommas } from "./elements.js";
 import { type Family, isFamily, type Member, membersOf } from "./family.js";
 import { memberView } from "./member_view.js";
@@ -23,30 +24,21 @@ function partOf<Kind extends HTMLElement>(section: HTMLElement, name: string, ki
 }
 
 function showClaims({ family, claims }: FamilyClaims, caption: string): void {
-    const table = partOf(byId(family, HTMLElement), "counts", HTMLTableElement);
-    table.createCaption().textContent = caption;
-    table.tBodies[0]?.replaceChildren(...claims.map(claimRow));
+    const place = partOf(byId(family, HTMLElement), "counts", HTMLElement);
+    place.replaceChildren(countsTable(claims, caption));
 }
 
 /** The button of a section replays the archive of its family. */
 function connectCheck(family: Family): void {
     const section = byId(family, HTMLElement);
-    const view = new CheckView();
-    partOf(section, "check-place", HTMLElement).append(view.element);
-    const button = partOf(section, "check-now", HTMLButtonElement);
-    button.addEventListener("click", async () => {
-        button.disabled = true;
-        const name = `certs/${family}.plc`;
-        const outcome = await view.run({
-            options: ["--family", family],
-            files: [{ name, address: `../${name}` }],
-        });
-        if (outcome?.status === 0) {
-            const report = JSON.parse(outcome.report) as { families: FamilyClaims[] };
-            for (const claims of report.families) showClaims(claims, ownCaption);
-        }
-        button.disabled = false;
-    });
+    checkOnClick(
+        partOf(section, "check-now", HTMLButtonElement),
+        partOf(section, "check-place", HTMLElement),
+        { options: ["--family", family], files: [atlasFile(`certs/${family}.plc`)] },
+        ({ families }: { families: FamilyClaims[] }) => {
+            for (const claims of families) showClaims(claims, ownCaption);
+        },
+    );
 }
 
 interface Filters {

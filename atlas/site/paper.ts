@@ -1,14 +1,15 @@
 // The paper's tables beside what the certificates say: in the run with which the atlas was built,
 // and in the reader's own run.
-import { CheckView } from "./check_view.js";
+import { checkOnClick } from "./check_view.js";
+import { atlasFile } from "./checker.js";
 import {
     builtCaption,
     builtReport,
     cell,
+    countsTable,
     type DegreeClaim,
     ownCaption,
     type ReportOfChecker,
-    showCounts,
     verdictMark,
     withLinks,
 } from "./claims.js";
@@ -57,24 +58,21 @@ function showDegrees(report: ReportOfChecker): void {
     byId("degrees", HTMLTableElement).tBodies[0]?.replaceChildren(...rows);
 }
 
-const view = new CheckView();
-byId("check", HTMLElement).append(view.element);
-const button = byId("check-now", HTMLButtonElement);
-button.addEventListener("click", async () => {
-    button.disabled = true;
-    const outcome = await view.run({
+function showCounts(report: ReportOfChecker, caption: string): void {
+    byId("counts", HTMLElement).replaceChildren(countsTable(report.claims, caption));
+    showDifferences(report);
+}
+
+checkOnClick(
+    byId("check-now", HTMLButtonElement),
+    byId("check", HTMLElement),
+    {
         options: ["--classification", "--errata"],
-        files: [{ name: "certs/classification.plc", address: "../certs/classification.plc" }],
-    });
-    if (outcome?.status === 0) {
-        const report = JSON.parse(outcome.report) as ReportOfChecker;
-        showCounts(report, ownCaption);
-        showDifferences(report);
-    }
-    button.disabled = false;
-});
+        files: [atlasFile("certs/classification.plc")],
+    },
+    (report: ReportOfChecker) => showCounts(report, ownCaption),
+);
 
 const built = await builtReport();
 showCounts(built, builtCaption);
-showDifferences(built);
 showDegrees(built);

@@ -1,13 +1,7 @@
 // The start page: the main counts of the paper, and the button that derives them anew.
-import { CheckView } from "./check_view.js";
-import {
-    builtCaption,
-    builtReport,
-    type Claim,
-    ownCaption,
-    type ReportOfChecker,
-    showCounts,
-} from "./claims.js";
+import { checkOnClick } from "./check_view.js";
+import { atlasFile } from "./checker.js";
+import { builtCaption, builtReport, countsTable, ownCaption, type ReportOfChecker } from "./claims.js";
 import { byId } from "./elements.js";
 
 const main = new Set([
@@ -18,20 +12,17 @@ const main = new Set([
     "reduced minimal PL0Ps (no pins)",
     "five-point extensions, minimal",
 ]);
-const isMain = (claim: Claim) => main.has(claim.claim);
 
-const view = new CheckView();
-byId("check", HTMLElement).append(view.element);
-const button = byId("check-now", HTMLButtonElement);
-button.addEventListener("click", async () => {
-    button.disabled = true;
-    const outcome = await view.run({
-        options: ["--classification"],
-        files: [{ name: "certs/classification.plc", address: "../certs/classification.plc" }],
-    });
-    if (outcome?.status === 0)
-        showCounts(JSON.parse(outcome.report) as ReportOfChecker, ownCaption, isMain);
-    button.disabled = false;
-});
+function showCounts(report: ReportOfChecker, caption: string): void {
+    const claims = report.claims.filter(({ claim }) => main.has(claim));
+    byId("counts", HTMLElement).replaceChildren(countsTable(claims, caption));
+}
 
-showCounts(await builtReport(), builtCaption, isMain);
+checkOnClick(
+    byId("check-now", HTMLButtonElement),
+    byId("check", HTMLElement),
+    { options: ["--classification"], files: [atlasFile("certs/classification.plc")] },
+    (report: ReportOfChecker) => showCounts(report, ownCaption),
+);
+
+showCounts(await builtReport(), builtCaption);

@@ -27,7 +27,7 @@ test("the whole classification is replayed in under 15 s, and fills the table", 
     assert.match(state, /^VERIFIED in this browser/);
     assert.match(output, /all 143494 label classes are certified, 140616 minimal/);
     assert.ok(Date.now() - start < 15_000);
-    assert.match(await page.textContent("#counts-caption"), /your browser just derived/);
+    assert.match(await page.textContent("#counts caption"), /your browser just derived/);
     assert.match(
         await page.textContent("#counts tbody"),
         /label classes, minimal140,616140,616confirmed/,
