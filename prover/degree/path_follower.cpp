@@ -82,7 +82,7 @@ TrackSettings tight_settings() {
     settings.contraction = 0.02;
     settings.noise = 1e-16;
     settings.smallest_step = 1e-13;
-    settings.largest_steps = 2000;
+    settings.most_steps = 2000;
     return settings;
 }
 
@@ -104,7 +104,7 @@ PathFollower::Ends PathFollower::follow_triple_double(const TrackedImages& image
     // seen are 1e-26.
     settings.noise = 1e-22;
     settings.smallest_step = 1e-18;
-    settings.largest_steps = 6000;
+    settings.most_steps = 6000;
     const Ends ends = attempt(fastest_triple_double_tracker(), images, settings, starts);
     counts_.failed -= arrived(ends);
     return ends;

@@ -10,7 +10,7 @@ namespace plprove::multiview {
 namespace {
 
 TrackSettings settings_for(Care care) {
-    TrackSettings settings;
+    TrackSettings settings = usual_settings;
     if (care == Care::usual) return settings;
     settings.prediction = 1e-6;
     settings.contraction = 0.005;

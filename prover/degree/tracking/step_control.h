@@ -4,6 +4,7 @@
 #pragma once
 
 #include "prover/degree/tracking/numbers.h"
+#include "prover/degree/tracking/track_settings.h"
 
 namespace plprove::PLC_LANES {
 
@@ -15,6 +16,11 @@ struct StepGoals {
     double contraction; ///< the second correction is at most that much of the first ...
     double noise;       ///< ... or as small as this
 };
+
+inline StepGoals goals_of(const TrackSettings& settings) {
+    return {settings.prediction * settings.prediction, settings.contraction * settings.contraction,
+            settings.noise * settings.noise};
+}
 
 /// Whether steps are accepted, and the factor of the next step: where they are, where not.
 struct Judgement {
@@ -49,6 +55,14 @@ struct Judgement {
     const Real shrink = smaller(larger(Real::of(0.7) * root8, Real::of(0.1)), Real::of(0.5));
     // The comparison is false for NaN, whose step shrinks at most.
     return {good, stretch, select(less(ratio, Real::of(1e80)), shrink, Real::of(0.1))};
+}
+
+/// The size of the next step; `starting` are the lanes whose step went nowhere.
+[[gnu::always_inline]] inline Real next_step(Real step, const Judgement& judgement, Mask starting,
+                                             const TrackSettings& settings) {
+    const Real longer = smaller(step * judgement.stretch, Real::of(settings.largest_step));
+    const Real next = select(judgement.good, longer, step * judgement.shrink);
+    return select(both(judgement.good, starting), Real::of(settings.first_step), next);
 }
 
 /// Hermite extrapolation (Newton's form, each node twice) from the last three points of a path, or

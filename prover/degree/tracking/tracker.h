@@ -2,6 +2,7 @@
 #pragma once
 
 #include "prover/degree/camera_system.h"
+#include "prover/degree/tracking/track_settings.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,16 +29,6 @@ struct TrackedSystem {
 /// Images that move with time t from 0 to 1: each image vector is a quadratic polynomial in t.
 struct TrackedImages {
     double coefficient[max_vectors][3][3][2]; ///< [vector][coordinate][power of t][re, im]
-};
-
-struct TrackSettings {
-    double prediction = 3e-3; ///< relative error of a prediction that the step size aims at
-    double contraction = 0.1; ///< Newton's second correction is at most that much of the first ...
-    double noise = 1e-6;      ///< ... or as small as rounding may make it, relative to the point
-    double first_step = 0.01;
-    double largest_step = 0.25;
-    double smallest_step = 1e-9;
-    int largest_steps = 600;
 };
 
 enum class TrackOutcome : std::uint8_t { arrived, stuck, endless };

@@ -17,10 +17,7 @@ class Tracker {
 public:
     Tracker(const TrackedSystem& system, const TrackedImages& images, const TrackSettings& settings,
             std::size_t count, const CameraPoint* starts, CameraPoint* ends, TrackOutcome* outcomes)
-        : system_(system), images_(images),
-          settings_(settings), goals_{settings.prediction * settings.prediction,
-                                      settings.contraction * settings.contraction,
-                                      settings.noise * settings.noise},
+        : system_(system), images_(images), settings_(settings), goals_(goals_of(settings)),
           count_(count), starts_(starts), ends_(ends), outcomes_(outcomes) {}
 
     TrackCost run() {
@@ -100,9 +97,7 @@ private:
         const Mask good = judgement.good;
         const Mask starting = less(history_.points, Real::of(0.5));
         remember(good, starting, time, point, speed);
-        step_ = select(good, smaller(step_ * judgement.stretch, Real::of(settings_.largest_step)),
-                       step_ * judgement.shrink);
-        step_ = select(both(good, starting), Real::of(settings_.first_step), step_);
+        step_ = next_step(step_, judgement, starting, settings_);
         settle(good);
     }
 
@@ -140,7 +135,7 @@ private:
                 arrived_[lane] = true;
             else if (steps[lane] < settings_.smallest_step)
                 finish(lane, TrackOutcome::stuck);
-            else if (attempts_[lane] >= settings_.largest_steps)
+            else if (attempts_[lane] >= settings_.most_steps)
                 finish(lane, TrackOutcome::endless);
         }
     }

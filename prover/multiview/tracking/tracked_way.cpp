@@ -2,13 +2,19 @@
 
 namespace plprove::multiview {
 
-std::size_t workspace_size(const TrackedWay& way) {
-    int rows = way.depths * (way.depths + 2);
+int rows_size(const TrackedWay& way) {
+    int size = 0;
     for (int v = 0; v < way.cameras; ++v)
-        rows += way.camera[v].equations * (way.camera[v].coordinates + way.depths + 2);
+        size += way.camera[v].equations * (way.camera[v].coordinates + way.depths + 2);
+    return size;
+}
+
+std::size_t workspace_size(const TrackedWay& way) {
+    const int rows_of_depths = way.depths * (way.depths + 2);
     const int points = 10; // three with their speeds, and what a step needs
     const int numbers_of_place = 8;
-    return static_cast<std::size_t>(points * way.unknowns + numbers_of_place * way.places + rows);
+    return static_cast<std::size_t>(points * way.unknowns + numbers_of_place * way.places +
+                                    rows_size(way) + rows_of_depths);
 }
 
 TrackFunction* fastest_tracker() {

@@ -1,6 +1,8 @@
 // The camera equations of images on a straight way, in plain arrays for the inner loops.
 #pragma once
 
+#include "prover/degree/tracking/track_settings.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -57,20 +59,21 @@ struct TrackedWay {
     const TrackedPlace* place = nullptr;
 };
 
-struct TrackSettings {
-    double prediction = 1e-3;  ///< relative error of a prediction that the step size aims at
-    double contraction = 0.05; ///< Newton's second correction is at most that much of the first ...
-    double noise = 1e-6;       ///< ... or as small as rounding may make it, relative to the point
-    double first_step = 0.01;
-    double largest_step = 0.2;
-    double smallest_step = 1e-10;
-    int most_steps = 2000;
-};
+/// For any number of views: a little more careful than the defaults.
+inline constexpr TrackSettings usual_settings{.prediction = 1e-3,
+                                              .contraction = 0.05,
+                                              .largest_step = 0.2,
+                                              .smallest_step = 1e-10,
+                                              .most_steps = 2000};
 
 /// The numbers of one coordinate in all lanes: eight complex ones at most.
 struct alignas(64) LaneNumber {
     double parts[16];
 };
+
+/// How many entries the rows of all views have: a row is an equation, its columns are the
+/// coordinates of the camera, the depths, and two right sides.
+int rows_size(const TrackedWay& way);
 
 /// How many LaneNumbers a tracker needs to work with.
 std::size_t workspace_size(const TrackedWay& way);

@@ -30,10 +30,8 @@ class Tracker {
 public:
     Tracker(const TrackedWay& way, const TrackSettings& settings, std::size_t count,
             const double* starts, double* ends, std::uint8_t* arrived, LaneNumber* memory)
-        : way_(way), settings_(settings), goals_{settings.prediction * settings.prediction,
-                                                 settings.contraction * settings.contraction,
-                                                 settings.noise * settings.noise},
-          count_(count), starts_(starts), ends_(ends), outcomes_(arrived) {
+        : way_(way), settings_(settings), goals_(goals_of(settings)), count_(count),
+          starts_(starts), ends_(ends), outcomes_(arrived) {
         Workspace workspace(memory);
         for (int m = 0; m < 3; ++m) {
             points_[m] = workspace.take(way.unknowns);
@@ -61,14 +59,6 @@ public:
             begin(lane);
         while (active_ > 0)
             advance();
-    }
-
-    /// How many entries the rows of all views have.
-    static int rows_size(const TrackedWay& way) {
-        int size = 0;
-        for (int v = 0; v < way.cameras; ++v)
-            size += way.camera[v].equations * (way.camera[v].coordinates + way.depths + 2);
-        return size;
     }
 
 private:
@@ -121,9 +111,7 @@ private:
         const Mask good = judgement.good;
         const Mask starting = less(known_, Real::of(0.5));
         remember(good, starting, time);
-        step_ = select(good, smaller(step_ * judgement.stretch, Real::of(settings_.largest_step)),
-                       step_ * judgement.shrink);
-        step_ = select(both(good, starting), Real::of(settings_.first_step), step_);
+        step_ = next_step(step_, judgement, starting, settings_);
         settle(good);
     }
 
@@ -142,25 +130,28 @@ private:
         return change / norm;
     }
 
-    Rows rows_of(int v, Number* first) const {
-        const TrackedCamera& camera = way_.camera[v];
-        return {first, camera.equations, camera.coordinates + way_.depths + 2};
+    /// Calls `visit` with each camera and the rows of its view.
+    template <class Visit>
+    [[gnu::always_inline]] void for_each_camera(Visit visit) {
+        Number* entries = rows_;
+        for (int v = 0; v < way_.cameras; ++v) {
+            const TrackedCamera& camera = way_.camera[v];
+            const Rows rows{entries, camera.equations, camera.coordinates + way_.depths + 2};
+            visit(camera, rows);
+            entries += rows.rows * rows.columns;
+        }
     }
 
     template <bool Moving>
     void evaluate_equations(Real time) {
         for (int p = 0; p < way_.places; ++p)
             evaluate(way_.place[p], point_, time, places_[p]);
-        Number* first = rows_;
-        for (int v = 0; v < way_.cameras; ++v) {
-            const TrackedCamera& camera = way_.camera[v];
-            const Rows rows = rows_of(v, first);
+        for_each_camera([&](const TrackedCamera& camera, const Rows& rows) {
             Number numbers[most_camera_numbers];
             evaluate(camera, point_, numbers);
             for (int e = 0; e < camera.equations; ++e)
                 set_row<Moving>(way_, camera, numbers, camera.equation[e], places_, time, rows[e]);
-            first += rows.rows * rows.columns;
-        }
+        });
     }
 
     /// Solves for the correction, and for the speed.
@@ -168,17 +159,13 @@ private:
     void solve() {
         const int depths = way_.depths;
         const Rows of_depths{depth_rows_, depths, depths + 2};
-        Number* first = rows_;
         Number* next = depth_rows_;
-        for (int v = 0; v < way_.cameras; ++v) {
-            const TrackedCamera& camera = way_.camera[v];
-            const Rows rows = rows_of(v, first);
+        for_each_camera([&](const TrackedCamera& camera, const Rows& rows) {
             eliminate(rows, camera.coordinates, inverse_ + camera.first_coordinate);
             for (int i = camera.coordinates; i < rows.rows; ++i)
                 for (int c = camera.coordinates; c < rows.columns; ++c)
                     *next++ = rows[i][c];
-            first += rows.rows * rows.columns;
-        }
+        });
         eliminate(of_depths, depths, inverse_);
         substitute_all(of_depths, 0, correction_);
         if constexpr (Moving) substitute_all(of_depths, 1, speed_);
@@ -188,14 +175,10 @@ private:
     void substitute_all(const Rows& of_depths, int side, Number* out) {
         const int depths = way_.depths;
         substitute(of_depths, depths, inverse_, nullptr, 0, depths + side, out);
-        Number* first = rows_;
-        for (int v = 0; v < way_.cameras; ++v) {
-            const TrackedCamera& camera = way_.camera[v];
-            const Rows rows = rows_of(v, first);
+        for_each_camera([&](const TrackedCamera& camera, const Rows& rows) {
             substitute(rows, camera.coordinates, inverse_ + camera.first_coordinate, out, depths,
                        camera.coordinates + depths + side, out + camera.first_coordinate);
-            first += rows.rows * rows.columns;
-        }
+        });
     }
 
     /// Makes the point the newest one of the lanes whose step is good.

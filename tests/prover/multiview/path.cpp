@@ -103,8 +103,7 @@ TEST_CASE("every instruction set follows the same paths to the same bits") {
             std::vector<LaneNumber> workspace(workspace_size(way.tracked()));
             ends.emplace_back(2 * unknowns * 11);
             outcomes.emplace_back(11);
-            const TrackSettings settings;
-            track(way.tracked(), settings, 11, starts.data(), ends.back().data(),
+            track(way.tracked(), usual_settings, 11, starts.data(), ends.back().data(),
                   outcomes.back().data(), workspace.data());
         }
         for (std::size_t i = 1; i < trackers.size(); ++i) {
