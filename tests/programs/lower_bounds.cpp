@@ -13,25 +13,40 @@ const std::string plprove = PLPROVE;
 const std::string plcheck = PLCHECK;
 const std::string certs = std::string(SOURCE_DIR) + "/certs";
 
-/// What a name CLASS-SOLUTIONS-SEED.plc in the list of digests says, and the digest.
-struct ListedFile {
-    int number = 0, solutions = 0, seed = 0;
-    std::string name, digest;
+/// A line of a list of digests. The file is named PROBLEM-SOLUTIONS-SEED.plc; the problem is the
+/// number of a class or a name of PLMP.
+struct ListedCertificate {
+    std::string file, digest;
+    std::string problem, seed;
+    int solutions = 0;
 };
 
-std::vector<ListedFile> listed_files() {
-    std::vector<ListedFile> files;
+/// What SHA256SUMS-lower-bounds lists in a folder of certs/.
+std::vector<ListedCertificate> listed_in(const std::string& folder) {
+    std::vector<ListedCertificate> certificates;
     for (const std::string& line :
-         lines_of(read_file(certs + "/degrees/SHA256SUMS-lower-bounds"))) {
-        ListedFile& file = files.emplace_back();
-        file.digest = line.substr(0, 64);
-        file.name = line.substr(66);
-        char dash = 0;
-        std::istringstream(file.name) >> file.number >> dash >> file.solutions >> dash >> file.seed;
-        file.solutions = std::abs(file.solutions);
-        file.seed = std::abs(file.seed);
+         lines_of(read_file(certs + "/" + folder + "/SHA256SUMS-lower-bounds"))) {
+        ListedCertificate& certificate = certificates.emplace_back();
+        certificate.digest = line.substr(0, 64);
+        certificate.file = line.substr(66);
+        std::istringstream parts(certificate.file);
+        std::string solutions;
+        std::getline(parts, certificate.problem, '-');
+        std::getline(parts, solutions, '-');
+        std::getline(parts, certificate.seed, '.');
+        certificate.solutions = std::stoi(solutions);
     }
-    return files;
+    return certificates;
+}
+
+/// Lets plprove find the certificate again, and returns the path of the file.
+std::string find_again(const ListedCertificate& certificate, const TemporaryFolder& folder) {
+    const std::string path = (folder / certificate.file).string();
+    const Outcome outcome =
+        run(plprove + " degree " + certificate.problem + " --at-least " +
+            std::to_string(certificate.solutions) + " --seed " + certificate.seed + " -o " + path);
+    REQUIRE(outcome.status == 0);
+    return path;
 }
 
 /// What degrees.csv says of each class: its degree, and the largest certified lower bound.
@@ -54,29 +69,6 @@ std::map<int, OnFile> degrees_on_file() {
     return classes;
 }
 
-/// What certs/solutions lists: a problem by PLMP's name, in a name NAME-SOLUTIONS-SEED.plc.
-struct ListedProblem {
-    std::string name, seed, file, digest;
-    int solutions = 0;
-};
-
-std::vector<ListedProblem> listed_problems() {
-    std::vector<ListedProblem> problems;
-    for (const std::string& line :
-         lines_of(read_file(certs + "/solutions/SHA256SUMS-lower-bounds"))) {
-        ListedProblem& problem = problems.emplace_back();
-        problem.digest = line.substr(0, 64);
-        problem.file = line.substr(66);
-        std::istringstream words(problem.file);
-        std::string solutions;
-        std::getline(words, problem.name, '-');
-        std::getline(words, solutions, '-');
-        std::getline(words, problem.seed, '.');
-        problem.solutions = std::stoi(solutions);
-    }
-    return problems;
-}
-
 } // namespace
 
 TEST_CASE("the list of lower bounds has for each of its classes the degree on file, and plcheck "
@@ -86,14 +78,14 @@ TEST_CASE("the list of lower bounds has for each of its classes the degree on fi
     for (const std::string& line : lines_of(read_file(certs + "/degrees/lower-bounds.txt")))
         reported.insert(line);
     std::set<int> classes;
-    for (const ListedFile& file : listed_files()) {
-        CAPTURE(file.name);
-        CHECK(degrees.at(file.number).degree == file.solutions);
-        CHECK(degrees.at(file.number).certified == file.solutions);
-        CHECK(classes.insert(file.number).second);
-        CHECK(reported.contains("class " + std::to_string(file.number) +
-                                ": certified to have at least " + std::to_string(file.solutions) +
-                                " solutions"));
+    for (const ListedCertificate& listed : listed_in("degrees")) {
+        CAPTURE(listed.file);
+        const int number = std::stoi(listed.problem);
+        CHECK(degrees.at(number).degree == listed.solutions);
+        CHECK(degrees.at(number).certified == listed.solutions);
+        CHECK(classes.insert(number).second);
+        CHECK(reported.contains("class " + listed.problem + ": certified to have at least " +
+                                std::to_string(listed.solutions) + " solutions"));
     }
     CHECK(reported.size() == classes.size());
     CHECK(classes.size() > 1000);
@@ -107,21 +99,17 @@ TEST_CASE("the list of lower bounds has for each of its classes the degree on fi
 TEST_CASE("plprove gives back the bytes of a dozen certificates of lower bounds, and they hold") {
     constexpr int quick = 1500; // solutions, at most
     constexpr std::size_t dozen = 12;
-    std::vector<ListedFile> files;
-    for (const ListedFile& file : listed_files())
-        if (file.solutions <= quick) files.push_back(file);
-    REQUIRE(files.size() >= dozen);
+    std::vector<ListedCertificate> small;
+    for (const ListedCertificate& listed : listed_in("degrees"))
+        if (listed.solutions <= quick) small.push_back(listed);
+    REQUIRE(small.size() >= dozen);
     const TemporaryFolder folder;
-    std::map<std::string, ListedFile> chosen;
+    std::map<std::string, ListedCertificate> chosen;
     std::string names;
     for (std::size_t i = 0; i < dozen; ++i) {
-        const ListedFile& file = files[i * (files.size() - 1) / (dozen - 1)];
-        const std::string path = (folder / file.name).string();
-        const Outcome outcome = run(plprove + " degree " + std::to_string(file.number) +
-                                    " --at-least " + std::to_string(file.solutions) + " --seed " +
-                                    std::to_string(file.seed) + " -o " + path);
-        REQUIRE(outcome.status == 0);
-        chosen[path] = file;
+        const ListedCertificate& listed = small[i * (small.size() - 1) / (dozen - 1)];
+        const std::string path = find_again(listed, folder);
+        chosen[path] = listed;
         names += " " + path;
     }
     const Outcome checked = run(plcheck + " --json" + names);
@@ -129,10 +117,10 @@ TEST_CASE("plprove gives back the bytes of a dozen certificates of lower bounds,
     const nlohmann::json report = nlohmann::json::parse(checked.out);
     REQUIRE(report.at("files").size() == dozen);
     for (const nlohmann::json& file : report.at("files")) {
-        const ListedFile& listed = chosen.at(file.at("file"));
-        CAPTURE(listed.name);
+        const ListedCertificate& listed = chosen.at(file.at("file"));
+        CAPTURE(listed.file);
         CHECK(file.at("sha256") == listed.digest);
-        CHECK(file.at("degrees").at(0).at("class") == listed.number);
+        CHECK(file.at("degrees").at(0).at("class") == std::stoi(listed.problem));
         CHECK(file.at("degrees").at(0).at("certified_at_least") >= listed.solutions);
     }
 }
@@ -152,15 +140,15 @@ TEST_CASE(
         lines.insert(row[1] + ": " + row[5]);
     }
     std::set<std::string> listed;
-    for (const ListedProblem& problem : listed_problems()) {
-        CAPTURE(problem.file);
-        const std::string said = problem.name + ": certified to have at least ";
+    for (const ListedCertificate& certificate : listed_in("solutions")) {
+        CAPTURE(certificate.file);
+        const std::string said = certificate.problem + ": certified to have at least ";
         const std::size_t place = report.find(said);
         REQUIRE(place != std::string::npos);
         const int certified = std::stoi(report.substr(place + said.size()));
-        CHECK(certified >= problem.solutions);
+        CHECK(certified >= certificate.solutions);
         const std::string notation =
-            lines_of(run(plprove + " problem " + problem.name).out)[0].substr(12);
+            lines_of(run(plprove + " problem " + certificate.problem).out)[0].substr(12);
         listed.insert(notation + ": " + std::to_string(certified));
     }
     CHECK(listed == lines);
@@ -169,15 +157,11 @@ TEST_CASE(
 }
 
 TEST_CASE("plprove gives back the bytes of the smallest certificate in general, and it holds") {
-    const ListedProblem problem = listed_problems().at(0);
+    const ListedCertificate smallest = listed_in("solutions").at(0);
     const TemporaryFolder folder;
-    const std::string path = (folder / problem.file).string();
-    REQUIRE(run(plprove + " degree " + problem.name + " --at-least " +
-                std::to_string(problem.solutions) + " --seed " + problem.seed + " -o " + path)
-                .status == 0);
-    const Outcome checked = run(plcheck + " --json " + path);
+    const Outcome checked = run(plcheck + " --json " + find_again(smallest, folder));
     CHECK(checked.status == 0);
     const nlohmann::json file = nlohmann::json::parse(checked.out).at("files").at(0);
-    CHECK(file.at("sha256") == problem.digest);
-    CHECK(file.at("solutions").at(0).at("certified_at_least") >= problem.solutions);
+    CHECK(file.at("sha256") == smallest.digest);
+    CHECK(file.at("solutions").at(0).at("certified_at_least") >= smallest.solutions);
 }
