@@ -63,7 +63,7 @@ std::size_t scene_size(const Problem& problem) {
     for (std::size_t p = 0; p < problem.points.size(); ++p)
         size += carrier(problem, p) ? 1 : 3;
     for (const Line& line : problem.lines)
-        size += line.points.empty() ? 6 : line.points.size() == 1 ? 3 : 0;
+        size += 3 * own_points(line);
     return size;
 }
 

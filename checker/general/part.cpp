@@ -112,50 +112,77 @@ static Motion motion_in(const Selection& part, const Motion& motion) {
     return result;
 }
 
-/// What space contributes: g.
-static int gain(const Problem& part, const Motion& motion, int rank) {
-    const int resting = std::popcount(part.views & ~motion.moved.views);
-    if (motion.kind == Motion::Kind::plane) return resting == 0 ? 4 : resting == 1 ? 1 : 0;
-    if (resting > 0) return 0;
-    return part.projective ? 4 - rank : 1;
-}
-
 /// How many parameters each moving view has.
 static int freedom(const Problem& part, const Motion& motion, int rank) {
     if (motion.kind == Motion::Kind::plane) return 3;
     return part.projective ? 4 - rank : 1;
 }
 
-/// κ of a motion that is not `none`. Throws Refused if the motion does not keep the images.
-static int kernel_dimension(const Problem& part, const Motion& motion) {
-    const bool star = motion.kind == Motion::Kind::star;
-    const auto& [moving, point_generators, line_generators] = motion.moved;
-    if (!star && !part.projective) throw Refused("calibrated cameras have no `plane`");
-    if (!part.projective && point_generators.size() + line_generators.size() > 0)
+/// What space contributes: g.
+static int gain(const Problem& part, const Motion& motion, int rank) {
+    const bool plane = motion.kind == Motion::Kind::plane;
+    const int resting = std::popcount(part.views & ~motion.moved.views);
+    if (resting == 0) return plane ? 4 : freedom(part, motion, rank);
+    return plane && resting == 1 ? 1 : 0;
+}
+
+/// Throws Refused if such cameras have no such motion.
+static void require_motion(const Problem& part, const Motion& motion) {
+    if (part.projective) return;
+    if (motion.kind == Motion::Kind::plane) throw Refused("calibrated cameras have no `plane`");
+    if (!motion.moved.points.empty() || !motion.moved.lines.empty())
         throw Refused("a star of calibrated cameras has no generators");
-    const Span span = span_of(part, point_generators, line_generators);
-    if (span.rank > 3) throw Refused("the rank of the generators is ", span.rank, ", more than 3");
-    std::vector<bool> point_counts;
-    for (const Point& point : part.points)
-        point_counts.push_back((point.seen_by & moving) != 0);
-    int cost = 0;
+}
+
+/// The lines that cost: a moving view sees them, and they neither lie in W nor contain O.
+static Indices costly_lines(const Problem& part, const Motion& motion, const Span& span) {
+    const bool star = motion.kind == Motion::Kind::star;
+    Indices costly;
     for (std::size_t n = 0; n < part.lines.size(); ++n) {
         const Line& line = part.lines[n];
+        const bool moves = (line.seen_by & motion.moved.views) != 0;
         const bool through_centre = star && contains(line.points, motion.centre);
-        if (span.lines[n] || through_centre || (line.seen_by & moving) == 0) continue;
-        const bool one_condition = !star || !part.projective || span.rank == 3 || meets(span, line);
-        const int conditions = one_condition ? 1 : 2;
-        cost += conditions * std::max(0, std::popcount(line.seen_by) - 2);
-        for (const std::size_t p : line.points)
-            point_counts[p] = true;
+        if (moves && !span.lines[n] && !through_centre) costly.push_back(n);
     }
+    return costly;
+}
+
+/// What these lines cost: the sum of c max(0, n - 2).
+static int cost_of(const Indices& lines, const Problem& part, const Motion& motion,
+                   const Span& span) {
+    const bool projective_star = motion.kind == Motion::Kind::star && part.projective;
+    int cost = 0;
+    for (const std::size_t n : lines) {
+        const Line& line = part.lines[n];
+        const bool two_conditions = projective_star && span.rank < 3 && !meets(span, line);
+        cost += (two_conditions ? 2 : 1) * std::max(0, std::popcount(line.seen_by) - 2);
+    }
+    return cost;
+}
+
+/// Throws Refused unless each point that counts is O or lies in W. Those count that a moving view
+/// sees, or that lie on a line that costs.
+static void require_kept_points(const Problem& part, const Motion& motion, const Span& span,
+                                const Indices& costly) {
+    const auto costs = [&](std::size_t line) { return contains(costly, line); };
     for (std::size_t p = 0; p < part.points.size(); ++p) {
-        const bool allowed = span.points[p] || (star && p == motion.centre);
-        if (point_counts[p] && !allowed)
+        const Point& point = part.points[p];
+        const bool is_centre = motion.kind == Motion::Kind::star && p == motion.centre;
+        if (is_centre || span.points[p]) continue;
+        if ((point.seen_by & motion.moved.views) != 0 || std::ranges::any_of(point.lines, costs))
             throw Refused("the motion does not keep the image of point ", p + 1, " of the part");
     }
-    return freedom(part, motion, span.rank) * std::popcount(moving) -
-           gain(part, motion, span.rank) - cost;
+}
+
+/// κ of a motion that is not `none`. Throws Refused if the motion does not keep the images.
+static int kernel_dimension(const Problem& part, const Motion& motion) {
+    require_motion(part, motion);
+    const Span span = span_of(part, motion.moved.points, motion.moved.lines);
+    if (span.rank > 3) throw Refused("the rank of the generators is ", span.rank, ", more than 3");
+    const Indices costly = costly_lines(part, motion, span);
+    require_kept_points(part, motion, span, costly);
+    return freedom(part, motion, span.rank) * std::popcount(motion.moved.views) -
+           gain(part, motion, span.rank) - cost_of(costly, part, motion, span);
 }
 
 int excess_of(const Problem& problem, const Selection& selection, const Motion& motion) {

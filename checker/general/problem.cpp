@@ -19,6 +19,10 @@ std::optional<std::size_t> carrier(const Problem& problem, std::size_t point) {
     return std::nullopt;
 }
 
+std::size_t own_points(const Line& line) {
+    return 2 - std::min<std::size_t>(2, line.points.size());
+}
+
 /// Whether two lines share two points.
 static bool share_two_points(const Line& a, const Line& b) {
     const auto is_on_b = [&](std::size_t p) { return std::ranges::count(b.points, p) > 0; };
@@ -58,7 +62,7 @@ int surplus(const Problem& problem) {
         images += 2 * std::popcount(problem.points[p].seen_by);
     }
     for (const Line& line : problem.lines) {
-        space += std::max(0, 4 - 2 * static_cast<int>(line.points.size()));
+        space += 2 * static_cast<int>(own_points(line));
         images += 2 * std::popcount(line.seen_by);
         for (const std::size_t p : line.points)
             images -= std::popcount(line.seen_by & problem.points[p].seen_by);

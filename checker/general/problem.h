@@ -42,6 +42,9 @@ std::size_t earlier_points(const Problem& problem, std::size_t line, std::size_t
 /// The carrier of a point; none if the point is free.
 std::optional<std::size_t> carrier(const Problem& problem, std::size_t point);
 
+/// How many more points fix the line, beside the points on it: two, one or none.
+std::size_t own_points(const Line& line);
+
 /// Why the problem does not conform; empty if it does.
 const char* violation(const Problem& problem);
 

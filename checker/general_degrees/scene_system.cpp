@@ -39,7 +39,7 @@ std::size_t depths_of(const Problem& problem) {
     for (std::size_t p = 0; p < problem.points.size(); ++p)
         count += carrier(problem, p) ? 0 : 1;
     for (const Line& line : problem.lines)
-        count += 2 - std::min<std::size_t>(2, line.points.size());
+        count += own_points(line);
     return count;
 }
 
@@ -48,7 +48,7 @@ std::size_t numbers_of_view(const Problem& problem) {
     for (std::size_t p = 0; p < problem.points.size(); ++p)
         count += carrier(problem, p) ? 2 : 3;
     for (const Line& line : problem.lines)
-        count += line.points.empty() ? 6 : line.points.size() == 1 ? 3 : 0;
+        count += 3 * own_points(line);
     return count;
 }
 

@@ -73,6 +73,10 @@ std::optional<int> carrier(const Problem& problem, int point) {
     return std::nullopt;
 }
 
+int own_points(const Line& line) {
+    return 2 - std::min(2, static_cast<int>(line.points.size()));
+}
+
 bool is_constructible_in_order(const Problem& problem) {
     for (int point = 0; point < static_cast<int>(problem.points.size()); ++point) {
         int carriers = 0;
@@ -103,7 +107,7 @@ int dimension_in_space(const Problem& problem) {
     for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
         dimension += carrier(problem, point) ? 1 : 3;
     for (const Line& line : problem.lines)
-        dimension += line.points.empty() ? 4 : line.points.size() == 1 ? 2 : 0;
+        dimension += 2 * own_points(line);
     return dimension;
 }
 

@@ -63,6 +63,9 @@ std::vector<int> seen_points(const Problem& problem, const Line& line, int view)
 /// order of construction.
 std::optional<int> carrier(const Problem& problem, int point);
 
+/// How many more points fix the line, beside the points on it: two, one or none.
+int own_points(const Line& line);
+
 /// Whether the points are in an order of construction: each lies on at most one line with two
 /// earlier points.
 bool is_constructible_in_order(const Problem& problem);

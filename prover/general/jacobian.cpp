@@ -221,7 +221,7 @@ int scene_coordinates(const Problem& problem) {
     for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
         count += carrier(problem, point) ? 1 : 3;
     for (const Line& line : problem.lines)
-        count += line.points.empty() ? 6 : line.points.size() == 1 ? 3 : 0;
+        count += 3 * own_points(line);
     return count;
 }
 

@@ -119,7 +119,10 @@ struct Freedom {
 };
 
 Freedom freedom(CameraModel model, const Motion& motion, int rank, int resting) {
-    if (motion.kind == MotionKind::plane) return {3, resting == 0 ? 4 : resting == 1 ? 1 : 0};
+    if (motion.kind == MotionKind::plane) {
+        if (resting == 0) return {3, 4};
+        return {3, resting == 1 ? 1 : 0};
+    }
     const int camera = model == CameraModel::calibrated ? 1 : 4 - rank;
     return {camera, resting == 0 ? camera : 0};
 }

@@ -117,7 +117,7 @@ std::size_t unknown_depths(const general::Problem& problem) {
     for (std::size_t p = 0; p < problem.points.size(); ++p)
         count += general::carrier(problem, static_cast<int>(p)) ? 0 : 1;
     for (const general::Line& line : problem.lines)
-        count += line.points.size() >= 2 ? 0 : 2 - line.points.size();
+        count += static_cast<std::size_t>(general::own_points(line));
     return count;
 }
 
