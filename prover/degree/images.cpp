@@ -1,5 +1,7 @@
 #include "prover/degree/images.h"
 
+#include "prover/geometry/quaternion.h"
+
 #include <algorithm>
 
 namespace plprove {
@@ -12,13 +14,6 @@ Complex3 combine(const Complex3& a, const Complex3& b, const Complex& factor) {
 
 Complex3 difference(const Complex3& a, const Complex3& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-std::array<Complex3, 3> matrix(const std::array<Complex, 4>& q) {
-    const auto& [a, b, c, d] = q;
-    return {{{a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d), 2.0 * (b * d + a * c)},
-             {2.0 * (b * c + a * d), a * a - b * b + c * c - d * d, 2.0 * (c * d - a * b)},
-             {2.0 * (b * d - a * c), 2.0 * (c * d + a * b), a * a - b * b - c * c + d * d}}};
 }
 
 } // namespace
@@ -36,7 +31,7 @@ Complex3 unit(const Complex3& a) {
 }
 
 Complex3 rotate(const std::array<Complex, 4>& quaternion, const Complex3& x) {
-    const auto r = matrix(quaternion);
+    const auto r = quaternion_matrix(quaternion);
     Complex3 result;
     for (std::size_t i = 0; i < 3; ++i)
         result[i] = r[i][0] * x[0] + r[i][1] * x[1] + r[i][2] * x[2];
@@ -44,7 +39,7 @@ Complex3 rotate(const std::array<Complex, 4>& quaternion, const Complex3& x) {
 }
 
 Complex3 rotate_back(const std::array<Complex, 4>& quaternion, const Complex3& x) {
-    const auto r = matrix(quaternion);
+    const auto r = quaternion_matrix(quaternion);
     Complex3 result;
     for (std::size_t i = 0; i < 3; ++i)
         result[i] = r[0][i] * x[0] + r[1][i] * x[1] + r[2][i] * x[2];

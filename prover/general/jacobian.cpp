@@ -1,6 +1,7 @@
 #include "prover/general/jacobian.h"
 
 #include "prover/general/moving.h"
+#include "prover/geometry/quaternion.h"
 
 namespace plprove::general {
 
@@ -78,11 +79,8 @@ private:
 
 /// The matrix of section 2 for a quaternion, and the translation.
 CameraMatrix calibrated_matrix(const std::vector<std::int64_t>& numbers) {
-    const std::int64_t a = numbers[0], b = numbers[1], c = numbers[2], d = numbers[3];
-    const std::int64_t rotation[3][3] = {
-        {a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
-        {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
-        {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}};
+    const auto rotation =
+        quaternion_matrix(std::array{numbers[0], numbers[1], numbers[2], numbers[3]});
     CameraMatrix matrix{};
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j)

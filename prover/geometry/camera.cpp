@@ -1,5 +1,7 @@
 #include "prover/geometry/camera.h"
 
+#include "prover/geometry/quaternion.h"
+
 namespace plprove {
 
 Vector3 operator+(const Vector3& a, const Vector3& b) {
@@ -18,10 +20,7 @@ Vector3 cross(const Vector3& a, const Vector3& b) {
 }
 
 Matrix3 rotation_matrix(const std::array<std::int64_t, 4>& quaternion) {
-    const auto [a, b, c, d] = quaternion;
-    return {{{a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
-             {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
-             {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}}};
+    return quaternion_matrix(quaternion);
 }
 
 std::optional<std::string> defect(const Cameras& cameras) {

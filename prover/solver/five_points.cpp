@@ -1,5 +1,7 @@
 #include "prover/solver/five_points.h"
 
+#include "prover/solver/bilinear.h"
+
 #include <Eigen/Dense>
 
 namespace plprove {
@@ -51,17 +53,18 @@ Polynomial times(const Polynomial& a, const Polynomial& b, int begin) {
     return result;
 }
 
-using Pencil = std::array<Matrix3d, 4>; ///< X, Y, Z, W
+/// Matrices X, Y, Z, W. The essential matrices are combinations x X + y Y + z Z + W of them.
+using NullSpace = std::array<Matrix3d, 4>;
 using Polynomials = std::array<std::array<Polynomial, 3>, 3>;
 
-Polynomials essential_polynomials(const Pencil& pencil) {
+Polynomials essential_polynomials(const NullSpace& space) {
     Polynomials e;
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {
             e[i][j].setZero();
             for (std::size_t k = 0; k < 4; ++k)
                 e[i][j][linear + static_cast<int>(k)] =
-                    pencil[k](static_cast<int>(i), static_cast<int>(j));
+                    space[k](static_cast<int>(i), static_cast<int>(j));
         }
     return e;
 }
@@ -77,8 +80,8 @@ Polynomial determinant(const Polynomials& e) {
 }
 
 /// The rows of the ten cubics: det E = 0 and 2 E E^T E - trace(E E^T) E = 0.
-Eigen::Matrix<double, 10, 20> cubics(const Pencil& pencil) {
-    const Polynomials e = essential_polynomials(pencil);
+Eigen::Matrix<double, 10, 20> cubics(const NullSpace& space) {
+    const Polynomials e = essential_polynomials(space);
     Polynomials square; // E E^T - trace / 2
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = i; j < 3; ++j) {
@@ -102,9 +105,9 @@ Eigen::Matrix<double, 10, 20> cubics(const Pencil& pencil) {
     return rows;
 }
 
-/// The matrices E with y^T E x = 0 for all pairs; nothing where they are more than a pencil.
-std::optional<Pencil> pencil_of(const std::array<Vector3d, 5>& first,
-                                const std::array<Vector3d, 5>& second) {
+/// A basis of the matrices E with y^T E x = 0 for all pairs; nothing where it has more than four.
+std::optional<NullSpace> null_space(const std::array<Vector3d, 5>& first,
+                                    const std::array<Vector3d, 5>& second) {
     Eigen::Matrix<double, 9, 5> conditions;
     for (std::size_t k = 0; k < 5; ++k) {
         const Matrix3d product = second[k].normalized() * first[k].normalized().transpose();
@@ -114,15 +117,15 @@ std::optional<Pencil> pencil_of(const std::array<Vector3d, 5>& first,
     decomposition.setThreshold(1e-10);
     if (decomposition.rank() < 5) return std::nullopt;
     const Eigen::Matrix<double, 9, 9> orthogonal = decomposition.householderQ();
-    Pencil pencil;
+    NullSpace space;
     for (int k = 0; k < 4; ++k)
-        pencil[static_cast<std::size_t>(k)] = orthogonal.col(5 + k).reshaped(3, 3);
-    return pencil;
+        space[static_cast<std::size_t>(k)] = orthogonal.col(5 + k).reshaped(3, 3);
+    return space;
 }
 
 /// The matrix of multiplication by x; nothing where the cubes are no combinations of the basis.
-std::optional<Eigen::Matrix<double, 10, 10>> multiplication(const Pencil& pencil) {
-    const Eigen::Matrix<double, 10, 20> rows = cubics(pencil);
+std::optional<Eigen::Matrix<double, 10, 10>> multiplication(const NullSpace& space) {
+    const Eigen::Matrix<double, 10, 20> rows = cubics(space);
     const Eigen::PartialPivLU<Eigen::Matrix<double, 10, 10>> cubes(rows.leftCols<10>());
     const Eigen::Matrix<double, 10, 10> reduced = cubes.solve(rows.rightCols<10>());
     if (!reduced.allFinite()) return std::nullopt;
@@ -142,19 +145,15 @@ using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
 template <class Scalar>
 using Vector4 = Eigen::Matrix<Scalar, 4, 1>;
 
-/// The bilinear cross product. (Eigen's takes complex conjugates.)
-template <class Scalar>
-Eigen::RowVector3<Scalar> cross(const Eigen::RowVector3<Scalar>& a,
-                                const Eigen::RowVector3<Scalar>& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// The matrix of cofactors.
 template <class Scalar>
 Matrix3<Scalar> cofactors(const Matrix3<Scalar>& E) {
     Matrix3<Scalar> result;
-    for (int i = 0; i < 3; ++i)
-        result.row(i) = cross<Scalar>(E.row((i + 1) % 3), E.row((i + 2) % 3));
+    for (int i = 0; i < 3; ++i) {
+        const Vector<Scalar> next = E.row((i + 1) % 3).transpose();
+        const Vector<Scalar> last = E.row((i + 2) % 3).transpose();
+        result.row(i) = bilinear_cross<Scalar>(next, last).transpose();
+    }
     return result;
 }
 
@@ -192,28 +191,28 @@ private:
 };
 
 template <class Scalar>
-Matrix3<Scalar> combine(const Pencil& pencil, const Vector4<Scalar>& coefficients) {
+Matrix3<Scalar> combine(const NullSpace& space, const Vector4<Scalar>& coefficients) {
     Matrix3<Scalar> sum = Matrix3<Scalar>::Zero();
     for (int k = 0; k < 4; ++k)
-        sum += coefficients[k] * pencil[static_cast<std::size_t>(k)];
+        sum += coefficients[k] * space[static_cast<std::size_t>(k)];
     return sum;
 }
 
-/// Newton's method on the pencil, from an approximate solution: what eigenvectors leave of rounding
-/// goes.
+/// Newton's method in the null space, from an approximate solution: what eigenvectors leave of
+/// rounding goes.
 template <class Scalar>
-Matrix3<Scalar> polished(const Pencil& pencil, Vector4<Scalar> coefficients) {
+Matrix3<Scalar> polished(const NullSpace& space, Vector4<Scalar> coefficients) {
     constexpr int most_steps = 2;
     constexpr double small = 1e-8; // after such a step the next one changes nothing
     double change_size = 1;
     for (int step = 0; step < most_steps && change_size > small; ++step) {
         coefficients.normalize();
-        const Cubics<Scalar> cubics(combine<Scalar>(pencil, coefficients));
+        const Cubics<Scalar> cubics(combine<Scalar>(space, coefficients));
         // The last equation keeps the length: steps are orthogonal to the coefficients.
         Eigen::Matrix<Scalar, 11, 4> jacobian;
         for (int k = 0; k < 4; ++k)
             jacobian.col(k).template head<10>() =
-                cubics.derivatives(pencil[static_cast<std::size_t>(k)].template cast<Scalar>());
+                cubics.derivatives(space[static_cast<std::size_t>(k)].template cast<Scalar>());
         jacobian.row(10) = coefficients.adjoint();
         Eigen::Matrix<Scalar, 11, 1> right;
         right << -cubics.values(), Scalar(0);
@@ -223,7 +222,7 @@ Matrix3<Scalar> polished(const Pencil& pencil, Vector4<Scalar> coefficients) {
         coefficients += change;
         change_size = change.norm();
     }
-    return combine<Scalar>(pencil, coefficients.normalized());
+    return combine<Scalar>(space, coefficients.normalized());
 }
 
 /// The two poses with this essential matrix, by B. Horn's formula (1990), which holds for complex
@@ -249,9 +248,9 @@ void append_poses(const Matrix3cd& E, std::vector<ComplexPose>& poses) {
 std::vector<ComplexPose> five_point_poses(const std::array<Vector3d, 5>& first,
                                           const std::array<Vector3d, 5>& second) {
     std::vector<ComplexPose> poses;
-    const auto pencil = pencil_of(first, second);
-    if (!pencil) return poses;
-    const auto action = multiplication(*pencil);
+    const auto space = null_space(first, second);
+    if (!space) return poses;
+    const auto action = multiplication(*space);
     if (!action) return poses;
     const Eigen::EigenSolver<Eigen::Matrix<double, 10, 10>> solver(*action);
     if (solver.info() != Eigen::Success) return poses;
@@ -261,10 +260,10 @@ std::vector<ComplexPose> five_point_poses(const std::array<Vector3d, 5>& first,
         const double imaginary = solver.eigenvalues()[k].imag();
         if (coefficients.norm() == 0 || imaginary < 0) continue; // the conjugate of another one
         if (imaginary == 0) {
-            const Matrix3d E = polished<double>(*pencil, coefficients.real());
+            const Matrix3d E = polished<double>(*space, coefficients.real());
             append_poses(E.cast<Complex>(), poses);
         } else {
-            const Matrix3cd E = polished<Complex>(*pencil, coefficients);
+            const Matrix3cd E = polished<Complex>(*space, coefficients);
             append_poses(E, poses);
             append_poses(E.conjugate(), poses);
         }

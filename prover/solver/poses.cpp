@@ -1,21 +1,13 @@
 #include "prover/solver/poses.h"
 
+#include "prover/solver/rotation.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 namespace plprove {
 
 namespace {
-
-/// The rotation that is a multiple of the matrix of this quaternion, as FORMAT.md has it.
-Eigen::Matrix3cd rotation(const std::array<Complex, 4>& quaternion) {
-    const auto& [a, b, c, d] = quaternion;
-    Eigen::Matrix3cd matrix;
-    matrix << a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d), 2.0 * (b * d + a * c), //
-        2.0 * (b * c + a * d), a * a - b * b + c * c - d * d, 2.0 * (c * d - a * b),       //
-        2.0 * (b * d - a * c), 2.0 * (c * d + a * b), a * a - b * b - c * c + d * d;
-    return matrix / (a * a + b * b + c * c + d * d);
-}
 
 Eigen::Vector3cd centre(const ComplexPose& pose) {
     return -pose.R.transpose() * pose.t;
@@ -47,7 +39,7 @@ std::vector<ComplexPose> poses_of(const QuaternionCameras& cameras) {
     std::vector<ComplexPose> poses(3);
     for (std::size_t v = 0; v < 2; ++v) {
         const Complex3& c = cameras.centre[v];
-        poses[v + 1].R = rotation(cameras.quaternion[v]);
+        poses[v + 1].R = rotation_of_quaternion(cameras.quaternion[v]);
         poses[v + 1].t = -poses[v + 1].R * Eigen::Vector3cd(c[0], c[1], c[2]);
     }
     fix_scale(poses);

@@ -1,5 +1,6 @@
 #include "prover/solver/reconstruction.h"
 
+#include "prover/solver/bilinear.h"
 #include "prover/solver/poses.h"
 
 #include <Eigen/Dense>
@@ -11,8 +12,6 @@ namespace {
 
 constexpr double rounding = 1e-9; ///< what is smaller, relative to 1, determines nothing
 
-template <class S>
-using Vector = Eigen::Matrix<S, 3, 1>;
 template <class S>
 using Rows = Eigen::Matrix<S, Eigen::Dynamic, 3>;
 
@@ -115,11 +114,9 @@ double point_residual(const Vector<S>& point, const Pose<S>& pose, const Eigen::
 template <class S>
 double line_residual(const LineInSpace<S>& line, const Pose<S>& pose, const Eigen::Matrix3d& K,
                      const Eigen::Vector3d& seen) {
-    const Vector<S> first = pose.R * line.point + pose.t, second = pose.R * line.direction;
-    Vector<S> image; // their cross product: Eigen's takes complex conjugates
-    for (int i = 0; i < 3; ++i)
-        image[i] =
-            first[(i + 1) % 3] * second[(i + 2) % 3] - first[(i + 2) % 3] * second[(i + 1) % 3];
+    const Vector<S> point = pose.R * line.point + pose.t;
+    const Vector<S> direction = pose.R * line.direction;
+    Vector<S> image = bilinear_cross<S>(point, direction);
     image = (K.inverse().transpose().cast<S>() * image).eval();
     image /= image.template head<2>().norm();
     const Eigen::Vector3d across(seen[0], seen[1], 0);

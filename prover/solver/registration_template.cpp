@@ -2,6 +2,7 @@
 
 #include "prover/degree/random.h"
 #include "prover/solver/registration_equations.h"
+#include "prover/solver/rotation.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -36,15 +37,10 @@ double value(const Monomial& monomial, const Eigen::Vector4d& coordinates) {
 /// The rotation with these coordinates: a quaternion, or (c, s, c', s'), as FORMAT has them.
 template <class Scalar>
 Eigen::Matrix<Scalar, 3, 3> rotation_of(Frame frame, const Eigen::Matrix<Scalar, 4, 1>& u) {
-    Eigen::Matrix<Scalar, 3, 3> rotation;
-    if (frame == Frame::general) {
-        const Scalar a = u[0], b = u[1], c = u[2], d = u[3];
-        rotation << a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d), 2.0 * (b * d + a * c),
-            2.0 * (b * c + a * d), a * a - b * b + c * c - d * d, 2.0 * (c * d - a * b),
-            2.0 * (b * d - a * c), 2.0 * (c * d + a * b), a * a - b * b - c * c + d * d;
-        return rotation / (a * a + b * b + c * c + d * d);
-    }
+    if (frame == Frame::general)
+        return rotation_of_quaternion(std::array<Scalar, 4>{u[0], u[1], u[2], u[3]});
     const Scalar c = u[0], s = u[1], c2 = u[2], s2 = u[3];
+    Eigen::Matrix<Scalar, 3, 3> rotation;
     rotation << c, -s * c2, s * s2, s, c * c2, -c * s2, Scalar(0), s2, c2;
     return rotation;
 }
