@@ -42,17 +42,6 @@ void find_all(const CameraSystem& system, Monodromy& monodromy, const DegreeOpti
     run.notes.push_back("there are more solutions for integer images than were found");
 }
 
-} // namespace
-
-int DegreeCertificate::degree() const {
-    int degree = 0;
-    for (const ApproximateSolution& solution : solutions)
-        degree += solution.real ? 1 : 2;
-    return degree;
-}
-
-namespace {
-
 /// The relative poses of the first two views that share five points, among the solutions found.
 std::optional<PoseCount> poses_of_shared_points(const CameraSystem& system,
                                                 const Monodromy& monodromy) {
@@ -60,6 +49,33 @@ std::optional<PoseCount> poses_of_shared_points(const CameraSystem& system,
     if (parts.five_points.empty()) return std::nullopt;
     return count_poses(parts.five_points.front(), monodromy.chart(),
                        monodromy.solutions().points());
+}
+
+void add(DegreeRun& run, const PathCounts& counts) {
+    run.tracks += counts.tracks;
+    run.retried += counts.retried;
+    run.failed += counts.failed;
+}
+
+/// Finishes the run with the certificate that it has. The certificate may show more solutions than
+/// were found, or fewer; evidence is for all of them.
+void adopt_certificate(DegreeRun& run) {
+    const int shown = run.certificate->degree();
+    if (run.evidence && shown < run.degree)
+        run.notes.push_back(std::to_string(run.degree - shown) +
+                            " solutions were lost on the way to integer images");
+    run.degree = std::max(run.degree, shown);
+    run.certificate->number = run.number;
+    run.certificate->evidence = shown == run.degree ? run.evidence : std::nullopt;
+}
+
+/// Notes how many edges are no bijections of the solutions, if any.
+void note_edges(DegreeRun& run, const Monodromy& monodromy) {
+    const int edges = monodromy.edges() - monodromy.bijective_edges();
+    if (edges == 0) return;
+    run.notes.push_back(std::to_string(edges) + " of " + std::to_string(monodromy.edges()) +
+                        " edges are no bijections: " + std::to_string(monodromy.unmatched()) +
+                        " solutions lack a partner");
 }
 
 /// The run with the random numbers of this attempt.
@@ -84,24 +100,9 @@ DegreeRun attempt_degree(std::size_t number, const DegreeOptions& options, std::
         find_all(system, monodromy, options, random, run);
     run.degree = monodromy.solutions().size();
     run.five_point_poses = poses_of_shared_points(system, monodromy);
-    if (run.certificate) {
-        const int shown = run.certificate->degree();
-        if (run.evidence && shown < run.degree)
-            run.notes.push_back(std::to_string(run.degree - shown) +
-                                " solutions were lost on the way to integer images");
-        run.degree = std::max(run.degree, shown);
-        run.certificate->number = number;
-        run.certificate->evidence = shown == run.degree ? run.evidence : std::nullopt;
-    }
-    if (const int edges = monodromy.edges() - monodromy.bijective_edges();
-        edges > 0 && (run.evidence || options.target == 0))
-        run.notes.push_back(std::to_string(edges) + " of " + std::to_string(monodromy.edges()) +
-                            " edges are no bijections: " + std::to_string(monodromy.unmatched()) +
-                            " solutions lack a partner");
-    const PathCounts& counts = monodromy.follower().counts();
-    run.tracks = counts.tracks;
-    run.retried = counts.retried;
-    run.failed = counts.failed;
+    if (run.certificate) adopt_certificate(run);
+    if (run.evidence || options.target == 0) note_edges(run, monodromy);
+    add(run, monodromy.follower().counts());
     return run;
 }
 
@@ -116,10 +117,6 @@ std::pair<bool, int> merit(const DegreeRun& run) {
     return {run.complete(), run.certificate ? run.certificate->degree() : 0};
 }
 
-} // namespace
-
-namespace {
-
 /// Finds a certificate of options.at_least solutions: with other random images again, as some have
 /// a solution that is too ill-conditioned.
 DegreeRun find_lower_bound(std::size_t number, const DegreeOptions& options) {
@@ -131,9 +128,7 @@ DegreeRun find_lower_bound(std::size_t number, const DegreeOptions& options) {
          ++attempt) {
         auto [certificate, counts] =
             find_for_integer_images(system, options, number + (attempt << 32U));
-        run.tracks += counts.tracks;
-        run.retried += counts.retried;
-        run.failed += counts.failed;
+        add(run, counts);
         if (certificate.degree() <= run.degree) continue;
         run.degree = certificate.degree();
         run.certificate = std::move(certificate);
@@ -143,6 +138,13 @@ DegreeRun find_lower_bound(std::size_t number, const DegreeOptions& options) {
 }
 
 } // namespace
+
+int DegreeCertificate::degree() const {
+    int degree = 0;
+    for (const ApproximateSolution& solution : solutions)
+        degree += solution.real ? 1 : 2;
+    return degree;
+}
 
 DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
     if (options.at_least > 0) return find_lower_bound(number, options);

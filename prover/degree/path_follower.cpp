@@ -124,19 +124,11 @@ PathFollower::Ends PathFollower::follow_detours(const Detours& detours,
 
 PathFollower::Ends PathFollower::follow_legs(const std::array<TrackedImages, 2>& legs,
                                              const std::vector<CameraPoint>& starts) {
-    const Ends middle = attempt(fastest_double_double_tracker(), legs[0], tight_settings(), starts);
-    std::vector<std::size_t> indices;
-    std::vector<CameraPoint> from;
-    for (std::size_t i = 0; i < starts.size(); ++i)
-        if (middle[i]) {
-            indices.push_back(i);
-            from.push_back(*middle[i]);
-        }
-    const Ends last = attempt(fastest_double_double_tracker(), legs[1], tight_settings(), from);
-    Ends ends(starts.size());
-    for (std::size_t k = 0; k < indices.size(); ++k)
-        ends[indices[k]] = last[k];
-    return ends;
+    const auto along = [&](const TrackedImages& leg, const std::vector<CameraPoint>& from) {
+        return attempt(fastest_double_double_tracker(), leg, tight_settings(), from);
+    };
+    return follow_on(along(legs[0], starts),
+                     [&](const auto& from) { return along(legs[1], from); });
 }
 
 PathFollower::Ends PathFollower::attempt(TrackFunction* track, const TrackedImages& images,

@@ -80,4 +80,21 @@ void fill(PathFollower::Ends& ends, const std::vector<CameraPoint>& starts, Foll
         ends[indices[k]] = again[k];
 }
 
+/// Follows the paths that have an end further, by a function from starts to ends.
+template <class Follow>
+PathFollower::Ends follow_on(const PathFollower::Ends& ends, Follow follow_further) {
+    std::vector<CameraPoint> starts;
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        if (ends[i]) {
+            starts.push_back(*ends[i]);
+            indices.push_back(i);
+        }
+    const PathFollower::Ends further = follow_further(starts);
+    PathFollower::Ends result(ends.size());
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        result[indices[k]] = further[k];
+    return result;
+}
+
 } // namespace plprove

@@ -151,18 +151,9 @@ private:
 
     /// In doubles where they are accurate enough; nothing where ends lead to no zero.
     PathFollower::Ends polished(const PathFollower::Ends& ends) const {
-        std::vector<std::size_t> indices;
-        std::vector<CameraPoint> zeros;
-        for (std::size_t i = 0; i < ends.size(); ++i)
-            if (ends[i]) {
-                indices.push_back(i);
-                zeros.push_back(*ends[i]);
-            }
-        const auto better = in_threads(zeros, [&](const auto& part) { return accurate(part); });
-        PathFollower::Ends result(ends.size());
-        for (std::size_t k = 0; k < zeros.size(); ++k)
-            result[indices[k]] = better[k];
-        return result;
+        return follow_on(ends, [&](const auto& zeros) {
+            return in_threads(zeros, [&](const auto& part) { return accurate(part); });
+        });
     }
 
     /// The zeros that these approximate, to all digits of doubles.
