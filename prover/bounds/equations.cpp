@@ -219,6 +219,39 @@ private:
     std::vector<Equation> equations_;
 };
 
+/// A vector without zeros.
+Vector3 draw_vector(SmallIntegers& integers) {
+    Vector3 v{};
+    for (std::int64_t& coordinate : v)
+        do
+            coordinate = integers.next();
+        while (coordinate == 0);
+    return v;
+}
+
+RegistrationData::Star draw_star(Frame frame, std::size_t index, int pins,
+                                 SmallIntegers& integers) {
+    RegistrationData::Star star{draw_vector(integers), draw_vector(integers), {}};
+    if (frame == Frame::points && index < 2) {
+        star.point = {star.point[0], 0, 0};
+        star.image[2] = 0;
+    }
+    if (index == 0) star.point = {};
+    for (int i = 0; i < pins; ++i)
+        star.pins.push_back({draw_vector(integers), draw_vector(integers)});
+    return star;
+}
+
+RegistrationData::Line draw_line(Frame frame, int index, SmallIntegers& integers) {
+    const RegistrationData::Line line{draw_vector(integers), draw_vector(integers),
+                                      draw_vector(integers)};
+    if (frame == Frame::line && index == 0) return {line.point, first_axis, third_axis};
+    if (frame == Frame::lines && index == 0) return {{}, first_axis, third_axis};
+    if (frame == Frame::lines && index == 1)
+        return {{0, 0, line.point[2]}, {line.direction[0], line.direction[1], 0}, line.image};
+    return line;
+}
+
 } // namespace
 
 std::string name(Frame frame) {
@@ -247,39 +280,17 @@ RotationRing rotation_ring(Frame frame) {
 
 RegistrationData draw_data(const Registration& type, Frame frame, std::uint64_t seed) {
     SmallIntegers integers(seed, 99);
-    const auto vector = [&] {
-        Vector3 v{};
-        for (std::int64_t& coordinate : v)
-            do
-                coordinate = integers.next();
-            while (coordinate == 0);
-        return v;
-    };
     RegistrationData data;
-    for (const int pins : type.stars) {
-        const std::size_t index = data.stars.size();
-        RegistrationData::Star star{vector(), vector(), {}};
-        if (frame == Frame::points && index < 2) star = {{star.point[0], 0, 0}, star.image, {}};
-        if (frame == Frame::points && index < 2) star.image[2] = 0;
-        if (index == 0) star.point = {};
-        for (int i = 0; i < pins; ++i)
-            star.pins.push_back({vector(), vector()});
-        data.stars.push_back(std::move(star));
-    }
-    for (int i = 0; i < type.lines; ++i) {
-        RegistrationData::Line line{vector(), vector(), vector()};
-        if (frame == Frame::line && i == 0) line = {line.point, first_axis, third_axis};
-        if (frame == Frame::lines && i == 0) line = {{}, first_axis, third_axis};
-        if (frame == Frame::lines && i == 1)
-            line = {{0, 0, line.point[2]}, {line.direction[0], line.direction[1], 0}, line.image};
-        data.lines.push_back(line);
-    }
+    for (const int pins : type.stars)
+        data.stars.push_back(draw_star(frame, data.stars.size(), pins, integers));
+    for (int i = 0; i < type.lines; ++i)
+        data.lines.push_back(draw_line(frame, i, integers));
     for (int i = 0; i < type.incidences; ++i)
-        data.incidences.push_back({vector(), vector()});
+        data.incidences.push_back({draw_vector(integers), draw_vector(integers)});
     for (const int rays : type.groups) {
-        RegistrationData::Group group{vector(), {}};
+        RegistrationData::Group group{draw_vector(integers), {}};
         for (int i = 0; i < rays; ++i)
-            group.rays.push_back({vector(), vector()});
+            group.rays.push_back({draw_vector(integers), draw_vector(integers)});
         data.groups.push_back(std::move(group));
     }
     return data;

@@ -1,6 +1,7 @@
 #include "prover/bounds/template.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace plprove::bounds {
 
@@ -20,12 +21,13 @@ std::vector<int> pivots(const ResidueMatrix& matrix) {
     return found;
 }
 
-/// All multiples of the equations up to a degree, as rows of a matrix.
+/// Multiples of equations.
 struct Multiples {
     std::vector<std::pair<std::size_t, std::size_t>> names; // equation, monomial
     std::vector<Polynomial> polynomials;
 };
 
+/// All multiples by these monomials up to the degree.
 Multiples multiples(const RotationRing& ring, const std::vector<Equation>& equations,
                     const std::vector<Monomial>& monomials, const BiDegree& degree) {
     Multiples all;
@@ -39,63 +41,94 @@ Multiples multiples(const RotationRing& ring, const std::vector<Equation>& equat
     return all;
 }
 
+/// Whether a basis may have the monomial: the products with entries of R are columns, too.
+bool fits_basis(const RotationRing& ring, const Monomial& monomial, const BiDegree& degree) {
+    return at_most(sum(ring.degree(monomial), ring.unit()), degree);
+}
+
+/// The indices of the monomials in the order in which they are eliminated: those that cannot be in
+/// the basis first, then the larger degrees first.
+std::vector<std::size_t> order_of_elimination(const RotationRing& ring,
+                                              const std::vector<Monomial>& monomials,
+                                              const BiDegree& degree) {
+    std::vector<std::size_t> order(monomials.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+        const BiDegree d = ring.degree(monomials[i]);
+        return std::pair(fits_basis(ring, monomials[i], degree), -(d[0] + d[1]));
+    });
+    return order;
+}
+
+/// The multiples as rows; column k is that of the monomial order[k].
+ResidueMatrix matrix_of(const Multiples& all, const std::vector<Monomial>& monomials,
+                        const std::vector<std::size_t>& order) {
+    std::map<Monomial, int> column;
+    for (std::size_t k = 0; k < order.size(); ++k)
+        column[monomials[order[k]]] = static_cast<int>(k);
+    const int rows = static_cast<int>(all.polynomials.size());
+    ResidueMatrix matrix(rows, static_cast<int>(order.size()));
+    for (int row = 0; row < rows; ++row)
+        for (const auto& [m, x] : all.polynomials[static_cast<std::size_t>(row)])
+            matrix.at(row, column.at(m)) = x;
+    return matrix;
+}
+
+ResidueMatrix transposed(const ResidueMatrix& matrix) {
+    ResidueMatrix result(matrix.columns(), matrix.rows());
+    nmod_mat_transpose(result.get(), matrix.get());
+    return result;
+}
+
+/// The indices of the monomials that elimination leaves, ascending.
+std::vector<std::size_t> basis_left_by(const ResidueMatrix& matrix,
+                                       const std::vector<std::size_t>& order) {
+    const std::vector<int> eliminated = pivots(matrix);
+    std::vector<std::size_t> basis;
+    for (std::size_t k = 0; k < order.size(); ++k)
+        if (!std::ranges::binary_search(eliminated, static_cast<int>(k))) basis.push_back(order[k]);
+    std::ranges::sort(basis);
+    return basis;
+}
+
+/// Makes the chosen multiples the rows of the template, and sets the minor of the columns that are
+/// not in its basis. Assumes that these are as many.
+void add_rows(Template& found, const Multiples& all, const std::vector<Monomial>& monomials,
+              const std::vector<int>& chosen) {
+    std::map<Monomial, int> column;
+    for (std::size_t i = 0; i < monomials.size(); ++i)
+        if (!std::ranges::binary_search(found.basis, i))
+            column.emplace(monomials[i], static_cast<int>(column.size()));
+    const int size = static_cast<int>(column.size());
+    ResidueMatrix square(size, size);
+    for (int row = 0; row < size; ++row) {
+        const auto index = static_cast<std::size_t>(chosen[static_cast<std::size_t>(row)]);
+        const auto& [equation, monomial] = all.names[index];
+        if (found.rows.empty() || found.rows.back().first != equation)
+            found.rows.push_back({equation, {}});
+        found.rows.back().second.push_back(monomial);
+        for (const auto& [m, x] : all.polynomials[index])
+            if (const auto at = column.find(m); at != column.end()) square.at(row, at->second) = x;
+    }
+    found.minor = nmod_mat_det(square.get());
+}
+
 /// The template of this degree, if there is one with a smaller basis.
 std::optional<Template> find_template(const RotationRing& ring,
                                       const std::vector<Equation>& equations,
                                       const BiDegree& degree, std::size_t smaller_than) {
     const std::vector<Monomial> monomials = ring.monomials(degree);
     const Multiples all = multiples(ring, equations, monomials, degree);
-    const auto is_inner = [&](const Monomial& m) {
-        return at_most(sum(ring.degree(m), ring.unit()), degree);
-    };
-    // Monomials that cannot be in the basis come first, so that they are eliminated first.
-    std::vector<std::size_t> order(monomials.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = i;
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
-        const BiDegree d = ring.degree(monomials[i]);
-        return std::pair(is_inner(monomials[i]), -(d[0] + d[1]));
-    });
-    std::map<Monomial, int> column;
-    for (std::size_t i = 0; i < order.size(); ++i)
-        column[monomials[order[i]]] = static_cast<int>(i);
-    const int rows = static_cast<int>(all.names.size());
-    const int columns = static_cast<int>(monomials.size());
-    ResidueMatrix matrix(rows, columns);
-    ResidueMatrix transposed(columns, rows);
-    for (int row = 0; row < rows; ++row)
-        for (const auto& [m, x] : all.polynomials[static_cast<std::size_t>(row)])
-            matrix.at(row, column.at(m)) = transposed.at(column.at(m), row) = x;
-
-    const std::vector<int> eliminated = pivots(matrix);
+    const std::vector<std::size_t> order = order_of_elimination(ring, monomials, degree);
+    const ResidueMatrix matrix = matrix_of(all, monomials, order);
     Template found;
     found.degree = degree;
-    for (int i = 0; i < columns; ++i)
-        if (!std::ranges::binary_search(eliminated, i))
-            found.basis.push_back(order[static_cast<std::size_t>(i)]);
-    std::ranges::sort(found.basis);
+    found.basis = basis_left_by(matrix, order);
     if (found.basis.empty() || found.basis.size() >= smaller_than) return {};
-    for (const std::size_t i : found.basis)
-        if (!is_inner(monomials[i])) return {};
-
-    // Columns in the order of the file; rows independent, the first ones.
-    std::map<Monomial, int> place;
-    for (std::size_t i = 0; i < monomials.size(); ++i)
-        if (!std::ranges::binary_search(found.basis, i))
-            place.emplace(monomials[i], static_cast<int>(place.size()));
-    const int size = static_cast<int>(place.size());
-    ResidueMatrix square(size, size);
-    int next = 0;
-    for (const int row : pivots(transposed)) {
-        const auto& [equation, monomial] = all.names[static_cast<std::size_t>(row)];
-        if (found.rows.empty() || found.rows.back().first != equation)
-            found.rows.push_back({equation, {}});
-        found.rows.back().second.push_back(monomial);
-        for (const auto& [m, x] : all.polynomials[static_cast<std::size_t>(row)])
-            if (const auto at = place.find(m); at != place.end()) square.at(next, at->second) = x;
-        ++next;
-    }
-    found.minor = nmod_mat_det(square.get());
+    const auto fits = [&](std::size_t i) { return fits_basis(ring, monomials[i], degree); };
+    if (!std::ranges::all_of(found.basis, fits)) return {};
+    // The pivots of the transposed matrix are the first rows that are independent.
+    add_rows(found, all, monomials, pivots(transposed(matrix)));
     return found;
 }
 
