@@ -63,6 +63,48 @@ struct Writer {
     }
 };
 
+/// For readers who do not see the drawing.
+std::string description(const Problem& problem, Highlight highlight) {
+    std::string text = "A point-line problem: " + describe(problem) +
+                       ". Each panel is one view, with every feature at the same place. Points "
+                       "and lines that the view sees are black, those that it does not see are "
+                       "grey.";
+    if (highlight == Highlight::five_points)
+        text += " Five points that two views share are red in these views.";
+    return "<title>" + notation(problem) + "</title>\n<desc>" + text + "</desc>\n";
+}
+
+/// The panel of a view, with its left edge at `left`.
+std::string panel_element(const Picture& picture, std::size_t view, double left) {
+    const std::string name = std::to_string(view + 1);
+    const std::string place =
+        "translate(" + number(left) + " " + number(margin + title_height) + ")";
+    std::string svg =
+        "<g" + attribute("id", "view-" + name) + attribute("transform", place) + ">\n";
+    svg += text_element(picture.width / 2, -6, "", "view " + name);
+    svg += "<rect" + attribute("width", picture.width) + attribute("height", picture.height) +
+           " fill=\"none\" stroke=\"#808080\" stroke-width=\"0.6\"/>\n"
+           "<g stroke-linecap=\"round\">\n";
+    for (const Element& element : picture.panels[view])
+        svg += std::visit(Writer{}, element);
+    return svg + "</g>\n</g>\n";
+}
+
+double width_of(const std::vector<std::string>& lines) {
+    std::size_t longest = 0;
+    for (const std::string& line : lines)
+        longest = std::max(longest, line.size());
+    return character_width * static_cast<double>(longest);
+}
+
+std::string opening(double width, double height) {
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+           "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"" +
+           attribute("width", width) + attribute("height", height) +
+           attribute("viewBox", "0 0 " + number(width) + " " + number(height)) +
+           " style=\"background:#fff\">\n";
+}
+
 } // namespace
 
 std::string draw_svg(const Problem& problem, Highlight highlight) {
@@ -73,42 +115,15 @@ std::string draw_svg(const Problem& problem, Highlight highlight) {
     const auto columns = static_cast<std::size_t>(panels_width / character_width);
     const std::vector<std::string> captions = caption(problem, columns);
     // A single summand may be wider than the panels.
-    std::size_t longest = 0;
-    for (const std::string& line : captions)
-        longest = std::max(longest, line.size());
-    const double width =
-        2 * margin + std::max(panels_width, character_width * static_cast<double>(longest));
+    const double width = 2 * margin + std::max(panels_width, width_of(captions));
     const double left = (width - panels_width) / 2;
     const double height = caption_top + line_height * static_cast<double>(captions.size()) + margin;
 
-    std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"" +
-                      attribute("width", width) + attribute("height", height) +
-                      attribute("viewBox", "0 0 " + number(width) + " " + number(height)) +
-                      " style=\"background:#fff\">\n";
-    svg += "<title>" + notation(problem) +
-           "</title>\n<desc>A point-line problem: " + describe(problem) +
-           ". Each panel is one view, with every feature at the same place. Points and lines that "
-           "the view sees are black, those that it does not see are grey." +
-           (highlight == Highlight::five_points
-                ? " Five points that two views share are red in these views."
-                : "") +
-           "</desc>\n";
+    std::string svg = opening(width, height) + description(problem, highlight);
     svg += "<g font-family=\"Helvetica, Arial, sans-serif\" font-size=\"11\">\n";
-    for (std::size_t view = 0; view < picture.panels.size(); ++view) {
-        const double x = left + static_cast<double>(view) * (picture.width + panel_gap);
-        svg += "<g" + attribute("id", "view-" + std::to_string(view + 1)) +
-               attribute("transform",
-                         "translate(" + number(x) + " " + number(margin + title_height) + ")") +
-               ">\n";
-        svg += text_element(picture.width / 2, -6, "", "view " + std::to_string(view + 1));
-        svg += "<rect" + attribute("width", picture.width) + attribute("height", picture.height) +
-               " fill=\"none\" stroke=\"#808080\" stroke-width=\"0.6\"/>\n"
-               "<g stroke-linecap=\"round\">\n";
-        for (const Element& element : picture.panels[view])
-            svg += std::visit(Writer{}, element);
-        svg += "</g>\n</g>\n";
-    }
+    for (std::size_t view = 0; view < picture.panels.size(); ++view)
+        svg += panel_element(picture, view,
+                             left + static_cast<double>(view) * (picture.width + panel_gap));
     svg += "</g>\n<g font-family=\"Menlo, Consolas, 'DejaVu Sans Mono', monospace\" "
            "font-size=\"10\">\n";
     for (std::size_t i = 0; i < captions.size(); ++i)

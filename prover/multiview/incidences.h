@@ -10,7 +10,7 @@ namespace plprove::multiview {
 /// the unknown depths.
 template <class Scalar>
 struct Incidence {
-    std::size_t view = 0; ///< counted from 0, not 0
+    std::size_t view = 0; ///< counted from 0; never view 0
     Vector<Scalar> l, x;
     std::vector<Scalar> depth; ///< the factors of the unknown depths
 };

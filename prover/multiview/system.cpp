@@ -41,6 +41,14 @@ Vector<Complex> image(const Camera& camera, const Vector<Complex>& x, const Comp
     return {y[0], y[1], y[2]};
 }
 
+/// The depth of the equation's place, where `point` has the unknown depths first.
+Moving depth_at(const Incidence<Moving>& equation, const Point& point) {
+    Moving depth;
+    for (std::size_t k = 0; k < equation.depth.size(); ++k)
+        depth = depth + equation.depth[k] * Moving(point[static_cast<Index>(k)]);
+    return depth;
+}
+
 ViewImages<Complex> random_view(const general::Problem& problem, Random& random) {
     ViewImages<Complex> view;
     for (std::size_t p = 0; p < problem.points.size(); ++p)
@@ -100,29 +108,30 @@ void System::evaluate(const Images<Moving>& images, const Point& point, Evaluati
         const Index first = depths_ + chart_.offset(view);
         cameras.push_back(chart_.camera(view, point.segment(first, chart_.coordinates(view))));
     }
-    for (Index e = 0; e < size; ++e) {
-        const Incidence<Moving>& equation = equations[static_cast<std::size_t>(e)];
-        const auto& [camera, by_coordinate] = cameras[equation.view];
-        Moving depth;
-        for (Index k = 0; k < depths_; ++k) {
-            const Moving& factor = equation.depth[static_cast<std::size_t>(k)];
-            depth = depth + factor * Moving(point[k]);
-        }
-        const auto& [l, x] = std::pair(equation.l, equation.x);
-        const Eigen::RowVector3cd line(l[0].value, l[1].value, l[2].value);
-        const Eigen::RowVector3cd line_speed(l[0].speed, l[1].speed, l[2].speed);
-        const Eigen::Vector4cd place(x[0].value, x[1].value, x[2].value, depth.value);
-        const Eigen::Vector4cd place_speed(x[0].speed, x[1].speed, x[2].speed, depth.speed);
-        const Eigen::RowVector4cd ray = line * camera;
-        result.values[e] = ray * place;
-        result.speeds[e] = (line_speed * camera * place + ray * place_speed).value();
-        for (Index k = 0; k < depths_; ++k)
-            result.jacobian(e, k) = equation.depth[static_cast<std::size_t>(k)].value * ray[3];
-        const Index first = depths_ + chart_.offset(equation.view);
-        for (std::size_t k = 0; k < by_coordinate.size(); ++k)
-            result.jacobian(e, first + static_cast<Index>(k)) =
-                (line * by_coordinate[k] * place).value();
-    }
+    for (Index e = 0; e < size; ++e)
+        evaluate_row(e, equations[static_cast<std::size_t>(e)], cameras, point, result);
+}
+
+void System::evaluate_row(Index row, const Incidence<Moving>& equation,
+                          const std::vector<CameraWithDerivatives>& cameras, const Point& point,
+                          Evaluation& result) const {
+    const auto& [camera, by_coordinate] = cameras[equation.view];
+    const Vector<Moving>& l = equation.l;
+    const Vector<Moving>& x = equation.x;
+    const Moving depth = depth_at(equation, point);
+    const Eigen::RowVector3cd line(l[0].value, l[1].value, l[2].value);
+    const Eigen::RowVector3cd line_speed(l[0].speed, l[1].speed, l[2].speed);
+    const Eigen::Vector4cd place(x[0].value, x[1].value, x[2].value, depth.value);
+    const Eigen::Vector4cd place_speed(x[0].speed, x[1].speed, x[2].speed, depth.speed);
+    const Eigen::RowVector4cd ray = line * camera;
+    result.values[row] = ray * place;
+    result.speeds[row] = (line_speed * camera * place + ray * place_speed).value();
+    for (Index k = 0; k < depths_; ++k)
+        result.jacobian(row, k) = equation.depth[static_cast<std::size_t>(k)].value * ray[3];
+    const Index first = depths_ + chart_.offset(equation.view);
+    for (std::size_t k = 0; k < by_coordinate.size(); ++k)
+        result.jacobian(row, first + static_cast<Index>(k)) =
+            (line * by_coordinate[k] * place).value();
 }
 
 bool System::has_null_quaternion(const Point& point) const {

@@ -43,6 +43,11 @@ public:
     SolvedImages random_scene(Random& random) const;
 
 private:
+    /// Sets a row of the result by an equation. The cameras are those of the point.
+    void evaluate_row(Eigen::Index row, const Incidence<Moving>& equation,
+                      const std::vector<CameraWithDerivatives>& cameras, const Point& point,
+                      Evaluation& result) const;
+
     general::Problem problem_;
     Eigen::Index depths_;
     CameraChart chart_;
