@@ -144,9 +144,7 @@ std::string in_words(const Expectation& expectation) {
 static std::string in_words(const UpperBound& bound) {
     const auto* theorem = std::get_if<TheoremRow>(&bound.by);
     if (!theorem)
-        return say("at most ", bound.solutions,
-                   ", by templates of relative pose and "
-                   "registration");
+        return say("at most ", bound.solutions, ", by templates of relative pose and registration");
     const bool central = theorem->theorem == "R";
     return say("at most ", bound.solutions, ", by Theorem ", theorem->theorem, " of proofs/",
                central ? "relations.md" : "upper_bounds.md");
@@ -245,27 +243,30 @@ static std::string judge_degree(Judgement& judgement, const KnownDegree& known, 
     return {};
 }
 
+/// Judges the verdict: adds the step, returns what is missing.
+static std::string judge_verdict(Judgement& judgement, const Proved& proved,
+                                 const std::string& expected) {
+    if (!proved.verdict.empty())
+        judgement.why.push_back(say("it is ", proved.verdict, ", by ", proved.file));
+    if (expected.empty()) return {};
+    if (proved.verdict.empty())
+        return "no file says whether it is; add its certificate, which plprove problem PROBLEM "
+               "--certificate FILE writes";
+    if (!implies(proved.verdict, expected)) return "it is certified " + proved.verdict;
+    add_file(judgement, proved.file);
+    return {};
+}
+
 Judgement judge(const Classification& classes, const Findings& findings,
                 const ExpectedProblem& expected) {
     Judgement judgement;
     const Proved proved = prove(classes, findings, expected);
-    std::string gap;
-    if (!proved.verdict.empty())
-        judgement.why.push_back(say("it is ", proved.verdict, ", by ", proved.file));
-    if (!expected.verdict.empty()) {
-        if (proved.verdict.empty())
-            gap = "no file says whether it is; add its certificate, which plprove problem PROBLEM "
-                  "--certificate FILE writes";
-        else if (!implies(proved.verdict, expected.verdict))
-            gap = "it is certified " + proved.verdict;
-        else
-            add_file(judgement, proved.file);
-    }
-    const bool judges_degree = gap.empty() && expected.degree;
-    if (judges_degree && !proved.file.empty()) add_file(judgement, proved.file);
-    if (judges_degree)
+    std::string gap = judge_verdict(judgement, proved, expected.verdict);
+    if (gap.empty() && expected.degree) {
+        if (!proved.file.empty()) add_file(judgement, proved.file);
         gap = judge_degree(judgement, degree_of(classes, findings, proved, expected),
                            expected.problem.views == 0, *expected.degree);
+    }
     judgement.verified = gap.empty();
     judgement.statement = in_words(expected);
     if (!gap.empty()) judgement.statement += ": " + gap;
@@ -304,7 +305,7 @@ Judgement judge(const Findings& findings, const WholeFamily& expected) {
     const ReplayedFile* file = file_of_family(findings, expected.name);
     if (!file) {
         judgement.statement =
-            say("the family ", expected.name, ": no file has all its problems; add ", "certs/",
+            say("the family ", expected.name, ": no file has all its problems; add certs/",
                 expected.name, ".plc");
         return judgement;
     }
