@@ -326,9 +326,7 @@ TEST_CASE("an export that fails says so and leaves the old file") {
     const TemporaryFolder folder;
     const auto path = folder / "kept.db";
     write_file(path, "old");
-    // A file size limit of 0 blocks stands for a full disk.
-    const Outcome full = run("trap '' XFSZ; ulimit -f 0; " + plprove_program + " export " +
-                             path.string() + " 2>/dev/null");
+    const Outcome full = run_with_full_disk(plprove_program + " export " + path.string());
     CHECK(full.status == 1);
     CHECK(read_file(path) == "old");
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);

@@ -15,10 +15,6 @@ const std::string plprove = PLPROVE;
 const std::string plcheck = PLCHECK;
 const std::string certs = SOURCE_DIR "/certs/";
 
-std::string last_line(const Outcome& outcome) {
-    return lines_of(outcome.out).back();
-}
-
 /// The file that FORMAT.md, section 14, shows.
 std::string example() {
     const std::string format = read_file(certs + "FORMAT.md");
@@ -131,7 +127,7 @@ TEST_CASE("what the prover writes of a degree in general, the checker certifies"
         const Outcome absent =
             run(plcheck + " --expect 'projective: 9*a/a/a' --degree '>=1' " + file);
         CHECK(absent.status == 1);
-        CHECK(contains(last_line(absent), "add a file of solutions"));
+        CHECK(contains(last_line(absent.out), "add a file of solutions"));
     }
 }
 

@@ -50,11 +50,6 @@ private:
     TemporaryFolder folder_;
 };
 
-std::string last_line(const std::string& text) {
-    const std::vector<std::string> lines = lines_of(text);
-    return lines.empty() ? "" : lines.back();
-}
-
 /// Checks that a run with these arguments ends so, in all its forms.
 void ends(const Folder& folder, const std::string& arguments, int status) {
     CAPTURE(arguments);

@@ -60,9 +60,7 @@ TEST_CASE("a failed write leaves the old file and nothing else") {
     const TemporaryFolder folder;
     const auto path = folder / "kept.plc";
     write_file(path, "old");
-    // A file size limit of 0 blocks stands for a full disk.
-    const Outcome outcome = run("trap '' XFSZ; ulimit -f 0; " + plprove + " certify 2394 -o " +
-                                path.string() + " 2>/dev/null");
+    const Outcome outcome = run_with_full_disk(plprove + " certify 2394 -o " + path.string());
     CHECK(outcome.status != 0);
     CHECK(read_file(path) == "old");
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);

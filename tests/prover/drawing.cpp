@@ -1,5 +1,6 @@
 // Pictures of problems: what is in every panel, by laws.
 #include "prover/drawing/drawing.h"
+#include "tests/support/drawn_problems.h"
 
 #include <algorithm>
 #include <array>
@@ -12,20 +13,6 @@
 using namespace plprove;
 
 namespace {
-
-const std::vector<std::string> samples{
-    "2*Pa/Pa/Pa + P/P/P",
-    "Pabcdefg/Pabcdefg/Pabcdefg + P/a/a",
-    "Pab/b/a + a/P/Pa + 3*P/P/P",
-    "11*P/P/-",
-    "5*P/P",
-    "P/P/P + 4*a/a/a",
-    "-/-/-(P)",
-    "-/-/a + a/b/c + P/P/P(a)",
-    "Pabcdefghijklmnopqrstuvwxyz/Pabcdefghijklmnopqrstuvwxyz/b + 3*Pabcdefgh/h/-",
-    "4*Pabc/Pabc/Pa + 6*a/a/a + 5*Pa/a/P + 5*P/-/Pa",
-    "Pabcdefghi/Pabcdefghi + 40*Pa/a + 3*-/P",
-};
 
 /// One element of a drawing: `line` or `circle`, seen or not, and where.
 struct Element {
@@ -118,7 +105,7 @@ int count_points(const Problem& problem) {
 } // namespace
 
 TEST_CASE("every panel of the SVG shows each point and line once, as seen or as not seen") {
-    for (const std::string& text : samples) {
+    for (const std::string& text : drawn_problems) {
         CAPTURE(text);
         const Problem problem = parse_problem(text);
         const std::string svg = draw_svg(problem);
@@ -153,7 +140,7 @@ TEST_CASE("every panel of the SVG shows each point and line once, as seen or as 
 }
 
 TEST_CASE("the SVG is well formed, has a title, and no number has more than two decimals") {
-    for (const std::string& text : samples) {
+    for (const std::string& text : drawn_problems) {
         CAPTURE(text);
         const std::string svg = draw_svg(parse_problem(text));
         check_well_formed(svg);
@@ -165,7 +152,7 @@ TEST_CASE("the SVG is well formed, has a title, and no number has more than two 
 }
 
 TEST_CASE("every panel of the text shows each seen line by its letter and each point once") {
-    for (const std::string& text : samples) {
+    for (const std::string& text : drawn_problems) {
         CAPTURE(text);
         const Problem problem = parse_problem(text);
         const int views = problem.front().views();
@@ -192,7 +179,7 @@ TEST_CASE("what a view does not see is dotted in the text, at the place where ot
         const std::array<std::string, 5> strokes{"·", "─", "│", "╱", "╲"};
         return std::ranges::find(strokes, glyph) != strokes.end() ? '-' : ' ';
     };
-    for (const std::string& text : samples) {
+    for (const std::string& text : drawn_problems) {
         CAPTURE(text);
         const Problem problem = parse_problem(text);
         const auto panels = text_panels(draw_text(problem), problem.front().views());
@@ -220,7 +207,7 @@ TEST_CASE("what a view does not see is dotted in the text, at the place where ot
 
 TEST_CASE("relabeling the views permutes the panels, and pictures do not vary") {
     const std::array<int, 3> rotation{1, 2, 0};
-    for (const std::string& text : samples) {
+    for (const std::string& text : drawn_problems) {
         CAPTURE(text);
         const Problem problem = parse_problem(text);
         CHECK(draw_svg(problem) == draw_svg(problem));

@@ -1,6 +1,7 @@
 // Letters, red points and LaTeX: what the pictures of a problem have beside points and lines.
 #include "prover/classification/obstruction.h"
 #include "prover/drawing/picture.h"
+#include "tests/support/drawn_problems.h"
 #include "tests/support/text.h"
 
 #include <algorithm>
@@ -10,20 +11,6 @@
 using namespace plprove;
 
 namespace {
-
-const std::vector<std::string> samples{
-    "2*Pa/Pa/Pa + P/P/P",
-    "Pabcdefg/Pabcdefg/Pabcdefg + P/a/a",
-    "Pab/b/a + a/P/Pa + 3*P/P/P",
-    "5*P/P",
-    "4*P/P/- + P/P/P + Pa/P/a + P/-/P + a/a/a",
-    "3*P/P/P + 2*-/P/P",
-    "4*P/-/P + 4*-/P/P + P/P/P",
-    "-/-/-(P)",
-    "-/-/a + a/b/c + P/P/P(a)",
-    "Pabcdefghijklmnopqrstuvwxyz/Pabcdefghijklmnopqrstuvwxyz/b + 3*Pabcdefgh/h/-",
-    "Pabcdefghi/Pabcdefghi + 40*Pa/a + 3*-/P",
-};
 
 template <class Kind>
 std::vector<Kind> elements(const Panel& panel) {
@@ -64,7 +51,7 @@ std::size_t red_points(const Panel& panel) {
 } // namespace
 
 TEST_CASE("each panel has the letters of the lines that its view sees, inside its frame") {
-    for (const std::string& text : samples) {
+    for (const std::string& text : drawn_problems) {
         CAPTURE(text);
         const Problem problem = parse_problem(text);
         const Picture picture = picture_of(problem, Highlight::nothing);
@@ -114,7 +101,7 @@ TEST_CASE("a letter stands beside its own line, off the point and the other lett
 }
 
 TEST_CASE("where two views share exactly five points, these are red in both, and nothing else") {
-    for (const std::string& text : samples) {
+    for (const std::string& text : drawn_problems) {
         CAPTURE(text);
         const Problem problem = parse_problem(text);
         const Picture plain = picture_of(problem, Highlight::nothing);
@@ -139,7 +126,7 @@ TEST_CASE("where two views share exactly five points, these are red in both, and
 }
 
 TEST_CASE("LaTeX gets the same elements as the page, in balanced braces") {
-    for (const std::string& text : samples) {
+    for (const std::string& text : drawn_problems) {
         CAPTURE(text);
         const Problem problem = parse_problem(text);
         const std::string tikz = draw_tikz(problem, Highlight::five_points);

@@ -17,6 +17,12 @@ Outcome run(const std::string& command) {
             read_file(err)};
 }
 
+Outcome run_with_full_disk(const std::string& command) {
+    // A file size limit of 0 blocks; a program that ignores the signal gets an error, as from a
+    // full disk.
+    return run("trap '' XFSZ; ulimit -f 0; " + command + " 2>/dev/null");
+}
+
 std::string read_file(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -32,6 +38,11 @@ std::vector<std::string> lines_of(const std::string& text) {
     for (std::string line; std::getline(stream, line);)
         lines.push_back(line);
     return lines;
+}
+
+std::string last_line(const std::string& text) {
+    const std::vector<std::string> lines = lines_of(text);
+    return lines.empty() ? "" : lines.back();
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -14,6 +14,8 @@ struct Outcome {
 
 /// Runs a shell command line.
 Outcome run(const std::string& command);
+/// Runs it where no file may have content, as if the disk were full. What it says is lost.
+Outcome run_with_full_disk(const std::string& command);
 
 /// The whole of a file.
 std::string read_file(const std::filesystem::path& path);
@@ -21,6 +23,8 @@ void write_file(const std::filesystem::path& path, const std::string& content);
 
 /// The lines of a text without their ends.
 std::vector<std::string> lines_of(const std::string& text);
+/// The last of them; empty if there is none.
+std::string last_line(const std::string& text);
 
 /// A folder that vanishes with the object.
 class TemporaryFolder {
