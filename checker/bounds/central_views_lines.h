@@ -1,4 +1,4 @@
-// The other degrees by Theorem R (proofs/relations.md), as in central_views.h: of problems with at
+// The other bounds by Theorem R (proofs/relations.md), as in central_views.h: of problems with at
 // least two lines or pins that all views see, or one and at least two points `P/P/P`.
 #pragma once
 
@@ -162,5 +162,18 @@ inline constexpr std::string_view central_view_bounds_lines = R"(
 584 a/Pa/Pa + a/a/a + a/P/Pa + P/a/Pa + 2*-/P/P; 984 a/Pa/Pa + a/a/a + a/P/Pa + P/a/Pa + 2*P/-/P;
 1328 a/Pa/Pa + a/a/a + a/P/Pa + P/a/Pa + 2*a/a/P;
 1360 a/Pa/Pa + a/a/a + a/P/Pa + P/a/Pa + P/-/P + a/a/P;
+536 2*P/P/P + a/Pa/Pa + 2*a/P/a; 504 2*P/P/P + a/Pa/Pa + P/-/P + a/a/P;
+360 2*P/P/P + a/Pa/Pa + P/a/Pa; 568 2*P/P/P + a/a/a + -/P/P + 2*a/P/a;
+552 2*P/P/P + a/a/a + -/P/P + P/-/P + a/a/P; 648 2*P/P/P + a/a/a + 3*P/a/a;
+392 2*P/P/P + a/a/a + a/P/Pa + P/-/P; 424 2*P/P/P + a/a/a + a/P/Pa + a/P/a;
+880 2*a/Pa/Pa + 2*P/a/Pa + -/P/P; 1112 2*a/Pa/Pa + 2*P/a/Pa + a/a/P;
+928 2*a/Pa/Pa + a/a/a + P/a/Pa + -/P/P; 1296 2*a/a/a + 2*a/P/Pa + -/P/P + 2*P/-/P;
+1464 2*a/a/a + 2*a/P/Pa + 2*P/-/P + a/a/P; 912 2*a/a/a + 2*a/P/Pa + 3*P/-/P;
+1064 2*a/a/a + 2*a/P/Pa + P/a/Pa + P/-/P; 216 3*P/P/P + a/a/a; 896 3*a/Pa/Pa + P/a/Pa;
+992 3*a/a/a + a/P/Pa + 3*P/-/P; 376 Pa/Pa/Pa + 2*P/P/P + P/a/a;
+752 Pa/Pa/Pa + a/a/a + 2*a/P/Pa + P/-/P; 960 a/Pa/Pa + 2*a/a/a + P/a/Pa + 2*-/P/P;
+1008 a/Pa/Pa + Pa/a/Pa + 2*a/P/Pa + P/-/P; 1072 a/Pa/Pa + a/a/a + 2*P/a/Pa + -/P/P + P/-/P;
+1288 a/Pa/Pa + a/a/a + 2*P/a/Pa + -/P/P + a/a/P; 896 a/Pa/Pa + a/a/a + 2*P/a/Pa + 2*-/P/P;
+1184 a/Pa/Pa + a/a/a + 2*a/P/Pa + 2*P/-/P; 920 a/Pa/Pa + a/a/a + a/P/Pa + 2*P/a/Pa;
 )";
 } // namespace checker

@@ -1,4 +1,4 @@
-// The degrees by Theorem R of proofs/relations.md. Compares them with the checker's table
+// The bounds by Theorem R of proofs/relations.md. Compares them with the checker's table
 // (checker/bounds/central_views.h and central_views_lines.h); `--rows` prints the rows of the
 // table. From the folder that holds checker/ and proofs/:
 //
@@ -31,7 +31,7 @@ std::map<std::string, unsigned> expected_rows() {
             return checker::shared_points(signature, pair) == 5;
         });
         if (extension) continue;
-        if (const auto found = proofs::degree_by_theorem(signature))
+        if (const auto found = proofs::bound_by_theorem(signature))
             rows[checker::notation(signature)] = static_cast<unsigned>(*found);
     }
     return rows;

@@ -68,19 +68,47 @@ inline std::int64_t product_of_classes(const checker::Signature& signature) {
     return degree_of(product);
 }
 
-/// Whether the features avoid all strata, as Proposition R8 asks.
-inline bool avoids_the_boundary(const checker::Signature& signature) {
+/// The features of a signature, each as often as it occurs; `mirrored` with the views 2 and 3
+/// exchanged.
+struct FeatureLists {
     std::vector<std::string_view> features, mirrored;
+};
+
+inline FeatureLists feature_lists(const checker::Signature& signature) {
+    FeatureLists lists;
     for (const FeatureClass& feature : feature_classes()) {
         const unsigned count = signature[checker::index_of(feature.notation)];
-        features.insert(features.end(), count, feature.notation);
-        mirrored.insert(mirrored.end(), count, feature.mirrored);
+        lists.features.insert(lists.features.end(), count, feature.notation);
+        lists.mirrored.insert(lists.mirrored.end(), count, feature.mirrored);
     }
+    return lists;
+}
+
+/// Whether the features avoid all strata, as Proposition R8 asks.
+inline bool avoids_the_boundary(const checker::Signature& signature) {
+    const auto [features, mirrored] = feature_lists(signature);
     return strata_in_the_way(features).empty() && strata_in_the_way(mirrored).empty();
 }
 
-/// The degree by Theorem R of problems with a signature of which view 1 sees all points; none if
-/// the theorem does not speak of it.
+/// How many common points at the boundary the product of the classes counts at least, if all are
+/// isolated, as Proposition R14 asks.
+inline std::optional<unsigned> points_at_the_boundary(const checker::Signature& signature) {
+    const auto [features, mirrored] = feature_lists(signature);
+    const auto points = isolated_points(features), of_mirrored = isolated_points(mirrored);
+    if (!points || !of_mirrored) return std::nullopt;
+    return points->in_ii + points->in_iv + of_mirrored->in_iv;
+}
+
+/// The upper bound by Theorem R on the degree of problems with a signature of which view 1 sees all
+/// points; none if the theorem does not speak of it.
+inline std::optional<std::int64_t> bound_in_view_1(const checker::Signature& signature) {
+    if (!has_classes(signature)) return std::nullopt;
+    const auto points = points_at_the_boundary(signature);
+    if (!points) return std::nullopt;
+    return product_of_classes(signature) - *points;
+}
+
+/// Its degree by Theorem R (a); none if the theorem does not speak of it.
 inline std::optional<std::int64_t> degree_in_view_1(const checker::Signature& signature) {
     if (!has_classes(signature) || !avoids_the_boundary(signature)) return std::nullopt;
     return product_of_classes(signature);
@@ -100,16 +128,27 @@ inline checker::Signature merged(const checker::Signature& signature) {
     return result;
 }
 
-/// The degree by Theorem R, in whichever view sees all points; none if the theorem does not speak
-/// of the signature.
-inline std::optional<std::int64_t> degree_by_theorem(const checker::Signature& signature) {
+/// What one of the two functions above gives, in whichever view sees all points; none if the
+/// theorem does not speak of the signature.
+template <typename InView1>
+std::optional<std::int64_t> in_some_view(const checker::Signature& signature, InView1 in_view_1) {
     for (const checker::FeatureMap& map : checker::relabelings) {
         checker::Signature image{};
         for (std::size_t i = 0; i < checker::feature_count; ++i)
             image[i] = signature[map[i]];
-        if (const auto found = degree_in_view_1(merged(image))) return found;
+        if (const auto found = in_view_1(merged(image))) return found;
     }
     return std::nullopt;
+}
+
+/// The degree by Theorem R (a).
+inline std::optional<std::int64_t> degree_by_theorem(const checker::Signature& signature) {
+    return in_some_view(signature, degree_in_view_1);
+}
+
+/// The upper bound by Theorem R, (a) or (b).
+inline std::optional<std::int64_t> bound_by_theorem(const checker::Signature& signature) {
+    return in_some_view(signature, bound_in_view_1);
 }
 
 } // namespace proofs
