@@ -2,8 +2,12 @@
 
 #include "checker/bounds/theorems.h"
 #include "checker/degrees/constraint_class.h"
+#include "checker/general/degree_bound.h"
 
 namespace checker {
+/// Of proofs/families.md.
+static constexpr std::string_view theorem_in_general = "16";
+
 /// The notation without blanks.
 static std::string without_blanks(std::string_view notation) {
     std::string text;
@@ -145,9 +149,10 @@ static std::string in_words(const UpperBound& bound) {
     const auto* theorem = std::get_if<TheoremRow>(&bound.by);
     if (!theorem)
         return say("at most ", bound.solutions, ", by templates of relative pose and registration");
-    const bool central = theorem->theorem == "R";
-    return say("at most ", bound.solutions, ", by Theorem ", theorem->theorem, " of proofs/",
-               central ? "relations.md" : "upper_bounds.md");
+    std::string_view page = "upper_bounds.md";
+    if (theorem->theorem == "R") page = "relations.md";
+    if (theorem->theorem == theorem_in_general) page = "families.md";
+    return say("at most ", bound.solutions, ", by Theorem ", theorem->theorem, " of proofs/", page);
 }
 
 static void add_file(Judgement& judgement, const std::string& file) {
@@ -206,16 +211,27 @@ static KnownDegree degree_of_class(const Classification& classes, const Findings
             say("its degree is that of label class ", *proved.number, ", ", notation(signature))};
 }
 
-/// The same, with the lower bound of a file of solutions if this is larger.
+/// The same, with what a file of solutions counts, if that is more. Of a problem in general also
+/// what the theorem says.
 static KnownDegree degree_of(const Classification& classes, const Findings& findings,
                              const Proved& proved, const ExpectedProblem& expected) {
     KnownDegree known = degree_of_class(classes, findings, proved, expected.problem.views);
     if (!expected.in_general) return known;
     const CountedInGeneral counted = count_in_general(findings, *expected.in_general);
-    if (counted.solutions <= known.bounds.at_least) return known;
-    known.bounds.at_least = counted.solutions;
-    known.files.lower = {counted.file};
-    if (known.source.empty()) known.source = "its solutions are counted by " + counted.file;
+    if (counted.solutions > known.bounds.at_least) {
+        known.bounds.at_least = counted.solutions;
+        known.files.lower = {counted.file};
+        if (known.source.empty()) known.source = "its solutions are counted by " + counted.file;
+    }
+    const std::optional<std::size_t> bound = general::degree_bound(*expected.in_general);
+    if (proved.verdict != "minimal" || !bound) return known;
+    known.bounds.at_most = UpperBound{*bound, TheoremRow{0, theorem_in_general}};
+    known.files.upper = {proved.file};
+    if (known.bounds.at_least == 0) {
+        known.bounds.at_least = 1;
+        known.files.lower = {proved.file};
+        known.source = "a minimal problem has a solution";
+    }
     return known;
 }
 

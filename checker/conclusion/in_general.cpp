@@ -1,5 +1,6 @@
 #include "checker/conclusion/in_general.h"
 
+#include "checker/general/degree_bound.h"
 #include "checker/general/isomorphism.h"
 #include "checker/general/notation.h"
 
@@ -66,19 +67,21 @@ static std::size_t most_solutions(const CountsByInvariant& counts,
     return most;
 }
 
-std::map<std::size_t, std::size_t> lower_bounds_of(const Findings& findings,
-                                                   const general::ProblemsFile& problems) {
+DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems) {
     CountsByInvariant counts;
     for (const ReplayedFile* file : files_of<general::SolutionsFile>(findings))
         for (const auto& count : std::get<general::SolutionsFile>(file->content).counts)
             counts[general::invariant(count.problem)].push_back(count);
-    std::map<std::size_t, std::size_t> bounds;
+    DegreesInGeneral degrees;
     for (const general::Verdict& verdict : problems.verdicts) {
         if (!verdict.minimal) continue;
         const std::size_t solutions = most_solutions(counts, verdict.problem);
-        if (solutions > 0) ++bounds[solutions];
+        if (solutions > 0) ++degrees.at_least[solutions];
+        // A minimal problem has a solution, whatever the files count.
+        const auto bound = general::degree_bound(verdict.problem);
+        if (bound == std::max(solutions, std::size_t{1})) ++degrees.exact;
     }
-    return bounds;
+    return degrees;
 }
 
 const ReplayedFile* file_of_family(const Findings& findings, std::string_view family) {

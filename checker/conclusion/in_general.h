@@ -27,9 +27,13 @@ struct CountedInGeneral {
 /// The most that any record counts; 0 if none is about the problem.
 CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem);
 
-/// How many of the minimal problems of a file have a lower bound of the degree, by the bound.
-std::map<std::size_t, std::size_t> lower_bounds_of(const Findings& findings,
-                                                   const general::ProblemsFile& problems);
+/// What is known of the degrees of the minimal problems of a file.
+struct DegreesInGeneral {
+    std::map<std::size_t, std::size_t> at_least{}; // how many problems have each lower bound
+    std::size_t exact = 0; // of so many, a lower bound and that of Theorem 16 meet
+};
+
+DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems);
 
 /// The file that has all problems of a family; null if none does.
 const ReplayedFile* file_of_family(const Findings& findings, std::string_view family);

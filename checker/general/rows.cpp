@@ -1,5 +1,6 @@
 #include "checker/general/rows.h"
 
+#include "checker/general/degree_bound.h"
 #include "checker/general/part.h"
 
 #include <array>
@@ -64,13 +65,17 @@ static std::vector<Row> projective_rows(const ProblemsFile& file) {
     const auto counted_once = [&](const Verdict& v) {
         return v.minimal && (few(v) || views_of(v) == 2);
     };
+    const auto one_solution = [&](const Verdict& v) {
+        return counted_once(v) && degree_bound(v.problem) == 1U;
+    };
     return {{"balanced, fewer than seven points", count(file, few)},
             {"minimal, fewer than seven points", count(file, few_minimal)},
             {"not minimal, fewer than seven points", count(file, few_not_minimal)},
             {"- no four on a line, no six in a plane", count(file, candidate)},
             {"minimal, seven points in two views", count(file, seven_in_two)},
             {"minimal, seven points in three views", count(file, seven_in_three)},
-            {"minimal", count(file, counted_once)}};
+            {"minimal", count(file, counted_once)},
+            {"- with one solution", count(file, one_solution)}};
 }
 
 std::vector<Row> rows_of(const ProblemsFile& file) {

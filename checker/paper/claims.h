@@ -38,6 +38,7 @@ struct FamilyTable {
     std::string family{}; // `plmp` or `projective`
     std::vector<Claim> claims{};
     std::map<std::size_t, std::size_t> lower_bounds{}; // of degrees: how many problems have each
+    std::size_t exact = 0; // so many degrees are certified exactly, by theorem
 };
 
 /// The lines on a family; none unless the file has all its problems.

@@ -19,6 +19,7 @@ static constexpr std::array claimed_numbers{
     ClaimedNumber{"plmp", "minimal, in 6 views", 1},
     ClaimedNumber{"projective", "- no four on a line, no six in a plane", 149},
     ClaimedNumber{"projective", "minimal", 291},
+    ClaimedNumber{"projective", "- with one solution", 73},
 };
 
 static Claim compare(std::string_view family, const general::Row& row) {

@@ -134,7 +134,7 @@ static std::string item(const paper::FamilyTable& table) {
     for (const auto& [solutions, problems] : table.lower_bounds)
         bounds.push_back(say("[", solutions, ", ", problems, "]"));
     return say("{\"family\": ", json_string(table.family), ", \"claims\": ", array_of(claims),
-               ", \"lower_bounds\": ", array_of(bounds), "}");
+               ", \"lower_bounds\": ", array_of(bounds), ", \"exact\": ", table.exact, "}");
 }
 
 static std::string item(const paper::DegreeClaim& c) {

@@ -57,7 +57,9 @@ static void add_families(Report& report) {
         if (!file || !findings.counts(i)) continue;
         paper::FamilyTable table = paper::compare_family(*file);
         if (table.claims.empty()) continue;
-        table.lower_bounds = lower_bounds_of(findings, *file);
+        const DegreesInGeneral degrees = degrees_of(findings, *file);
+        table.lower_bounds = degrees.at_least;
+        table.exact = degrees.exact;
         report.families.push_back(table);
     }
 }

@@ -199,9 +199,13 @@ static std::string list_of_lower_bounds(const std::map<std::size_t, std::size_t>
 
 static std::string tables_of_families(const Report& report) {
     std::string result;
-    for (const auto& [family, claims, lower_bounds] : report.families)
-        result += say("\nfamily ", family, '\n', table_of_counts(claims), '\n',
-                      list_of_lower_bounds(lower_bounds));
+    for (const paper::FamilyTable& table : report.families) {
+        result += say("\nfamily ", table.family, '\n', table_of_counts(table.claims), '\n',
+                      list_of_lower_bounds(table.lower_bounds));
+        if (table.exact > 0)
+            result += say("exactly, by theorem: the degrees of ",
+                          counted(table.exact, "minimal problem"), "\n\n");
+    }
     return result;
 }
 

@@ -94,7 +94,7 @@ void write_degree(std::ostream& out, const std::string& notation) {
         return;
     }
     out << in_words(*degree) << ' ' << degree->status << ": " << degree->source << '\n';
-    if (degree->certified > 0)
+    if (degree->certified > 0 && degree->status != "certified")
         section(out, "") << "at least " << degree->certified << " certified\n";
 }
 

@@ -15,7 +15,7 @@ struct DegreeOnFile {
     std::string_view problem; ///< in notation
     int degree = 0;
     std::string_view bound;  ///< `exact` or `at-least`
-    std::string_view status; ///< `evidence`
+    std::string_view status; ///< `certified` or `evidence`
     int certified = 0;       ///< plcheck has certified at least so many; 0: none
     std::string_view source;
 };

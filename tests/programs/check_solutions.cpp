@@ -26,6 +26,7 @@ std::string example() {
 struct OnFile {
     std::string family, problem;
     int degree = 0, certified = 0;
+    bool is_exact = false; // by certificates and theorem
 };
 
 std::vector<OnFile> degrees_on_file() {
@@ -40,6 +41,7 @@ std::vector<OnFile> degrees_on_file() {
             std::getline(columns, *column, ',');
         row.degree = std::stoi(degree);
         row.certified = certified.empty() ? 0 : std::stoi(certified);
+        row.is_exact = status == "certified";
     }
     return degrees;
 }
@@ -69,19 +71,24 @@ TEST_CASE("every degree of the families up to 600 is certified as a lower bound,
             for (const auto& record : file["solutions"])
                 certified[record["problem"]] = record["certified_at_least"];
     std::map<std::string, std::map<int, int>> tables, expected_tables;
+    std::map<std::string, int> exact, expected_exact;
     constexpr int most = 600; // solutions, of what has a file
     for (const OnFile& row : degrees_on_file()) {
         if (row.degree > most) continue;
         CHECK(row.certified == row.degree);
         expected[row.problem] = row.certified;
         ++expected_tables[row.family][row.certified];
+        expected_exact[row.family] += row.is_exact ? 1 : 0;
     }
-    for (const auto& table : report["families"])
+    for (const auto& table : report["families"]) {
+        exact[table["family"]] = table["exact"];
         for (const auto& bound : table["lower_bounds"])
             tables[table["family"]][bound[0]] = bound[1];
+    }
     CHECK(certified.size() > 300);
     CHECK(certified == expected);
     CHECK(tables == expected_tables);
+    CHECK(exact == expected_exact);
 }
 
 TEST_CASE("the table of a family counts the problems with certified solutions, whatever the names "
@@ -103,10 +110,10 @@ TEST_CASE("the table of a family counts the problems with certified solutions, w
 TEST_CASE("what the prover writes of a degree in general, the checker certifies") {
     const TemporaryFolder folder;
     const std::string file = (folder / "one.plc").string();
-    for (const auto& [problem, degree, other] :
-         {std::tuple{"projective: 7*P/P", 3, "projective:7*P/P"},
-          {"projective: 3*PL/PL + 4*P/P", 2, "projective: 4*P/P + 3*PX/PX"},
-          {"3*PL/PL + 2*P/P", 16, "2*P/P + 3*PL/PL"}}) {
+    for (const auto& [problem, degree, is_exact, other] :
+         {std::tuple{"projective: 7*P/P", 3, true, "projective:7*P/P"},
+          {"projective: 3*PL/PL + 4*P/P", 2, true, "projective: 4*P/P + 3*PX/PX"},
+          {"3*PL/PL + 2*P/P", 16, false, "2*P/P + 3*PL/PL"}}) {
         CAPTURE(problem);
         const Outcome written = run(plprove + " degree '" + problem + "' -o " + file);
         REQUIRE(written.status == 0);
@@ -119,16 +126,31 @@ TEST_CASE("what the prover writes of a degree in general, the checker certifies"
             const Outcome more =
                 run(expect + "--degree '>=" + std::to_string(degree + 1) + "' " + file);
             CHECK(more.status == 1);
-            CHECK(contains(more.out, "at least " + number + " solutions are certified"));
+            CHECK(contains(more.out, number + " solutions are certified"));
             const Outcome exactly = run(expect + "--degree " + number + " " + file);
-            CHECK(exactly.status == 1);
-            CHECK(contains(exactly.out, "no upper bound"));
+            CHECK(exactly.status == (is_exact ? 0 : 1));
+            CHECK(contains(exactly.out, "no upper bound") == !is_exact);
         }
         const Outcome absent =
             run(plcheck + " --expect 'projective: 9*a/a/a' --degree '>=1' " + file);
         CHECK(absent.status == 1);
         CHECK(contains(last_line(absent.out), "add a file of solutions"));
     }
+}
+
+TEST_CASE("a minimal problem whose points and lines allow one solution has exactly one, and --why "
+          "names the theorem") {
+    const std::string expect = plcheck + " --why --quiet --expect 'projective: 3*PL/PL/PL + "
+                                         "5*a/a/a' --degree ";
+    const Outcome one = run(expect + "1 " + certs + "projective.plc");
+    CHECK(one.status == 0);
+    CHECK(contains(one.out, "a minimal problem has a solution"));
+    CHECK(contains(one.out, "at most 1, by Theorem 16 of proofs/families.md"));
+    const Outcome two = run(expect + "2 " + certs + "projective.plc");
+    CHECK(two.status == 1);
+    CHECK(contains(two.out, "exactly 1 solutions are certified"));
+    const Outcome without = run(expect + "1 " + certs + "plmp.plc");
+    CHECK(without.status == 1);
 }
 
 TEST_CASE("the same seed writes the same bytes, to a file or alone on standard output") {

@@ -1,0 +1,97 @@
+// Theorem 16 of proofs/families.md: each item at its border, and all degrees that monodromy found.
+#include "checker/general/degree_bound.h"
+
+#include "checker/conclusion/in_general.h"
+
+#include <doctest/doctest.h>
+#include <fstream>
+#include <sstream>
+
+using namespace checker;
+
+namespace {
+
+using Bound = std::optional<std::size_t>;
+
+Bound bound_of(const std::string& notation) {
+    return general::degree_bound(parse_general_problem(notation));
+}
+
+/// A line of certs/family-degrees.csv.
+struct OnFile {
+    std::string family, problem, degree, bound, status;
+};
+
+std::vector<OnFile> degrees_on_file() {
+    std::ifstream table(SOURCE_DIR "/certs/family-degrees.csv");
+    std::vector<OnFile> rows;
+    for (std::string line; std::getline(table, line);) {
+        if (line.starts_with('#') || line.starts_with("family,")) continue;
+        std::istringstream columns(line);
+        OnFile& row = rows.emplace_back();
+        for (std::string* column :
+             {&row.family, &row.problem, &row.degree, &row.bound, &row.status})
+            std::getline(columns, *column, ',');
+    }
+    return rows;
+}
+
+} // namespace
+
+TEST_CASE("two axes that share a point bound the degree by one, two that do not share one do not") {
+    CHECK(bound_of("projective: PLM/PLM + 2*PL/PL + 2*PM/PM + 2*P/P") == 1U);
+    CHECK(bound_of("projective: PLM/PLM/PLM + 2*PL/PL/PL + 2*PMab/PMab/PMab") == 1U);
+    CHECK(bound_of("projective: 2*PL/PL/PL + PLa/PLa/PLa + 2*PM/PM/PM + PMa/PMa/PMa") != 1U);
+}
+
+TEST_CASE("without another line at the axis, the bound counts the lines that meet subspaces") {
+    // Three planes through the axis or fewer: one line. In the last two, there is another axis.
+    CHECK(bound_of("projective: 3*PL/PL/PL + 5*a/a/a") == 1U);
+    CHECK(bound_of("projective: 2*PL/PL/PL/PL + PLa/PLa/PLa/PLa + 2*Pa/Pa/Pa/Pa") == 1U);
+    CHECK(bound_of("projective: 3*PL/PL/PL + 3*PM/PM/PM + a/a/a") == 1U);
+    CHECK(bound_of("projective: 3*PL/PL/PL + PM/PM/PM + 2*PMa/PMa/PMa") == 1U);
+    // Lines in space that meet four lines: two.
+    CHECK(bound_of("projective: 3*PL/PL + 4*P/P") == 2U);
+    CHECK(bound_of("projective: 2*PLa/PLa/PLa + PLab/PLab/PLab + 3*a/a/a") == 2U);
+    // In dimension 4, six planes; in dimension 6, ten subspaces of dimension 4.
+    CHECK(bound_of("projective: 2*PL/PL/PL + PLabcdef/PLabcdef/PLabcdef + 2*a/a/a") == 5U);
+    CHECK(bound_of("projective: PL/PL/PL + 2*PLabcde/PLabcde/PLabcde") == 42U);
+    // In dimension 4, four planes and a line.
+    CHECK(bound_of("projective: 2*PL/PL/PL + PLabcd/PLabcd/PLabcd + Pa/Pa/Pa + a/a/a") == 3U);
+}
+
+TEST_CASE(
+    "the bound by an axis wants a balanced problem, and no other line of points at the axis") {
+    CHECK(bound_of("projective: 3*PL/PL/PL + 6*a/a/a") == std::nullopt);
+    CHECK(bound_of("projective: 3*PL/PL/PL + Pabcdef/Pabcdef/Pabcdef") == std::nullopt);
+    CHECK(bound_of("projective: 2*PL/PL/PL + PLM/PLM/PLM + PM/PM/PM + P/P/P") == std::nullopt);
+}
+
+TEST_CASE("two uncalibrated views have at most three solutions") {
+    CHECK(bound_of("projective: 7*P/P") == 3U);
+    CHECK(bound_of("projective: 6*P/P/P") == std::nullopt);
+}
+
+TEST_CASE("the theorem is for projective cameras that all see everything") {
+    CHECK(bound_of("5*P/P") == std::nullopt);
+    CHECK(bound_of("PLM/PLM + 2*PL/PL + 2*PM/PM") == std::nullopt);
+    CHECK(bound_of("projective: PLM/PLM/PLM + 2*PL/PL/PL + 2*PM/PM/PM + P/P/P") == 1U);
+    CHECK(bound_of("projective: PLM/PLM/PLM + 2*PL/PL/PL + 2*PM/PM/PM + P/P/-") == std::nullopt);
+}
+
+TEST_CASE("no degree that monodromy found is above its bound; the file calls those certified that "
+          "attain it; and the bound is one wherever the degree is") {
+    std::size_t ones = 0, certified = 0;
+    for (const OnFile& row : degrees_on_file()) {
+        CAPTURE(row.problem);
+        const Bound bound = bound_of(row.problem);
+        const std::size_t degree = std::stoul(row.degree);
+        if (bound) CHECK(degree <= *bound);
+        CHECK((row.status == "certified") == (bound == degree));
+        CHECK((row.family == "projective" && degree == 1) == (bound == 1U));
+        ones += bound == 1U;
+        certified += bound == degree;
+    }
+    CHECK(ones == 75);
+    CHECK(certified == 126);
+}
