@@ -107,21 +107,10 @@ inline std::vector<std::string_view> strata_in_the_way(std::span<const std::stri
     return found;
 }
 
-/// Whether two features, both of them this one, are those with v' . x_1 = 0.
-inline bool two_determine_v(const Meeting& meeting, std::string_view feature) {
-    unsigned count = 0;
-    for (const Way& way : meeting.ways) {
-        if (way.conditions[1] == 0) continue;
-        if (way.feature != feature) return false;
-        ++count;
-    }
-    return count == 2;
-}
-
 /// How many common points a choice has in the stratum (ii), if its conditions are 6: the first
 /// table of Proposition R14.
 inline unsigned points_in_ii(const Meeting& meeting) {
-    if (!two_determine_v(meeting, "P/P/P")) return 0;
+    if (meeting.conditions[1] != 2) return 0;
     const unsigned of_x_and_y = meeting.conditions[2] + meeting.conditions[3];
     if (of_x_and_y == 0) return 40;
     return of_x_and_y == 1 ? 16 : 8;
@@ -129,14 +118,13 @@ inline unsigned points_in_ii(const Meeting& meeting) {
 
 /// Likewise in the stratum (iv), if its conditions are 7: the second table.
 inline unsigned points_in_iv(const Meeting& meeting) {
-    if (!two_determine_v(meeting, "P/a/Pa")) return 0;
-    for (const Way& way : meeting.ways) { // not shown to be limits of cameras: l_2 . u_2 = 0
-        const bool has_line = way.feature == "a/a/a" || way.feature == "Pa/a/Pa";
-        if (has_line && way.conditions[2] == 1) return 0;
+    if (meeting.conditions[1] != 2 || meeting.conditions[3] != 2) return 0;
+    for (const Way& way : meeting.ways) {
+        const bool has_line = way.feature == "a/a/a" || way.feature.starts_with("Pa");
+        if (way.conditions[1] != 0 && has_line) return 0; // not counted
+        if (way.conditions[2] != 0 && way.feature != "P/a/a") return 0;
     }
-    const auto& [image, on_v, on_u2, on_view_3, on_f3, on_p3] = meeting.conditions;
-    if (on_view_3 != 2) return 0;
-    return on_u2 == 1 ? 8 : 16;
+    return meeting.conditions[2] == 1 ? 8 : 16;
 }
 
 /// At least how many common points generic data have in two strata.
@@ -144,14 +132,15 @@ struct IsolatedPoints {
     unsigned in_ii = 0, in_iv = 0;
 };
 
-/// These numbers, if the common points are isolated: the features avoid (i) and (iii), and meet as
-/// many conditions as the image has dimensions in (ii) and (iv). None if they do not.
+/// These numbers, if the common points are isolated on the blow-up in (i): the features avoid (iii)
+/// and meet as many conditions as the image has dimensions in (i), (ii) and (iv). None if they do
+/// not.
 inline std::optional<IsolatedPoints> isolated_points(std::span<const std::string_view> features) {
     IsolatedPoints points;
     for (const Stratum& stratum : boundary_strata) {
         for (const Meeting& meeting : meetings(stratum, features)) {
             const bool isolated = meeting.conditions[0] == stratum.dimensions[0];
-            if (!isolated || stratum.name == "i" || stratum.name == "iii") return std::nullopt;
+            if (!isolated || stratum.name == "iii") return std::nullopt;
             if (stratum.name == "ii") points.in_ii += points_in_ii(meeting);
             if (stratum.name == "iv") points.in_iv += points_in_iv(meeting);
         }

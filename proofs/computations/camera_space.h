@@ -11,7 +11,8 @@ namespace proofs {
 
 /// Classes of divisors on M: xi of the bundle, e of the last blow-up, and for v = 2, 3 those of the
 /// relative pose of the views 1 and v: h_v of the rotation, k_v of the epipole, y_v of the blow-up.
-enum Divisor : std::size_t { xi, e, h2, k2, y2, h3, k3, y3, divisor_count };
+/// Two more are not on M, but on X (blow_up.h): b of the point v of C, and x of X itself.
+enum Divisor : std::size_t { xi, e, h2, k2, y2, h3, k3, y3, b, x, divisor_count };
 
 /// A product of divisors, by exponents.
 using Monomial = std::array<unsigned, divisor_count>;
@@ -173,9 +174,9 @@ inline Cycle operator-(const Cycle& left, const Cycle& right) {
     return left + -1 * right;
 }
 
-/// Whether the monomial is 0, as W has dimension 5.
+/// Whether the monomial is 0, as W has dimension 5 and C dimension 1.
 inline bool vanishes(const Monomial& m) {
-    return m[h2] + m[k2] + m[y2] > 5 || m[h3] + m[k3] + m[y3] > 5;
+    return m[b] > 1 || m[h2] + m[k2] + m[y2] > 5 || m[h3] + m[k3] + m[y3] > 5;
 }
 
 inline Cycle operator*(const Cycle& left, const Cycle& right) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/degrees/constraint_class.h"
+#include "proofs/computations/blow_up.h"
 #include "proofs/computations/boundary_strata.h"
 #include "proofs/computations/camera_space.h"
 
@@ -33,19 +34,36 @@ struct FeatureClasses {
     Cycle A = Q * T - k_2 * k_2 * k_3 * k_3 - s_2 * k_3 * k_3 * E_3 - s_3 * k_2 * k_2 * E_2;
 };
 
+/// What the proper transforms on the blow-up in (i) lack: a feature has there its class less x
+/// times this. Section 9.
+struct Corrections : FeatureClasses {
+    Cycle v = 2 * class_of(b); // v . x_1 = 0
+    Cycle z = T - v;           // T'(l_2, l_3) = 0
+    Cycle f_2 = E_3 - v, f_3 = E_2 - v;
+    Cycle line_2 = 2 * (class_of(h2) - class_of(b)) * (k_2 - class_of(y2)); // f_2 is a given line
+    Cycle line_3 = 2 * (class_of(h3) - class_of(b)) * (k_3 - class_of(y3));
+    Cycle of_S = v;
+    Cycle of_Q = v * (T + E_2 + E_3 - k_2 - k_3 - class_of(x));
+    Cycle of_L = z;
+    Cycle of_W_2 = v * T + f_3 * z - line_3;
+    Cycle of_W_3 = v * T + f_2 * z - line_2;
+    Cycle of_A = of_Q * T + f_2 * f_3 * z - line_2 * f_3 - line_3 * f_2;
+};
+
 /// A feature, the one with the views 2 and 3 exchanged, and its class.
 struct FeatureClass {
     std::string_view notation, mirrored;
-    const Cycle& cycle;
+    const Cycle &cycle, &correction;
 };
 
 inline std::vector<FeatureClass> feature_classes() {
-    static const FeatureClasses c;
-    return {{"P/a/a", "P/a/a", c.T},       {"P/-/P", "P/P/-", c.E_2},
-            {"P/P/-", "P/-/P", c.E_3},     {"P/a/Pa", "P/Pa/a", c.S_2},
-            {"P/Pa/a", "P/a/Pa", c.S_3},   {"P/P/P", "P/P/P", c.Q},
-            {"a/a/a", "a/a/a", c.L},       {"Pa/a/Pa", "Pa/Pa/a", c.W_2},
-            {"Pa/Pa/a", "Pa/a/Pa", c.W_3}, {"Pa/Pa/Pa", "Pa/Pa/Pa", c.A}};
+    static const Corrections c;
+    static const Cycle none;
+    return {{"P/a/a", "P/a/a", c.T, none},           {"P/-/P", "P/P/-", c.E_2, none},
+            {"P/P/-", "P/-/P", c.E_3, none},         {"P/a/Pa", "P/Pa/a", c.S_2, c.of_S},
+            {"P/Pa/a", "P/a/Pa", c.S_3, c.of_S},     {"P/P/P", "P/P/P", c.Q, c.of_Q},
+            {"a/a/a", "a/a/a", c.L, c.of_L},         {"Pa/a/Pa", "Pa/Pa/a", c.W_2, c.of_W_2},
+            {"Pa/Pa/a", "Pa/a/Pa", c.W_3, c.of_W_3}, {"Pa/Pa/Pa", "Pa/Pa/Pa", c.A, c.of_A}};
 }
 
 /// Whether all features of a signature are in feature_classes(), of weight 11 together.
@@ -66,6 +84,17 @@ inline std::int64_t product_of_classes(const checker::Signature& signature) {
         product = product * power(feature.cycle, count);
     }
     return degree_of(product);
+}
+
+/// The degree of the same product on the blow-up in (i), less that on M.
+inline std::int64_t excess_on_blow_up(const checker::Signature& signature) {
+    Cycle product{{Monomial{}, 1}}, proper = product;
+    for (const FeatureClass& feature : feature_classes()) {
+        const unsigned count = signature[checker::index_of(feature.notation)];
+        product = product * power(feature.cycle, count);
+        proper = proper * power(feature.cycle - class_of(x) * feature.correction, count);
+    }
+    return degree_on_blow_up(divided_by_x(proper - product));
 }
 
 /// The features of a signature, each as often as it occurs; `mirrored` with the views 2 and 3
@@ -99,13 +128,20 @@ inline std::optional<unsigned> points_at_the_boundary(const checker::Signature& 
     return points->in_ii + points->in_iv + of_mirrored->in_iv;
 }
 
+/// Whether generic data of the features may have common points in the stratum (i).
+inline bool meets_stratum_i(const checker::Signature& signature) {
+    return !meetings(boundary_strata[0], feature_lists(signature).features).empty();
+}
+
 /// The upper bound by Theorem R on the degree of problems with a signature of which view 1 sees all
 /// points; none if the theorem does not speak of it.
 inline std::optional<std::int64_t> bound_in_view_1(const checker::Signature& signature) {
     if (!has_classes(signature)) return std::nullopt;
     const auto points = points_at_the_boundary(signature);
     if (!points) return std::nullopt;
-    return product_of_classes(signature) - *points;
+    const std::int64_t on_m = product_of_classes(signature);
+    const bool meets_i = meets_stratum_i(signature);
+    return on_m + (meets_i ? excess_on_blow_up(signature) : 0) - *points;
 }
 
 /// Its degree by Theorem R (a); none if the theorem does not speak of it.
