@@ -54,7 +54,7 @@ TEST_CASE(
     CHECK(!is_valid(with(good, "\"verdict\": \"minimal\"", "\"verdict\": \"unbalanced\"")));
     CHECK(!is_valid(with(good, "\"views\": 2", "\"views\": 1")));
     CHECK(!is_valid(with(good, "\"value\": 3", "\"value\": 0")));
-    CHECK(!is_valid(with(good, "\"evidence\"", "\"certified\"")));
+    CHECK(!is_valid(with(good, "\"certified\"", "\"claimed\"")));
     CHECK(!is_valid(with(good, "\"name\"", "\"names\"")));
 }
 
