@@ -63,6 +63,7 @@ TEST_CASE("without another line at the axis, the bound counts the lines that mee
 TEST_CASE(
     "the bound by an axis wants a balanced problem, and no other line of points at the axis") {
     CHECK(bound_of("projective: 3*PL/PL/PL + 6*a/a/a") == std::nullopt);
+    CHECK(bound_of("projective: 3*PL/PL/PL + 4*P/P/P") == std::nullopt);
     CHECK(bound_of("projective: 3*PL/PL/PL + Pabcdef/Pabcdef/Pabcdef") == std::nullopt);
     CHECK(bound_of("projective: 2*PL/PL/PL + PLM/PLM/PLM + PM/PM/PM + P/P/P") == std::nullopt);
 }
