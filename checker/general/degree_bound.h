@@ -4,7 +4,7 @@
 #include "checker/general/problem.h"
 
 namespace checker::general {
-/// At most so many solutions for its cameras, up to motions of space, the problem has if it is
+/// How many solutions for its cameras, up to motions of space, the problem has at most if it is
 /// minimal; none if the theorem does not say.
 std::optional<std::size_t> degree_bound(const Problem& problem);
 } // namespace checker::general

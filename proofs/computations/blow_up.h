@@ -36,22 +36,12 @@ inline CubeClass rotations_of(const Monomial& m) {
 
 /// A monomial without e and x, on the bundle of lines over N_2 x N_3 with v_2 = v_3.
 inline std::int64_t on_degenerate_bundle(const Monomial& m) {
-    std::int64_t sum = 0;
-    for (unsigned i = 0; i + 1 <= m[xi]; ++i) {
-        const unsigned j = m[xi] - 1 - i;
-        for (unsigned p = 0; p <= i; ++p) {
-            for (unsigned q = 0; q <= j; ++q) {
-                Monomial term = m;
-                term[h2] += q;
-                term[h3] += p;
-                const CubeClass poses = from_degenerate_poses(2, m[k2] + i - p, m[y2]) *
-                                        from_degenerate_poses(3, m[k3] + j - q, m[y3]);
-                const std::int64_t terms = (binomial(i, p) * binomial(j, q)) << (p + q);
-                sum += terms * (rotations_of(term) * poses)[7];
-            }
-        }
-    }
-    return sum;
+    const auto on_both = [](const Monomial& term) {
+        const CubeClass poses = from_degenerate_poses(2, term[k2], term[y2]) *
+                                from_degenerate_poses(3, term[k3], term[y3]);
+        return (rotations_of(term) * poses)[7];
+    };
+    return on_bundle_over(on_both, m);
 }
 
 /// y^j on the curve bundle that is exceptional in N_v, pushed forward to C x C.

@@ -92,21 +92,34 @@ inline std::int64_t binomial(unsigned n, unsigned k) {
     return result;
 }
 
-/// A monomial without e, on the bundle M' of lines over W x W: xi^(n+1) becomes the sum of all
-/// (2 h_3 + k_2)^i (2 h_2 + k_3)^j with i + j = n.
-inline std::int64_t on_bundle(const Monomial& m) {
+/// A monomial on the bundle of lines over two poses: xi^(n+1) becomes the sum of all
+/// (2 h_3 + k_2)^i (2 h_2 + k_3)^j with i + j = n. `on_base` integrates a monomial without xi.
+template <class OnBase>
+std::int64_t on_bundle_over(const OnBase& on_base, const Monomial& m) {
     std::int64_t sum = 0;
     for (unsigned i = 0; i + 1 <= m[xi]; ++i) {
         const unsigned j = m[xi] - 1 - i;
         for (unsigned p = 0; p <= i; ++p) {
             for (unsigned q = 0; q <= j; ++q) {
+                Monomial term = m;
+                term[h2] += q;
+                term[k2] += i - p;
+                term[h3] += p;
+                term[k3] += j - q;
                 const std::int64_t terms = (binomial(i, p) * binomial(j, q)) << (p + q);
-                sum += terms * on_poses(m[h2] + q, m[k2] + i - p, m[y2]) *
-                       on_poses(m[h3] + p, m[k3] + j - q, m[y3]);
+                sum += terms * on_base(term);
             }
         }
     }
     return sum;
+}
+
+/// A monomial without e, on the bundle M' of lines over W x W.
+inline std::int64_t on_bundle(const Monomial& m) {
+    const auto on_both = [](const Monomial& term) {
+        return on_poses(term[h2], term[k2], term[y2]) * on_poses(term[h3], term[k3], term[y3]);
+    };
+    return on_bundle_over(on_both, m);
 }
 
 /// y_v^n, pushed forward from the blow-up to Y_v.
