@@ -1,5 +1,6 @@
 #include "prover/multiview/monodromy.h"
 
+#include "prover/multiview/distinct.h"
 #include "prover/multiview/path.h"
 #include "prover/multiview/solution_set.h"
 
@@ -140,13 +141,24 @@ private:
         }
     }
 
+    std::vector<Point> distinct(std::size_t node) const {
+        return distinct_solutions(system_, nodes_[node].images, nodes_[node].solutions.points());
+    }
+
     MonodromyResult result() {
-        const int first = nodes_[0].solutions.size(), second = nodes_[1].solutions.size();
-        MonodromyResult result{
-            std::max(first, second), 0,       static_cast<int>(edges_.size()), lost_, paths_,
-            nodes_[0].images,        system_, nodes_[0].solutions.points()};
+        const std::vector<Point> points = distinct(0);
+        const auto first = points.size();
+        const auto second = distinct(1).size();
+        MonodromyResult result{static_cast<int>(std::max(first, second)),
+                               0,
+                               static_cast<int>(edges_.size()),
+                               lost_,
+                               paths_,
+                               nodes_[0].images,
+                               system_,
+                               points};
         for (const Edge& edge : edges_)
-            result.edges += first == second && static_cast<int>(edge.match[0].size()) == first;
+            result.edges += first == second && edge.match[0].size() == first;
         return result;
     }
 
