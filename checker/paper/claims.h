@@ -33,10 +33,24 @@ struct DegreeClaim {
 /// The lines on counts, then those on the problems with complete visibility.
 std::vector<Claim> compare_counts(const Classification& classes, const Verdicts& verdicts);
 
+/// A degree of which a paper says only that it is larger than a number.
+struct FamilyDegree {
+    std::string_view name;         // of the problem, as in the paper
+    std::string_view problem;      // in notation
+    std::size_t claimed_above = 0; // by the paper
+    std::size_t at_least = 0;      // certified; 0 if nothing is
+    std::size_t evidence = 0;      // what certs/family-degrees.csv has
+    std::string_view verdict{};
+};
+
+/// States that at least so many solutions are certified, and compares.
+void set_certified(FamilyDegree& degree, std::size_t at_least);
+
 /// The numbers of a family of problems in general, beside those of its paper.
 struct FamilyTable {
     std::string family{}; // `plmp` or `projective`
     std::vector<Claim> claims{};
+    std::vector<FamilyDegree> degrees{};
     std::map<std::size_t, std::size_t> lower_bounds{}; // of degrees: how many problems have each
     std::size_t exact = 0; // so many degrees are certified exactly, by theorem
 };

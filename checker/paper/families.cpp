@@ -22,6 +22,19 @@ static constexpr std::array claimed_numbers{
     ClaimedNumber{"projective", "- with one solution", 73},
 };
 
+/// Of PLMP, Table 1: "> 450k".
+static constexpr FamilyDegree claimed_degree{.name = "1021_1",
+                                             .problem = "Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a",
+                                             .claimed_above = 450'000,
+                                             .evidence = 186'368};
+
+void set_certified(FamilyDegree& degree, std::size_t at_least) {
+    degree.at_least = at_least;
+    degree.verdict = at_least > degree.claimed_above ? "confirmed"
+                     : at_least > degree.evidence    ? "open: the evidence is wrong"
+                                                     : "differs by evidence";
+}
+
 static Claim compare(std::string_view family, const general::Row& row) {
     Claim line{.claim = std::string(row.name),
                .claimed = "-",
@@ -39,6 +52,7 @@ FamilyTable compare_family(const general::ProblemsFile& file) {
     FamilyTable table{.family = file.family};
     for (const general::Row& row : general::rows_of(file))
         table.claims.push_back(compare(file.family, row));
+    if (table.family == "plmp") table.degrees.push_back(claimed_degree);
     return table;
 }
 } // namespace checker::paper

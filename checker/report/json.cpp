@@ -126,15 +126,25 @@ static std::string item(const paper::Claim& c) {
                ", \"counted\": ", json_string(c.counted), "}");
 }
 
+static std::string item(const paper::FamilyDegree& d) {
+    return say("{\"problem\": ", json_string(d.problem), ", \"name\": ", json_string(d.name),
+               ", \"claimed_above\": ", d.claimed_above, ", \"certified_at_least\": ", d.at_least,
+               ", \"evidence\": ", d.evidence, ", \"verdict\": ", json_string(d.verdict), "}");
+}
+
 static std::string item(const paper::FamilyTable& table) {
     std::vector<std::string> claims;
     for (const paper::Claim& claim : table.claims)
         claims.push_back(item(claim));
     std::vector<std::string> bounds;
+    std::vector<std::string> degrees;
+    for (const paper::FamilyDegree& degree : table.degrees)
+        degrees.push_back(item(degree));
     for (const auto& [solutions, problems] : table.lower_bounds)
         bounds.push_back(say("[", solutions, ", ", problems, "]"));
     return say("{\"family\": ", json_string(table.family), ", \"claims\": ", array_of(claims),
-               ", \"lower_bounds\": ", array_of(bounds), ", \"exact\": ", table.exact, "}");
+               ", \"degrees\": ", array_of(degrees), ", \"lower_bounds\": ", array_of(bounds),
+               ", \"exact\": ", table.exact, "}");
 }
 
 static std::string item(const paper::DegreeClaim& c) {

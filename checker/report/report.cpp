@@ -60,6 +60,10 @@ static void add_families(Report& report) {
         const DegreesInGeneral degrees = degrees_of(findings, *file);
         table.lower_bounds = degrees.at_least;
         table.exact = degrees.exact;
+        for (paper::FamilyDegree& degree : table.degrees) {
+            const general::Problem problem = parse_general_problem(degree.problem);
+            set_certified(degree, count_in_general(findings, problem).solutions);
+        }
         report.families.push_back(table);
     }
 }
@@ -67,12 +71,15 @@ static void add_families(Report& report) {
 /// Takes the verdicts from the tables: in a run with a file that is refused, no row confirms
 /// anything.
 static void withhold_verdicts(Report& report) {
-    const std::string withheld = "withheld: a file is refused";
+    static constexpr std::string_view withheld = "withheld: a file is refused";
     for (paper::Claim& claim : report.claims)
         if (claim.certified != "-") claim.verdict = withheld;
-    for (paper::FamilyTable& table : report.families)
+    for (paper::FamilyTable& table : report.families) {
         for (paper::Claim& claim : table.claims)
             claim.verdict = withheld;
+        for (paper::FamilyDegree& degree : table.degrees)
+            degree.verdict = withheld;
+    }
     for (paper::DegreeClaim& claim : report.degrees)
         claim.verdict = withheld;
 }

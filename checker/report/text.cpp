@@ -177,6 +177,16 @@ static std::string table_of_counts(const std::vector<paper::Claim>& claims) {
     return aligned(rows);
 }
 
+static std::string table_of_degrees(const std::vector<paper::FamilyDegree>& degrees) {
+    if (degrees.empty()) return "";
+    std::vector<Row> rows{{"degree", "claimed", "certified", "evidence", "verdict"}};
+    for (const paper::FamilyDegree& d : degrees)
+        rows.push_back({std::string(d.name), say("> ", d.claimed_above),
+                        d.at_least > 0 ? say(">= ", d.at_least) : "-", say(d.evidence),
+                        std::string(d.verdict)});
+    return aligned(rows) + '\n';
+}
+
 /// So many solutions, and in brackets how many problems have so many at least, and no more
 /// certified.
 static std::string list_of_lower_bounds(const std::map<std::size_t, std::size_t>& lower_bounds) {
@@ -201,7 +211,7 @@ static std::string tables_of_families(const Report& report) {
     std::string result;
     for (const paper::FamilyTable& table : report.families) {
         result += say("\nfamily ", table.family, '\n', table_of_counts(table.claims), '\n',
-                      list_of_lower_bounds(table.lower_bounds));
+                      table_of_degrees(table.degrees), list_of_lower_bounds(table.lower_bounds));
         if (table.exact > 0)
             result += say("exactly, by theorem: the degrees of ",
                           counted(table.exact, "minimal problem"), "\n\n");

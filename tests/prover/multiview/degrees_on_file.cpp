@@ -52,7 +52,7 @@ TEST_CASE("degrees of families on file are of different minimal problems of thes
     }
     CHECK(open.size() == 2);
     CHECK(open["projective"].empty());
-    CHECK(open["plmp"] == std::set<std::string>{"Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a"});
+    CHECK(open["plmp"].empty());
 }
 
 TEST_CASE("two engines agree on problems in three views with pins and free lines") {

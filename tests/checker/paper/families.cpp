@@ -1,0 +1,70 @@
+// A degree that a paper bounds from below, beside what is certified and what evidence says.
+#include "tests/support/results.h"
+
+#include <fstream>
+#include <iterator>
+
+using namespace checker;
+
+namespace {
+
+const std::string six_views = "Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a";
+
+std::string text_of(const std::string& name) {
+    std::ifstream stream(std::string(CERTS_DIR "/") + name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A file that counts so many solutions of a problem.
+ReplayedFile solutions_of(const std::string& notation, std::size_t solutions) {
+    general::SolutionsFile content;
+    content.counts.push_back({notation, parse_general_problem(notation), solutions});
+    return {.name = "solutions", .content = content};
+}
+
+/// What the table of PLMP says of a degree, beside these files.
+paper::FamilyDegree degree_beside(std::vector<ReplayedFile> files) {
+    files.push_back(replay(all_classes(), "plmp", text_of("plmp.plc")));
+    const Report report = summarize(all_classes(), files);
+    REQUIRE(report.families.size() == 1);
+    REQUIRE(report.families[0].degrees.size() == 1);
+    return report.families[0].degrees[0];
+}
+
+} // namespace
+
+TEST_CASE(
+    "a degree that is claimed to be larger than a number stands beside the evidence on file") {
+    const paper::FamilyDegree degree = degree_beside({});
+    CHECK(degree.name == "1021_1");
+    CHECK(degree.problem == six_views);
+    CHECK(degree.claimed_above == 450'000);
+    CHECK(degree.at_least == 0);
+    CHECK(degree.verdict == "differs by evidence");
+    const std::string line = say("\nplmp,", six_views, ',', degree.evidence, ",exact,evidence,");
+    CHECK(text_of("family-degrees.csv").find(line) != std::string::npos);
+}
+
+TEST_CASE("solutions of this problem alone are certified of it, in whatever names") {
+    const std::string renamed = "2*a/a/a/a/a/a + Pb/Pb/Pb/Pb/Pb/Pb";
+    CHECK(degree_beside({solutions_of(renamed, 7), solutions_of(six_views, 5)}).at_least == 7);
+    CHECK(degree_beside({solutions_of("5*P/P", 20)}).at_least == 0);
+}
+
+TEST_CASE("only more solutions than claimed confirm the claim, and more than the evidence refute "
+          "the evidence") {
+    const std::size_t evidence = degree_beside({}).evidence;
+    for (const auto& [solutions, verdict] : {std::pair{evidence, "differs by evidence"},
+                                             {evidence + 1, "open: the evidence is wrong"},
+                                             {450'000, "open: the evidence is wrong"},
+                                             {450'001, "confirmed"}}) {
+        const paper::FamilyDegree degree = degree_beside({solutions_of(six_views, solutions)});
+        CHECK(degree.at_least == solutions);
+        CHECK(degree.verdict == verdict);
+    }
+}
+
+TEST_CASE("beside a file that is refused, the comparison is withheld") {
+    const paper::FamilyDegree degree = degree_beside({replay(all_classes(), "b", "")});
+    CHECK(degree.verdict.starts_with("withheld"));
+}
