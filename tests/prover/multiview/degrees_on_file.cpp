@@ -46,9 +46,7 @@ TEST_CASE("degrees of families on file are of different minimal problems of thes
         const bool by_theorem = line.source.starts_with("by theorem");
         CHECK(line.status == (by_theorem ? "certified" : "evidence"));
         if (by_theorem) CHECK(line.certified == line.degree);
-        // Two runs have to agree; of one problem they did not.
-        const bool agreed = line.problem != "Pa/Pa/Pa/Pa/Pa + Pab/Pab/Pab/Pab/Pab";
-        CHECK(line.bound == (agreed ? "exact" : "at-least"));
+        CHECK(line.bound == "exact"); // two runs have to agree
     }
     CHECK(open.size() == 2);
     CHECK(open["projective"].empty());
