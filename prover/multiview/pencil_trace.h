@@ -11,7 +11,7 @@
 // The other equations define a curve, and z takes it to a plane curve. The solutions at time t are
 // the points of the curve on the line l(t). These lines meet in one point, which is random. So the
 // sum of w·z / l1·z over all solutions, where w is any vector, is a polynomial of degree one in t.
-// A sum over some of them is not, as monodromy moves any solution to any other.
+// A sum over some of them is not, unless they fill components of the curve.
 #pragma once
 
 #include "prover/multiview/system.h"
