@@ -1,10 +1,13 @@
 // Upper bounds that are theorems: how many camera solutions the problems of a constraint class have
-// at most, if they are minimal. proofs/upper_bounds.md prints the first table. The second one, of
-// Theorem R (proofs/relations.md), is in two texts of its own.
+// at most, if they are minimal. proofs/upper_bounds.md prints the first table. The rows of Theorems
+// R, S and X (proofs/relations.md) are in texts of their own.
 #pragma once
 
 #include "checker/bounds/central_views.h"
 #include "checker/bounds/central_views_lines.h"
+#include "checker/bounds/hidden_points.h"
+#include "checker/bounds/hidden_points_more.h"
+#include "checker/bounds/shared_points.h"
 
 #include <array>
 #include <charconv>
@@ -57,29 +60,37 @@ inline constexpr std::array<TheoremBound, 33> theorem_bounds{{
 /// The problems of this theorem have the same degree, all of them.
 inline constexpr std::string_view theorem_of_equal_degrees = "U8";
 
-/// The rows of Theorem R, from rows such as `4912 11*P/a/a;`.
-inline std::vector<TheoremBound> rows_of(std::string_view text) {
-    std::vector<TheoremBound> rows;
+/// Adds the rows of a theorem, from a text with rows such as `4912 11*P/a/a;`.
+inline void add_rows(std::vector<TheoremBound>& rows, std::string_view theorem,
+                     std::string_view text) {
     while (true) {
         const std::size_t begin = text.find_first_not_of(" \n");
-        if (begin == std::string_view::npos) return rows;
+        if (begin == std::string_view::npos) return;
         const std::size_t space = text.find(' ', begin), end = text.find(';', space);
         unsigned bound = 0;
         std::from_chars(text.data() + begin, text.data() + space, bound);
-        rows.push_back({"R", text.substr(space + 1, end - space - 1), bound});
+        rows.push_back({theorem, text.substr(space + 1, end - space - 1), bound});
         text.remove_prefix(end + 1);
     }
 }
 
-/// All rows of Theorem R.
+/// Whether proofs/relations.md has this theorem.
+inline bool is_of_relations(std::string_view theorem) {
+    return theorem == "R" || theorem == "S" || theorem == "X";
+}
+
+/// All rows of Theorems R, S and X. No class has two.
 inline std::vector<TheoremBound> central_view_rows() {
-    std::vector<TheoremBound> rows = rows_of(central_view_bounds);
-    const std::vector<TheoremBound> more = rows_of(central_view_bounds_lines);
-    rows.insert(rows.end(), more.begin(), more.end());
+    std::vector<TheoremBound> rows;
+    add_rows(rows, "R", central_view_bounds);
+    add_rows(rows, "R", central_view_bounds_lines);
+    add_rows(rows, "S", hidden_point_bounds);
+    add_rows(rows, "S", hidden_point_bounds_more);
+    add_rows(rows, "X", shared_point_bounds);
     return rows;
 }
 
-/// All rows: those of the first table, then those of Theorem R.
+/// All rows: those of the first table, then the others.
 inline std::vector<TheoremBound> all_theorem_bounds() {
     std::vector<TheoremBound> rows(theorem_bounds.begin(), theorem_bounds.end());
     const std::vector<TheoremBound> central = central_view_rows();

@@ -150,7 +150,7 @@ static std::string in_words(const UpperBound& bound) {
     if (!theorem)
         return say("at most ", bound.solutions, ", by templates of relative pose and registration");
     std::string_view page = "upper_bounds.md";
-    if (theorem->theorem == "R") page = "relations.md";
+    if (is_of_relations(theorem->theorem)) page = "relations.md";
     if (theorem->theorem == theorem_in_general) page = "families.md";
     return say("at most ", bound.solutions, ", by Theorem ", theorem->theorem, " of proofs/", page);
 }

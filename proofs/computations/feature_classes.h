@@ -66,24 +66,34 @@ inline std::vector<FeatureClass> feature_classes() {
             {"Pa/Pa/a", "Pa/a/Pa", c.W_3, c.of_W_3}, {"Pa/Pa/Pa", "Pa/Pa/Pa", c.A, c.of_A}};
 }
 
-/// Whether all features of a signature are in feature_classes(), of weight 11 together.
-inline bool has_classes(const checker::Signature& signature) {
+/// The weight of the features of a signature that are in feature_classes(), together.
+inline unsigned weight_with_classes(const checker::Signature& signature) {
     unsigned weight = 0;
     for (const FeatureClass& feature : feature_classes()) {
         const std::size_t index = checker::index_of(feature.notation);
         weight += signature[index] * checker::features[index].weight();
     }
-    return weight == checker::camera_unknowns;
+    return weight;
 }
 
-/// The degree of the product of the classes of all features.
-inline std::int64_t product_of_classes(const checker::Signature& signature) {
+/// Whether all features of a signature are in feature_classes(), of weight 11 together.
+inline bool has_classes(const checker::Signature& signature) {
+    return weight_with_classes(signature) == checker::camera_unknowns;
+}
+
+/// The product of the classes of all features in feature_classes().
+inline Cycle cycle_of(const checker::Signature& signature) {
     Cycle product{{Monomial{}, 1}};
     for (const FeatureClass& feature : feature_classes()) {
         const unsigned count = signature[checker::index_of(feature.notation)];
         product = product * power(feature.cycle, count);
     }
-    return degree_of(product);
+    return product;
+}
+
+/// The degree of the product of the classes of all features.
+inline std::int64_t product_of_classes(const checker::Signature& signature) {
+    return degree_of(cycle_of(signature));
 }
 
 /// The degree of the same product on the blow-up in (i), less that on M.
