@@ -1,4 +1,4 @@
-// Upper bounds on degrees where view 1 does not see one or two points (Theorem S of
+// Upper bounds on degrees where view 1 does not see one to three points (Theorem S of
 // proofs/relations.md, section 10), and problems of the same degree (Theorem X, section 11).
 #pragma once
 
@@ -60,28 +60,54 @@ inline bool admits_one(const HiddenPoints& hidden, const FeatureLists& lists) {
     return hidden.t_3 != 0 || !two_may_lack(lists.mirrored);
 }
 
-/// Whether the other features are as Theorem S (b) asks, for two hidden points.
+/// Whether a feature of feature_lists() is in the first three rows.
+inline bool is_in_first_three_rows(std::string_view feature) {
+    return feature != "P/P/P" && !is_in_last_four_rows(feature);
+}
+
+/// Whether the other features are as Theorem S (b) asks, for `a/P/a` and `a/a/P`.
+inline bool admits_one_of_each(const FeatureLists& lists) {
+    const auto simple = std::ranges::count_if(lists.features, is_in_first_three_rows);
+    const bool one_other = static_cast<std::size_t>(simple) + 1 >= lists.features.size();
+    return one_other && !two_may_lack(lists.features) && !two_may_lack(lists.mirrored);
+}
+
+/// Whether the other features are as Theorem S (c) asks, for any two hidden points.
 inline bool admits_two(const HiddenPoints& hidden, const FeatureLists& lists) {
     const auto has = [&](std::string_view wanted) {
         return std::ranges::find(lists.features, wanted) != lists.features.end();
     };
-    if (has("P/P/P") || std::ranges::any_of(lists.features, is_in_last_four_rows)) return false;
+    if (!std::ranges::all_of(lists.features, is_in_first_three_rows)) return false;
     if (hidden.t_2 != 0 && !has("P/Pa/a")) return true;
     if (hidden.t_3 != 0 && !has("P/a/Pa")) return true;
     return !has("P/Pa/a") && !has("P/a/Pa");
 }
 
+/// Whether they are as Theorem S (d) asks, for three hidden points: all of weight 1.
+inline bool admits_three(const HiddenPoints& hidden, const FeatureLists& lists) {
+    const auto has_weight_1 = [](std::string_view feature) {
+        return checker::features[checker::index_of(feature)].weight() == 1;
+    };
+    return hidden.t_2 != 0 && hidden.t_3 != 0 && std::ranges::all_of(lists.features, has_weight_1);
+}
+
+/// Whether Theorem S speaks of these hidden points and other features, if they avoid all strata.
+inline bool admits(const HiddenPoints& hidden, const FeatureLists& lists) {
+    if (hidden.number() == 1) return admits_one(hidden, lists);
+    if (hidden.number() == 3) return admits_three(hidden, lists);
+    if (hidden.number() != 2) return false;
+    const bool one_of_each = hidden.t_2 == 1 && hidden.t_3 == 1;
+    return (one_of_each && admits_one_of_each(lists)) || admits_two(hidden, lists);
+}
+
 /// The upper bound by Theorem S on the degree of problems with a signature, of which view 1 sees
-/// all points but one or two; none if the theorem does not speak of it.
+/// all points but one to three; none if the theorem does not speak of it.
 inline std::optional<std::int64_t> hidden_bound_in_view_1(const checker::Signature& signature) {
     const HiddenPoints hidden = hidden_points(signature);
-    if (hidden.number() != 1 && hidden.number() != 2) return std::nullopt;
     const unsigned weight = weight_with_classes(signature) + hidden.number();
-    if (weight != checker::camera_unknowns) return std::nullopt;
-    const FeatureLists lists = feature_lists(signature);
-    const bool admitted =
-        hidden.number() == 1 ? admits_one(hidden, lists) : admits_two(hidden, lists);
-    if (!admitted || !avoids_the_boundary(signature)) return std::nullopt;
+    if (hidden.number() == 0 || weight != checker::camera_unknowns) return std::nullopt;
+    if (!admits(hidden, feature_lists(signature))) return std::nullopt;
+    if (!avoids_the_boundary(signature)) return std::nullopt;
     return degree_of(cycle_of(signature) * cycle_of(hidden));
 }
 
