@@ -6,6 +6,7 @@
 #include "checker/degrees/degree_file.h"
 #include "checker/digests/digest_list.h"
 #include "checker/general/problems_file.h"
+#include "checker/general_bounds/at_most_file.h"
 #include "checker/general_degrees/solutions_file.h"
 #include "checker/verdict/problem_file.h"
 
@@ -20,7 +21,7 @@ struct Unreadable {
 /// What a file proves. Malformed: it does not conform to FORMAT.md, and proves nothing.
 using FileContent =
     std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile, DigestList,
-                 general::ProblemsFile, general::SolutionsFile, Unreadable>;
+                 general::ProblemsFile, general::SolutionsFile, general::AtMostFile, Unreadable>;
 
 struct ReplayedFile {
     std::string name{}; // printable

@@ -33,8 +33,10 @@ const std::map<std::string, Folders> other_claims{
     {"digests", {}},
     {"general", {"effort"}},
     {"general_degrees", {"effort", "general", "degrees"}},
+    {"general_bounds", {"effort", "general", "general_degrees"}},
     {"conclusion",
-     {"verdict", "degrees", "bounds", "counts", "digests", "general", "general_degrees", ""}}};
+     {"verdict", "degrees", "bounds", "counts", "digests", "general", "general_degrees",
+      "general_bounds", ""}}};
 
 /// The folders of prover/, from the bottom to the top.
 const Folders layers{"system",         "format", "problem", "geometry",  "general",

@@ -47,7 +47,7 @@ static void add_upper(DegreeBounds& known, const UpperBound& bound) {
 }
 
 /// The source of an upper bound, the same for problems that all have the same degree.
-static std::variant<Registration, TheoremRow> source(const UpperBound& bound) {
+static BoundSource source(const UpperBound& bound) {
     const auto* theorem = std::get_if<TheoremRow>(&bound.by);
     if (!theorem || theorem->theorem != theorem_of_equal_degrees) return bound.by;
     return TheoremRow{0, theorem->theorem}; // one for all of this theorem, which comes first
@@ -57,7 +57,7 @@ static std::variant<Registration, TheoremRow> source(const UpperBound& bound) {
 /// extension of the five-point problem depends on the type of registration only (Proposition U7),
 /// and the problems of Theorem U8 have the same degree.
 static void spread_attained(DegreeTable& table) {
-    std::set<std::variant<Registration, TheoremRow>> attained;
+    std::set<BoundSource> attained;
     for (const auto& [signature, known] : table)
         if (known.exact()) attained.insert(source(*known.at_most));
     for (auto& [signature, known] : table)

@@ -16,9 +16,16 @@ struct TheoremRow {
     auto operator<=>(const TheoremRow&) const = default;
 };
 
+/// A record of a file of upper bounds (FORMAT.md, section 15).
+struct ByForms {
+    auto operator<=>(const ByForms&) const = default;
+};
+
+using BoundSource = std::variant<Registration, TheoremRow, ByForms>;
+
 struct UpperBound {
     std::size_t solutions = 0; // at most
-    std::variant<Registration, TheoremRow> by{};
+    BoundSource by{};
 
     bool by_theorem() const { return std::holds_alternative<TheoremRow>(by); }
 };

@@ -2,7 +2,6 @@
 
 #include "checker/bounds/theorems.h"
 #include "checker/degrees/constraint_class.h"
-#include "checker/general/degree_bound.h"
 
 namespace checker {
 /// Of proofs/families.md.
@@ -147,6 +146,9 @@ std::string in_words(const Expectation& expectation) {
 
 static std::string in_words(const UpperBound& bound) {
     const auto* theorem = std::get_if<TheoremRow>(&bound.by);
+    if (std::holds_alternative<ByForms>(bound.by))
+        return say("at most ", bound.solutions,
+                   ", by forms that vanish at all solutions: proofs/fixed_forms.md");
     if (!theorem)
         return say("at most ", bound.solutions, ", by templates of relative pose and registration");
     std::string_view page = "upper_bounds.md";
@@ -223,10 +225,14 @@ static KnownDegree degree_of(const Classification& classes, const Findings& find
         known.files.lower = {counted.file};
         if (known.source.empty()) known.source = "its solutions are counted by " + counted.file;
     }
-    const std::optional<std::size_t> bound = general::degree_bound(*expected.in_general);
+    const auto bound = bound_in_general(findings, *expected.in_general);
     if (proved.verdict != "minimal" || !bound) return known;
-    known.bounds.at_most = UpperBound{*bound, TheoremRow{0, theorem_in_general}};
     known.files.upper = {proved.file};
+    known.bounds.at_most = UpperBound{bound->at_most, TheoremRow{0, theorem_in_general}};
+    if (!bound->file.empty()) {
+        known.bounds.at_most->by = ByForms{};
+        known.files.upper.push_back(bound->file);
+    }
     if (known.bounds.at_least == 0) {
         known.bounds.at_least = 1;
         known.files.lower = {proved.file};

@@ -53,33 +53,68 @@ CountedInGeneral count_in_general(const Findings& findings, const general::Probl
     return most;
 }
 
-/// Solutions of problems, by what a renaming keeps of them.
-using CountsByInvariant = std::map<general::Invariant, std::vector<general::SolutionCount>>;
+/// What records say of problems, by what a renaming keeps of these, and the file of each.
+template <class Record>
+using ByInvariant = std::map<general::Invariant, std::vector<std::pair<Record, std::string>>>;
 
-static std::size_t most_solutions(const CountsByInvariant& counts,
-                                  const general::Problem& problem) {
-    std::size_t most = 0;
-    const auto alike = counts.find(general::invariant(problem));
-    if (alike == counts.end()) return most;
-    for (const general::SolutionCount& count : alike->second)
-        if (count.solutions > most && general::isomorphic(problem, count.problem))
-            most = count.solutions;
-    return most;
+/// What some kind of files says of problems, in one of its members.
+template <class Kind, class Record>
+static ByInvariant<Record> by_invariant(const Findings& findings,
+                                        std::vector<Record> Kind::*records) {
+    ByInvariant<Record> all;
+    for (const ReplayedFile* file : files_of<Kind>(findings))
+        for (const Record& record : std::get<Kind>(file->content).*records)
+            all[general::invariant(record.problem)].emplace_back(record, file->name);
+    return all;
+}
+
+/// Does something with each record about a problem, and its file.
+template <class Record, class Use>
+static void for_each(const ByInvariant<Record>& all, const general::Problem& problem,
+                     const Use& use) {
+    const auto alike = all.find(general::invariant(problem));
+    if (alike == all.end()) return;
+    for (const auto& [record, file] : alike->second)
+        if (general::isomorphic(problem, record.problem)) use(record, file);
+}
+
+using UpperBounds = ByInvariant<general::SolutionBound>;
+
+static UpperBounds upper_bounds_of(const Findings& findings) {
+    return by_invariant(findings, &general::AtMostFile::bounds);
+}
+
+static std::optional<BoundedInGeneral> least_bound(const UpperBounds& bounds,
+                                                   const general::Problem& problem) {
+    std::optional<BoundedInGeneral> least;
+    if (const auto bound = general::degree_bound(problem)) least = {*bound, {}};
+    for_each(bounds, problem, [&](const general::SolutionBound& bound, const std::string& file) {
+        if (!least || bound.at_most < least->at_most) least = {bound.at_most, file};
+    });
+    return least;
+}
+
+std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
+                                                 const general::Problem& problem) {
+    return least_bound(upper_bounds_of(findings), problem);
 }
 
 DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems) {
-    CountsByInvariant counts;
-    for (const ReplayedFile* file : files_of<general::SolutionsFile>(findings))
-        for (const auto& count : std::get<general::SolutionsFile>(file->content).counts)
-            counts[general::invariant(count.problem)].push_back(count);
+    const auto counts = by_invariant(findings, &general::SolutionsFile::counts);
+    const UpperBounds bounds = upper_bounds_of(findings);
     DegreesInGeneral degrees;
     for (const general::Verdict& verdict : problems.verdicts) {
         if (!verdict.minimal) continue;
-        const std::size_t solutions = most_solutions(counts, verdict.problem);
+        std::size_t solutions = 0;
+        for_each(counts, verdict.problem, [&](const general::SolutionCount& count, const auto&) {
+            solutions = std::max(solutions, count.solutions);
+        });
         if (solutions > 0) ++degrees.at_least[solutions];
         // A minimal problem has a solution, whatever the files count.
-        const auto bound = general::degree_bound(verdict.problem);
-        if (bound == std::max(solutions, std::size_t{1})) ++degrees.exact;
+        const auto bound = least_bound(bounds, verdict.problem);
+        if (!bound || bound->at_most != std::max(solutions, std::size_t{1})) continue;
+        ++degrees.exact;
+        if (bound->file.empty()) ++degrees.exact_by_theorem;
     }
     return degrees;
 }

@@ -27,10 +27,22 @@ struct CountedInGeneral {
 /// The most that any record counts; 0 if none is about the problem.
 CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem);
 
+/// So many solutions a minimal problem has at most. The file proves it; Theorem 16, if there is
+/// none.
+struct BoundedInGeneral {
+    std::size_t at_most = 0;
+    std::string file{};
+};
+
+/// The least that the theorem or any record says; none if they do not speak of the problem.
+std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
+                                                 const general::Problem& problem);
+
 /// What is known of the degrees of the minimal problems of a file.
 struct DegreesInGeneral {
     std::map<std::size_t, std::size_t> at_least{}; // how many problems have each lower bound
-    std::size_t exact = 0; // of so many, a lower bound and that of Theorem 16 meet
+    std::size_t exact = 0;                         // of so many, bounds meet
+    std::size_t exact_by_theorem = 0;              // of these, by Theorem 16
 };
 
 DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems);

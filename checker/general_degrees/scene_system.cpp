@@ -52,6 +52,14 @@ std::size_t numbers_of_view(const Problem& problem) {
     return count;
 }
 
+Numbers read_view(Reader& reader, const Problem& problem) {
+    Numbers numbers;
+    for (std::size_t left = numbers_of_view(problem); left > 0; --left)
+        numbers.push_back(reader.small_integer(-999'999'999, 999'999'999));
+    reader.end_line();
+    return numbers;
+}
+
 static ImageCoordinates take_vector(std::span<const int>& numbers) {
     const ImageCoordinates vector{numbers[0], numbers[1], numbers[2]};
     numbers = numbers.subspan(3);

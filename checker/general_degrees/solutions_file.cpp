@@ -19,10 +19,7 @@ static ImagesRecord read_record_of_images(Reader& reader) {
     const Problem& problem = record.problem.problem;
     for (int view = 0; view < std::popcount(problem.views); ++view) {
         reader.take("view");
-        Numbers& numbers = record.views.emplace_back();
-        for (std::size_t left = numbers_of_view(problem); left > 0; --left)
-            numbers.push_back(reader.small_integer(-999'999'999, 999'999'999));
-        reader.end_line();
+        record.views.push_back(read_view(reader, problem));
     }
     return record;
 }

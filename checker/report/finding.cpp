@@ -40,6 +40,11 @@ static std::string in_words(const general::SolutionCount& count) {
                counted(count.solutions, "solution"));
 }
 
+static std::string in_words(const general::SolutionBound& bound) {
+    return say("\n- ", bound.notation, ": certified at most ", counted(bound.at_most, "solution"),
+               ", if it is minimal");
+}
+
 template <class Bound> static std::string in_words(const std::vector<Bound>& bounds) {
     std::string text;
     for (const Bound& bound : bounds)
@@ -78,6 +83,13 @@ static std::string in_words(const general::SolutionsFile& file) {
     std::string text = held(file.counts.size(), "solution record", file.refusals.count);
     if (file.counts.size() > most_lines) return text;
     return text + in_words(file.counts);
+}
+
+static std::string in_words(const general::AtMostFile& file) {
+    constexpr std::size_t most_lines = 3;
+    std::string text = held(file.bounds.size(), "upper bound", file.refusals.count);
+    if (file.bounds.size() > most_lines) return text;
+    return text + in_words(file.bounds);
 }
 
 std::string finding(const ReplayedFile& file) {

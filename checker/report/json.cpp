@@ -105,6 +105,14 @@ static std::string members(const general::SolutionsFile& file) {
     return ", \"solutions\": " + array_of(items);
 }
 
+static std::string members(const general::AtMostFile& file) {
+    std::vector<std::string> items;
+    for (const auto& [notation, problem, at_most] : file.bounds)
+        items.push_back(say("{\"problem\": ", json_string(notation),
+                            ", \"certified_at_most\": ", at_most, "}"));
+    return ", \"upper_bounds\": " + array_of(items);
+}
+
 static std::string members(const DigestList& list) {
     return say(", \"digests\": ", list.files.size());
 }
@@ -144,7 +152,7 @@ static std::string item(const paper::FamilyTable& table) {
         bounds.push_back(say("[", solutions, ", ", problems, "]"));
     return say("{\"family\": ", json_string(table.family), ", \"claims\": ", array_of(claims),
                ", \"degrees\": ", array_of(degrees), ", \"lower_bounds\": ", array_of(bounds),
-               ", \"exact\": ", table.exact, "}");
+               ", \"exact\": ", table.exact, ", \"exact_by_theorem\": ", table.exact_by_theorem, "}");
 }
 
 static std::string item(const paper::DegreeClaim& c) {

@@ -4,9 +4,9 @@
 
 namespace checker {
 std::string_view kind_of(const ReplayedFile& file) {
-    constexpr std::array<std::string_view, 9> kinds{"",         "classification", "problem",
-                                                    "degrees",  "bounds",         "digests",
-                                                    "problems", "solutions",      ""};
+    constexpr std::array<std::string_view, 10> kinds{
+        "",        "classification", "problem",   "degrees", "bounds",
+        "digests", "problems",       "solutions", "at-most", ""};
     static_assert(kinds.size() == std::variant_size_v<FileContent>);
     return kinds[file.content.index()];
 }
@@ -60,6 +60,7 @@ static void add_families(Report& report) {
         const DegreesInGeneral degrees = degrees_of(findings, *file);
         table.lower_bounds = degrees.at_least;
         table.exact = degrees.exact;
+        table.exact_by_theorem = degrees.exact_by_theorem;
         for (paper::FamilyDegree& degree : table.degrees) {
             const general::Problem problem = parse_general_problem(degree.problem);
             set_certified(degree, count_in_general(findings, problem).solutions);
@@ -96,6 +97,7 @@ struct Proofs {
     std::vector<std::string> families{};
     LowerBound bound{}; // the last one
     std::vector<general::SolutionCount> counts{};
+    std::vector<general::SolutionBound> bounds{};
     std::vector<std::string> files{};
 };
 
@@ -128,6 +130,8 @@ static Proofs proofs_of(const Findings& findings) {
         }
         if (const auto* file = std::get_if<general::SolutionsFile>(&content))
             proofs.counts.insert(proofs.counts.end(), file->counts.begin(), file->counts.end());
+        if (const auto* file = std::get_if<general::AtMostFile>(&content))
+            proofs.bounds.insert(proofs.bounds.end(), file->bounds.begin(), file->bounds.end());
         if (const auto* file = std::get_if<BoundsFile>(&content))
             proofs.templates += file->templates;
         if (!std::holds_alternative<DigestList>(content)) proofs.files.push_back(name);
@@ -159,6 +163,12 @@ static std::string statement_of(const Report& report, const Proofs& proofs) {
     if (proofs.counts.size() > 1)
         parts.push_back(
             say("lower bounds of the degrees of ", proofs.counts.size(), " problems in general"));
+    if (proofs.bounds.size() == 1)
+        parts.push_back(say("at most ", counted(proofs.bounds[0].at_most, "solution"), " of ",
+                            proofs.bounds[0].notation, ", if it is minimal"));
+    if (proofs.bounds.size() > 1)
+        parts.push_back(
+            say("upper bounds of the degrees of ", proofs.bounds.size(), " problems in general"));
     if (!report.exact.empty())
         parts.push_back(say("the exact degrees of ", report.exact.size(),
                             report.exact.size() == 1 ? " label class" : " label classes"));
@@ -183,6 +193,8 @@ static std::string_view argument_for(const ReplayedFile& file) {
         return "each record has a minor that is not 0, or conditions on images: proofs/families.md";
     if (std::holds_alternative<general::SolutionsFile>(file.content))
         return "each solution has a box of its own that holds one zero: proofs/families.md";
+    if (std::holds_alternative<general::AtMostFile>(file.content))
+        return "forms that vanish at all solutions leave few dimensions: proofs/fixed_forms.md";
     return "its digests are those of the files given";
 }
 

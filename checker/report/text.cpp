@@ -213,8 +213,8 @@ static std::string tables_of_families(const Report& report) {
         result += say("\nfamily ", table.family, '\n', table_of_counts(table.claims), '\n',
                       table_of_degrees(table.degrees), list_of_lower_bounds(table.lower_bounds));
         if (table.exact > 0)
-            result += say("exactly, by theorem: the degrees of ",
-                          counted(table.exact, "minimal problem"), "\n\n");
+            result += say("exactly: the degrees of ", counted(table.exact, "minimal problem"), ", ",
+                          table.exact_by_theorem, " of them by theorem\n\n");
     }
     return result;
 }

@@ -19,6 +19,7 @@ namespace plprove {
 namespace {
 
 constexpr int largest_target = 1'000'000;
+constexpr int largest_power = 20;
 
 constexpr const char* degree_examples =
     "plprove finds solutions until nothing speaks for more. That none is missing is evidence, no "
@@ -32,7 +33,9 @@ constexpr const char* degree_examples =
     "  plprove degree 2394 --at-least 312 -o chicago.plc\n"
     "                                               a certificate of 312 solutions, no more\n"
     "  plprove degree five-point -o five.plc        two views, with the help of a third\n"
-    "  plprove degree 'projective: 7*P/P' -o f.plc  projective cameras, any number of views\n";
+    "  plprove degree 'projective: 7*P/P' -o f.plc  projective cameras, any number of views\n"
+    "  plprove degree 'projective: 6*P/P/P' --at-most 1,2 -o three.plc\n"
+    "                                               at most so many, as plcheck will find\n";
 
 /// The problem's decision. Throws BadInput where it has no degree that can be computed.
 Decision decided(const std::string& spec) {
@@ -50,6 +53,7 @@ struct DegreeRequest {
     std::string spec;
     std::string path;
     DegreeOptions options;
+    std::vector<int> powers; // of an upper bound; empty: none is asked for
     bool json = false;
 };
 
@@ -71,6 +75,9 @@ DegreeReport computed(const Decision& decision, std::size_t number, DegreeOption
 
 int find_degree_in_general(const DegreeRequest& request, const general::Problem& problem,
                            const Deliver& deliver) {
+    if (!request.powers.empty())
+        return propose_upper_bound(problem, {request.powers[0], request.powers[1]},
+                                   request.options.seed, request.path, deliver);
     return find_multiview_degree(problem,
                                  {request.options.seed, request.options.target,
                                   request.options.at_least, request.path, request.json},
@@ -81,6 +88,9 @@ int find_degree(const DegreeRequest& request, const Deliver& deliver,
                 const ComputeDegree& compute) {
     if (const std::optional<general::Problem> problem = general::parse_spec(request.spec))
         return find_degree_in_general(request, *problem, deliver);
+    if (!request.powers.empty())
+        throw BadInput("--at-most is for projective cameras: write `projective:` in front of the "
+                       "problem");
     const Decision decision = decided(request.spec);
     const bool two_views = !decision.classes;
     if (two_views && (request.options.target > 0 || request.options.at_least > 0))
@@ -123,6 +133,16 @@ Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree com
                      "only write a certificate of so many solutions: the quickest way")
         ->check(CLI::Range(1, largest_target))
         ->excludes("--target");
+    command
+        ->add_option("--at-most", request->powers,
+                     "only write a certificate of an upper bound, for projective cameras, with "
+                     "these powers\n(certs/FORMAT.md, section 15; try 1,1 then 2,1 then 3,1)")
+        ->type_name("CUBICS,LINEAR")
+        ->delimiter(',')
+        ->expected(2)
+        ->check(CLI::Range(1, largest_power))
+        ->excludes("--target")
+        ->excludes("--at-least");
     add_seed(*command, request->options.seed);
     command->add_flag("--json", request->json, "print JSON");
     command->add_option("-o,--output", request->path,

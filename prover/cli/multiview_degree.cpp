@@ -98,6 +98,18 @@ std::string text_report(const general::Problem& problem, const multiview::Monodr
 
 } // namespace
 
+int propose_upper_bound(const general::Problem& problem, const multiview::Powers& powers,
+                        std::uint64_t seed, const std::string& path, const Deliver& deliver) {
+    require_minimal(problem);
+    require_complete_visibility(problem);
+    if (problem.model == general::CameraModel::calibrated)
+        throw BadInput("--at-most is for projective cameras: write `projective:` in front of the "
+                       "problem");
+    const auto record = multiview::propose_upper_bound(problem, powers, seed);
+    deliver(path.empty() ? "-" : path, multiview::write_upper_bounds(std::span(&record, 1)));
+    return 0;
+}
+
 int find_multiview_degree(const general::Problem& problem, const MultiviewDegreeRequest& request,
                           const Deliver& deliver) {
     require_minimal(problem);

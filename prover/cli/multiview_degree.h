@@ -4,6 +4,7 @@
 
 #include "prover/cli/command.h"
 #include "prover/general/arrangement.h"
+#include "prover/multiview/upper_bound.h"
 
 #include <cstdint>
 #include <string>
@@ -17,6 +18,11 @@ struct MultiviewDegreeRequest {
     std::string path; ///< of the certificate; empty: none is written
     bool json = false;
 };
+
+/// Writes a certificate of an upper bound, for projective cameras that all see everything. Throws
+/// BadInput for other problems. Returns the exit status.
+int propose_upper_bound(const general::Problem& problem, const multiview::Powers& powers,
+                        std::uint64_t seed, const std::string& path, const Deliver& deliver);
 
 /// Computes the degree, writes the certificate, and prints both. Throws BadInput if the problem is
 /// not minimal, or if a view misses something. Returns the exit status.

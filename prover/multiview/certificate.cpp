@@ -222,7 +222,7 @@ SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t 
     constexpr double scale = 64;        // of random integer images
     const general::Problem& problem = found.system.problem();
     Random random(seed, stream);
-    const IntegerImages integers = random_integer_images(problem, random);
+    const IntegerImages integers = random_integer_images(problem, problem.views, random);
     IntegerSystem system(problem, integers, scale);
     Arrivals arrivals(system);
     int in_vain = 0;

@@ -101,7 +101,7 @@ bool conforms(const general::Problem& problem, const ViewImages<Complex>& view) 
 
 } // namespace
 
-IntegerImages random_integer_images(const general::Problem& problem, Random& random) {
+IntegerImages random_integer_images(const general::Problem& problem, int views, Random& random) {
     constexpr int most_tries = 10'000;
     IntegerImages images;
     for (int tries = 0; tries < most_tries; ++tries) {
@@ -109,7 +109,7 @@ IntegerImages random_integer_images(const general::Problem& problem, Random& ran
         const ViewImages<Complex> view = vectors_of(problem, numbers);
         if (!has_different_points(problem, view) || !conforms(problem, view)) continue;
         images.push_back(numbers);
-        if (std::ssize(images) == problem.views) return images;
+        if (std::ssize(images) == views) return images;
     }
     throw FormatLimit("found no integer images whose coordinates the format allows: leave -o out");
 }

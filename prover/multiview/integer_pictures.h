@@ -9,8 +9,9 @@ namespace plprove::multiview {
 /// Integer images: what each view sees, number by number.
 using IntegerImages = std::vector<std::vector<int>>;
 
-/// Random ones that meet the conditions of the format. Throws FormatLimit if that takes too long.
-IntegerImages random_integer_images(const general::Problem& problem, Random& random);
+/// Random ones of so many views that meet the conditions of the format. Throws FormatLimit if that
+/// takes too long.
+IntegerImages random_integer_images(const general::Problem& problem, int views, Random& random);
 
 /// Image vectors for computing: those of free points and of lines are divided by `scale`, so that
 /// they are about as long as random complex ones.

@@ -1,0 +1,32 @@
+// Scenes at which all cubic forms of resection.h vanish, whatever the images show: a camera of rank
+// 1 or 2 sees them as any image shows them (proofs/families.md, section 11).
+#pragma once
+
+#include "checker/general_bounds/small_field.h"
+#include "checker/general_degrees/scene_system.h"
+
+namespace checker::general {
+/// The scenes of which only some depths are not 0: a camera [0 | t] sees them.
+struct FewDepths {
+    std::vector<std::size_t> depths{};
+    std::size_t order = 1; // to which the cubic forms vanish there, at least
+};
+
+/// The scenes in which some lines meet one and the same line in space, the *axis*: a camera of rank
+/// 2 that projects from the axis sees them. The cubic forms vanish there.
+struct Pencil {
+    std::vector<std::size_t> points{}; // on the axis: at most two, by their places
+    std::vector<std::size_t> lines{};  // that meet the axis, but have no point on it
+};
+
+struct BaseScenes {
+    std::vector<FewDepths> few_depths{};
+    std::vector<Pencil> pencils{};
+};
+
+BaseScenes base_scenes(const Problem& problem, const SceneSystem& system);
+
+/// The own depths of such a scene.
+SmallRow choose_scene(const SceneSystem& system, const Pencil& pencil, Choices& choices);
+SmallRow choose_scene(const SceneSystem& system, const FewDepths& few, Choices& choices);
+} // namespace checker::general

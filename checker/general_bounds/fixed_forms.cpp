@@ -1,0 +1,218 @@
+#include "checker/general_bounds/fixed_forms.h"
+
+#include "checker/file/complaint.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace checker::general {
+/// The image vector of each own depth.
+static std::vector<Row3> vectors_of_depths(const SceneSystem& system) {
+    std::vector<Row3> vectors(system.depths);
+    for (const Place& place : system.places) {
+        if (std::ranges::count(place.depth, 0) + 1 != std::ssize(place.depth)) continue;
+        const auto& x = place.x;
+        vectors[place.depth.size() - 1] = {Small::of_integer(x[0]), Small::of_integer(x[1]),
+                                           Small::of_integer(x[2])};
+    }
+    return vectors;
+}
+
+SceneCoordinates::SceneCoordinates(const SceneSystem& system, const std::vector<FewDepths>& base)
+    : x_(vectors_of_depths(system)) {
+    std::vector<std::size_t> weight(system.depths);
+    for (const FewDepths& few : base)
+        for (const std::size_t depth : few.depths)
+            weight[depth] += few.order;
+    std::vector<std::size_t> order(system.depths);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t depth) { return weight[depth]; });
+    for (std::size_t c = 0; c < order.size(); ++c)
+        for (std::size_t b = 0; b < c; ++b)
+            for (std::size_t a = 0; a < b; ++a) {
+                if (!kept_.empty()) continue;
+                zero_ = {order[a], order[b], order[c]};
+                if (determinant(x_[zero_[0]], x_[zero_[1]], x_[zero_[2]]) == Small{}) continue;
+                for (std::size_t depth = 0; depth < system.depths; ++depth)
+                    if (std::ranges::count(zero_, depth) == 0) kept_.push_back(depth);
+            }
+    if (kept_.empty()) throw Refused("view 1 shows everything on a line");
+}
+
+SmallRow SceneCoordinates::of(SmallRow own) const {
+    const auto& [a, b, c] = zero_;
+    const Small inverse = determinant(x_[a], x_[b], x_[c]).inverse();
+    SmallRow moved;
+    for (const std::size_t depth : kept_) {
+        // x is a combination of the three vectors (Cramer); so the motion adds the same of depths.
+        const Row3& x = x_[depth];
+        const Small sum = determinant(x, x_[b], x_[c]) * own[a] +
+                          determinant(x_[a], x, x_[c]) * own[b] +
+                          determinant(x_[a], x_[b], x) * own[c];
+        moved.push_back(own[depth] - sum * inverse);
+    }
+    return moved;
+}
+
+/// Monomials of a degree whose degree in some variables is bounded.
+class Monomials {
+public:
+    struct Bound {
+        std::vector<bool> variables{};
+        int most = 0;
+    };
+
+    Monomials(std::size_t variables, std::vector<Bound> bounds)
+        : current_(variables), bounds_(std::move(bounds)) {}
+
+    std::vector<Exponents> of_degree(int degree) && {
+        choose(0, degree);
+        return std::move(found_);
+    }
+
+private:
+    void choose(std::size_t variable, int left) {
+        if (variable == current_.size()) {
+            if (left > 0) return;
+            constexpr std::size_t most = 10'000;
+            if (found_.size() == most) throw Refused("it takes more than ", most, " monomials");
+            found_.push_back(current_);
+            return;
+        }
+        int exponent = 0;
+        while (fits(variable)) {
+            choose(variable + 1, left - exponent);
+            if (exponent == left) break;
+            current_[variable] = ++exponent;
+            change(variable, -1);
+        }
+        current_[variable] = 0;
+        change(variable, exponent);
+    }
+
+    /// Whether no bound of a variable is exceeded.
+    bool fits(std::size_t variable) const {
+        return std::ranges::none_of(bounds_, [&](const Bound& bound) {
+            return bound.variables[variable] && bound.most < 0;
+        });
+    }
+
+    void change(std::size_t variable, int by) {
+        for (Bound& bound : bounds_)
+            if (bound.variables[variable]) bound.most += by;
+    }
+
+    Exponents current_;
+    std::vector<Bound> bounds_; // what is left of them
+    std::vector<Exponents> found_{};
+};
+
+/// A form vanishes to an order where only some variables are not 0 if and only if its monomials
+/// have at least that degree in the others.
+static std::vector<Monomials::Bound> bounds_of(const std::vector<FewDepths>& base,
+                                               const SceneCoordinates& coordinates,
+                                               const Powers& powers) {
+    std::vector<Monomials::Bound> bounds;
+    for (const FewDepths& few : base) {
+        Monomials::Bound bound{.most =
+                                   powers.degree() - powers.cubics * static_cast<int>(few.order)};
+        std::size_t variables = 0;
+        for (const std::size_t depth : coordinates.kept()) {
+            bound.variables.push_back(std::ranges::count(few.depths, depth) > 0);
+            variables += bound.variables.back() ? 1 : 0;
+        }
+        if (variables == few.depths.size()) bounds.push_back(bound);
+    }
+    return bounds;
+}
+
+/// A power series in one variable, up to some order.
+using Series = SmallRow;
+
+static Series product(const Series& a, const Series& b) {
+    Series c(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; i + j < a.size(); ++j)
+            c[i + j] = c[i + j] + a[i] * b[j];
+    return c;
+}
+
+/// The coefficients of all monomials on the line through a point in some direction, below an order:
+/// one row for each power.
+static std::vector<SmallRow> jets(const std::vector<Exponents>& monomials, int degree,
+                                  const SmallRow& point, const SmallRow& direction,
+                                  std::size_t order) {
+    std::vector<std::vector<Series>> powers(point.size());
+    for (std::size_t i = 0; i < point.size(); ++i) {
+        Series one(order), linear(order);
+        one[0] = Small{1};
+        linear[0] = point[i];
+        if (order > 1) linear[1] = direction[i];
+        powers[i] = {one};
+        for (int k = 0; k < degree; ++k)
+            powers[i].push_back(product(powers[i].back(), linear));
+    }
+    std::vector<SmallRow> rows(order, SmallRow(monomials.size()));
+    for (std::size_t m = 0; m < monomials.size(); ++m) {
+        Series value = powers[0][0];
+        for (std::size_t i = 0; i < point.size(); ++i)
+            if (monomials[m][i] > 0)
+                value = product(value, powers[i][static_cast<std::size_t>(monomials[m][i])]);
+        for (std::size_t k = 0; k < order; ++k)
+            rows[k][m] = value[k];
+    }
+    return rows;
+}
+
+/// The conditions on forms, as rows over their monomials.
+class Conditions {
+public:
+    Conditions(const std::vector<Exponents>& monomials, const SceneCoordinates& coordinates,
+               const Powers& powers, Choices& choices)
+        : monomials_(monomials), coordinates_(coordinates), powers_(powers), choices_(choices) {}
+
+    std::size_t rank() const { return space_.rank(); }
+
+    /// That forms vanish at the scenes that this chooses, until these say nothing new.
+    template <class Choose> void add(std::size_t order, const Choose& choose) {
+        constexpr int enough = 2;
+        for (int idle = 0; idle < enough;) {
+            const SmallRow point = coordinates_.of(choose());
+            const SmallRow direction = choices_.row(point.size());
+            const bool is_new = space_.add(jets(monomials_, powers_.degree(), point, direction,
+                                                order * static_cast<std::size_t>(powers_.cubics)));
+            idle = is_new ? 0 : idle + 1;
+        }
+    }
+
+private:
+    const std::vector<Exponents>& monomials_;
+    const SceneCoordinates& coordinates_;
+    const Powers& powers_;
+    Choices& choices_;
+    RowSpace space_{};
+};
+
+std::vector<Exponents> monomials_that_fit(const BaseScenes& base,
+                                          const SceneCoordinates& coordinates,
+                                          const Powers& powers) {
+    return Monomials(coordinates.kept().size(), bounds_of(base.few_depths, coordinates, powers))
+        .of_degree(powers.degree());
+}
+
+std::size_t rank_of_conditions(const std::vector<Exponents>& monomials, const SceneSystem& system,
+                               const BaseScenes& base, const SceneCoordinates& coordinates,
+                               const Powers& powers, Choices& choices) {
+    Conditions conditions(monomials, coordinates, powers, choices);
+    const auto is_kept = [&](std::size_t depth) {
+        return std::ranges::count(coordinates.kept(), depth) > 0;
+    };
+    for (const FewDepths& few : base.few_depths) {
+        if (std::ranges::all_of(few.depths, is_kept)) continue; // all monomials meet it
+        conditions.add(few.order, [&] { return choose_scene(system, few, choices); });
+    }
+    for (const Pencil& pencil : base.pencils)
+        conditions.add(1, [&] { return choose_scene(system, pencil, choices); });
+    return conditions.rank();
+}
+} // namespace checker::general

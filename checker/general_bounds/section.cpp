@@ -1,0 +1,128 @@
+#include "checker/general_bounds/section.h"
+
+#include "checker/general_bounds/resection.h"
+
+#include <bit>
+
+namespace checker::general {
+static void multiply(SmallRow& row, const SmallRow& by) {
+    for (std::size_t k = 0; k < row.size(); ++k)
+        row[k] = row[k] * by[k];
+}
+
+/// Forms in the coordinates of scenes, by their values at some random scenes. Cameras are numbered
+/// from that of view 2; those from `given` on belong to further images.
+class Forms {
+public:
+    Forms(const SceneSystem& system, const SceneCoordinates& coordinates, std::size_t given,
+          std::size_t scenes, Choices& choices)
+        : cubics_(system.cameras), linear_(coordinates.kept().size()), given_(given),
+          scenes_(scenes), choices_(choices) {
+        std::vector<Resection> resections;
+        for (std::size_t camera = 0; camera < system.cameras; ++camera)
+            resections.emplace_back(system, camera);
+        for (std::size_t scene = 0; scene < scenes; ++scene) {
+            SmallRow own(system.depths);
+            for (const std::size_t depth : coordinates.kept())
+                own[depth] = choices.next();
+            append(linear_, coordinates.of(own));
+            const SmallRow depths = place_depths(system, own);
+            for (std::size_t camera = 0; camera < system.cameras; ++camera)
+                append(cubics_[camera], resections[camera].cubics(depths));
+        }
+    }
+
+    /// One of the coordinates.
+    const SmallRow& first_coordinate() const { return linear_[0]; }
+
+    /// A cubic form of a camera.
+    SmallRow cubic(std::size_t camera) const { return combination(cubics_[camera]); }
+
+    /// A product of cubic forms of further images, and of coordinates.
+    SmallRow product(const Powers& powers) const {
+        SmallRow row(scenes_, Small{1});
+        for (int i = 0; i < powers.cubics; ++i) {
+            const std::size_t further = cubics_.size() - given_;
+            multiply(row, cubic(given_ + choices_.next().value % further));
+        }
+        for (int i = 0; i < powers.linear; ++i)
+            multiply(row, combination(linear_));
+        return row;
+    }
+
+private:
+    /// Adds a value to each row.
+    static void append(std::vector<SmallRow>& rows, const SmallRow& values) {
+        rows.resize(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            rows[i].push_back(values[i]);
+    }
+
+    SmallRow combination(const std::vector<SmallRow>& rows) const {
+        SmallRow sum(scenes_);
+        for (const SmallRow& row : rows) {
+            const Small factor = choices_.next();
+            for (std::size_t k = 0; k < scenes_; ++k)
+                sum[k] = sum[k] + factor * row[k];
+        }
+        return sum;
+    }
+
+    std::vector<std::vector<SmallRow>> cubics_; // of each camera
+    std::vector<SmallRow> linear_;
+    std::size_t given_, scenes_;
+    Choices& choices_;
+};
+
+constexpr std::size_t rows_at_a_time = 32;
+
+/// Adds forms that vanish at all solutions: products with a cubic form of a given view.
+static void add_forms_at_solutions(RowSpace& space, const Forms& forms, std::size_t given,
+                                   const Powers& powers, std::size_t dimension) {
+    for (bool is_new = true; is_new && space.rank() < dimension;) {
+        std::vector<SmallRow> rows;
+        for (std::size_t i = 0; i < rows_at_a_time; ++i) {
+            rows.push_back(forms.product({powers.cubics - 1, powers.linear}));
+            multiply(rows.back(), forms.cubic(i % given));
+        }
+        is_new = space.add(rows);
+    }
+}
+
+/// Adds multiples of one coordinate.
+static void add_multiples(RowSpace& space, const Forms& forms, const Powers& powers,
+                          std::size_t dimension) {
+    for (bool is_new = true; is_new && space.rank() < dimension;) {
+        std::vector<SmallRow> rows;
+        for (std::size_t i = 0; i < rows_at_a_time; ++i) {
+            rows.push_back(forms.product({powers.cubics, powers.linear - 1}));
+            multiply(rows.back(), forms.first_coordinate());
+        }
+        is_new = space.add(rows);
+    }
+}
+
+std::size_t solutions_at_most(const Problem& problem, const std::vector<Numbers>& views,
+                              const Powers& powers, const Spend& spend) {
+    if (!problem.projective) throw Refused("its cameras are calibrated");
+    const SceneSystem system = scene_system(problem, views);
+    const BaseScenes base = base_scenes(problem, system);
+    const SceneCoordinates coordinates(system, base.few_depths);
+    const auto monomials = monomials_that_fit(base, coordinates, powers);
+    spend(monomials.size());
+    Choices choices;
+    const std::size_t dimension =
+        monomials.size() -
+        rank_of_conditions(monomials, system, base, coordinates, powers, choices);
+    const auto given = static_cast<std::size_t>(std::popcount(problem.views)) - 1;
+    const Forms forms(system, coordinates, given, dimension, choices);
+    RowSpace space;
+    add_forms_at_solutions(space, forms, given, powers, dimension);
+    const std::size_t bound = dimension - space.rank();
+    add_multiples(space, forms, powers, dimension);
+    if (space.rank() < dimension)
+        throw Refused("the forms leave ", dimension - space.rank(), " of ", dimension,
+                      " dimensions open: take other powers");
+    return bound;
+}
+} // namespace checker::general
