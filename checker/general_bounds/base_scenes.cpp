@@ -77,22 +77,28 @@ static bool splits_a_line(const Problem& problem, const Indices& on_axis) {
     });
 }
 
+/// What is on the axis: some points, and maybe a line of the problem, which then is the axis.
+struct Axis {
+    Indices points{};
+    std::optional<std::size_t> line{};
+};
+
 /// Chooses for this line and those after it whether they meet the axis, and adds the pencils. The
 /// images may put so many more linear conditions on the camera; a pencil that leaves some is left
 /// out where another one asks less of the scene.
-static void choose_lines(const Problem& problem, const Indices& on_axis, Pencil& pencil,
-                         std::size_t line, int conditions, std::vector<Pencil>& found) {
+static void choose_lines(const Problem& problem, const Axis& axis, Pencil& pencil, std::size_t line,
+                         int conditions, std::vector<Pencil>& found) {
     if (conditions < 0) return;
     if (line == problem.lines.size()) {
         if (conditions == 0 || pencil.lines.empty()) found.push_back(pencil);
         return;
     }
     const auto go_on = [&](int cost) {
-        choose_lines(problem, on_axis, pencil, line + 1, conditions - cost, found);
+        choose_lines(problem, axis, pencil, line + 1, conditions - cost, found);
     };
     const Indices& points = problem.lines[line].points;
-    if (points.size() >= 2) return go_on(0);
-    if (points.size() == 1 && std::ranges::binary_search(on_axis, points[0])) return go_on(1);
+    if (points.size() >= 2 || axis.line == line) return go_on(0);
+    if (points.size() == 1 && std::ranges::binary_search(axis.points, points[0])) return go_on(1);
     const int free = points.empty() ? 1 : 0;
     go_on(free + 1);
     pencil.lines.push_back(line);
@@ -100,7 +106,15 @@ static void choose_lines(const Problem& problem, const Indices& on_axis, Pencil&
     pencil.lines.pop_back();
 }
 
-static std::vector<Pencil> pencils(const Problem& problem) {
+/// The lines that an axis may be: those with no other point than it has, and one at most.
+static std::vector<std::size_t> possible_axes(const Problem& problem, const Indices& points) {
+    std::vector<std::size_t> lines;
+    for (std::size_t line = 0; line < problem.lines.size(); ++line)
+        if (points.size() <= 1 && problem.lines[line].points == points) lines.push_back(line);
+    return lines;
+}
+
+static std::vector<Pencil> pencils(const Problem& problem, const SceneSystem& system) {
     std::vector<Pencil> found;
     for (std::size_t set = 0; set < std::size_t{1} << problem.points.size(); ++set) {
         Indices on_axis, others;
@@ -112,14 +126,18 @@ static std::vector<Pencil> pencils(const Problem& problem) {
         const int conditions = others.size() <= 2 ? most - 2 * static_cast<int>(others.size()) : 0;
         Pencil pencil;
         for (std::size_t i = 0; i < std::min(on_axis.size(), std::size_t{2}); ++i)
-            pencil.points.push_back(on_axis[i]);
-        choose_lines(problem, on_axis, pencil, 0, conditions, found);
+            pencil.places.push_back(on_axis[i]);
+        choose_lines(problem, {on_axis}, pencil, 0, conditions, found);
+        for (const std::size_t line : possible_axes(problem, on_axis)) {
+            pencil.places = {system.lines[line][0], system.lines[line][1]};
+            choose_lines(problem, {on_axis, line}, pencil, 0, conditions, found);
+        }
     }
     return found;
 }
 
 BaseScenes base_scenes(const Problem& problem, const SceneSystem& system) {
-    return {few_depths(problem, system), pencils(problem)};
+    return {few_depths(problem, system), pencils(problem, system)};
 }
 
 SmallRow choose_scene(const SceneSystem& system, const FewDepths& few, Choices& choices) {
@@ -152,7 +170,7 @@ SmallRow choose_scene(const SceneSystem& system, const Pencil& pencil, Choices& 
     for (std::size_t i = 0; i < axis.size(); ++i) {
         for (Small& coordinate : axis[i])
             coordinate = choices.next();
-        if (i < pencil.points.size()) axis[i] = at(pencil.points[i]);
+        if (i < pencil.places.size()) axis[i] = at(pencil.places[i]);
     }
     for (const std::size_t line : pencil.lines) {
         const auto& [start, end] = system.lines[line];

@@ -15,7 +15,7 @@ struct FewDepths {
 /// The scenes in which some lines meet one and the same line in space, the *axis*: a camera of rank
 /// 2 that projects from the axis sees them. The cubic forms vanish there.
 struct Pencil {
-    std::vector<std::size_t> points{}; // on the axis: at most two, by their places
+    std::vector<std::size_t> places{}; // on the axis: at most two
     std::vector<std::size_t> lines{};  // that meet the axis, but have no point on it
 };
 

@@ -8,12 +8,12 @@
 namespace checker::general {
 /// The image vector of each own depth.
 static std::vector<Row3> vectors_of_depths(const SceneSystem& system) {
-    std::vector<Row3> vectors(system.depths);
-    for (const Place& place : system.places) {
-        if (std::ranges::count(place.depth, 0) + 1 != std::ssize(place.depth)) continue;
-        const auto& x = place.x;
-        vectors[place.depth.size() - 1] = {Small::of_integer(x[0]), Small::of_integer(x[1]),
-                                           Small::of_integer(x[2])};
+    std::vector<Row3> vectors;
+    for (const auto& [x, depth] : system.places) {
+        const bool is_new = depth.size() > vectors.size(); // else it depends on depths before
+        if (is_new)
+            vectors.push_back(
+                {Small::of_integer(x[0]), Small::of_integer(x[1]), Small::of_integer(x[2])});
     }
     return vectors;
 }

@@ -74,30 +74,13 @@ private:
     Choices& choices_;
 };
 
-constexpr std::size_t rows_at_a_time = 32;
-
-/// Adds forms that vanish at all solutions: products with a cubic form of a given view.
-static void add_forms_at_solutions(RowSpace& space, const Forms& forms, std::size_t given,
-                                   const Powers& powers, std::size_t dimension) {
-    for (bool is_new = true; is_new && space.rank() < dimension;) {
+/// Adds forms that this makes, some at a time, until it makes nothing new.
+template <class Make> static void fill(RowSpace& space, const Make& make) {
+    constexpr std::size_t rows_at_a_time = 32;
+    for (bool is_new = true; is_new;) {
         std::vector<SmallRow> rows;
-        for (std::size_t i = 0; i < rows_at_a_time; ++i) {
-            rows.push_back(forms.product({powers.cubics - 1, powers.linear}));
-            multiply(rows.back(), forms.cubic(i % given));
-        }
-        is_new = space.add(rows);
-    }
-}
-
-/// Adds multiples of one coordinate.
-static void add_multiples(RowSpace& space, const Forms& forms, const Powers& powers,
-                          std::size_t dimension) {
-    for (bool is_new = true; is_new && space.rank() < dimension;) {
-        std::vector<SmallRow> rows;
-        for (std::size_t i = 0; i < rows_at_a_time; ++i) {
-            rows.push_back(forms.product({powers.cubics, powers.linear - 1}));
-            multiply(rows.back(), forms.first_coordinate());
-        }
+        for (std::size_t i = 0; i < rows_at_a_time; ++i)
+            rows.push_back(make(i));
         is_new = space.add(rows);
     }
 }
@@ -115,14 +98,25 @@ std::size_t solutions_at_most(const Problem& problem, const std::vector<Numbers>
         monomials.size() -
         rank_of_conditions(monomials, system, base, coordinates, powers, choices);
     const auto given = static_cast<std::size_t>(std::popcount(problem.views)) - 1;
-    const Forms forms(system, coordinates, given, dimension, choices);
+    constexpr std::size_t more = 20; // scenes than dimensions, to notice a mistake
+    const Forms forms(system, coordinates, given, dimension + more, choices);
     RowSpace space;
-    add_forms_at_solutions(space, forms, given, powers, dimension);
-    const std::size_t bound = dimension - space.rank();
-    add_multiples(space, forms, powers, dimension);
+    fill(space, [&](std::size_t i) { // forms that vanish at all solutions
+        SmallRow row = forms.product({powers.cubics - 1, powers.linear});
+        multiply(row, forms.cubic(i % given));
+        return row;
+    });
+    const std::size_t at_solutions = space.rank();
+    fill(space, [&](std::size_t) { // multiples of one coordinate
+        SmallRow row = forms.product({powers.cubics, powers.linear - 1});
+        multiply(row, forms.first_coordinate());
+        return row;
+    });
+    if (space.rank() > dimension)
+        throw Refused("the forms have more dimensions than Lemmas F3 and F4 allow: report this");
     if (space.rank() < dimension)
         throw Refused("the forms leave ", dimension - space.rank(), " of ", dimension,
                       " dimensions open: take other powers");
-    return bound;
+    return dimension - at_solutions;
 }
 } // namespace checker::general

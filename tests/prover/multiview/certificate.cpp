@@ -55,7 +55,7 @@ TEST_CASE("integer images have different points on each line") {
     const general::Problem problem = general::parse("3*PL/PL/PL/PL + a/a/a/a");
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Random random(seed, 1);
-        for (const std::vector<int>& view : random_integer_images(problem, random)) {
+        for (const std::vector<int>& view : random_integer_images(problem, problem.views, random)) {
             CHECK(view[6] != 0);
             CHECK(view[7] != 0);
         }
