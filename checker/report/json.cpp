@@ -152,7 +152,8 @@ static std::string item(const paper::FamilyTable& table) {
         bounds.push_back(say("[", solutions, ", ", problems, "]"));
     return say("{\"family\": ", json_string(table.family), ", \"claims\": ", array_of(claims),
                ", \"degrees\": ", array_of(degrees), ", \"lower_bounds\": ", array_of(bounds),
-               ", \"exact\": ", table.exact, ", \"exact_by_theorem\": ", table.exact_by_theorem, "}");
+               ", \"exact\": ", table.exact, ", \"exact_by_theorem\": ", table.exact_by_theorem,
+               "}");
 }
 
 static std::string item(const paper::DegreeClaim& c) {
