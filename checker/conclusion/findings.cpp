@@ -73,7 +73,7 @@ static bool has_records(const ReplayedFile& file) {
     if (const auto* content = std::get_if<general::SolutionsFile>(&file.content))
         return !content->counts.empty();
     if (const auto* content = std::get_if<general::AtMostFile>(&file.content))
-        return !content->bounds.empty();
+        return content->bounds.size() > 0;
     return true;
 }
 
