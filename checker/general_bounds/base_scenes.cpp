@@ -1,5 +1,6 @@
 #include "checker/general_bounds/base_scenes.h"
 
+#include "checker/file/complaint.h"
 #include "checker/general_bounds/resection.h"
 
 #include <algorithm>
@@ -175,6 +176,8 @@ SmallRow choose_scene(const SceneSystem& system, const Pencil& pencil, Choices& 
     for (const std::size_t line : pencil.lines) {
         const auto& [start, end] = system.lines[line];
         const Point4 plane = plane_through(axis[0], axis[1], at(start));
+        // A plane through the centre of camera 1 contains the end at each depth, or at none.
+        if (plane[3] == Small{}) throw Refused("view 1 is too special: take other images there");
         const Point4 x = point_at(system.places[end], Small{});
         const Small sum = plane[0] * x[0] + plane[1] * x[1] + plane[2] * x[2];
         own[system.places[end].depth.size() - 1] = -sum * plane[3].inverse();

@@ -1,5 +1,5 @@
 // Scenes at which all cubic forms of resection.h vanish, whatever the images show: a camera of rank
-// 1 or 2 sees them as any image shows them (proofs/families.md, section 11).
+// 1 or 2 sees them as any image shows them (proofs/fixed_forms.md).
 #pragma once
 
 #include "checker/general_bounds/small_field.h"
@@ -26,7 +26,8 @@ struct BaseScenes {
 
 BaseScenes base_scenes(const Problem& problem, const SceneSystem& system);
 
-/// The own depths of such a scene.
+/// The own depths of such a scene. Throws Refused where view 1 shows so special images that no
+/// depth makes a line meet the axis.
 SmallRow choose_scene(const SceneSystem& system, const Pencil& pencil, Choices& choices);
 SmallRow choose_scene(const SceneSystem& system, const FewDepths& few, Choices& choices);
 } // namespace checker::general

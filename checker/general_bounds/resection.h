@@ -1,5 +1,5 @@
 // The cubic forms in the depths of a scene that vanish where some camera sees the scene as an image
-// shows it (proofs/families.md, section 11). To find this camera is called resection.
+// shows it (proofs/fixed_forms.md). To find this camera is called resection.
 #pragma once
 
 #include "checker/general_bounds/small_field.h"

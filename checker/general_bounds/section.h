@@ -1,6 +1,6 @@
 // A bound on the number of solutions of a problem for projective cameras from above: in a space of
 // forms that is the same for all images, those that vanish at the solutions leave few dimensions
-// (proofs/families.md, section 11).
+// (proofs/fixed_forms.md).
 #pragma once
 
 #include "checker/general_bounds/fixed_forms.h"

@@ -11,19 +11,46 @@ using namespace checker::general;
 
 namespace {
 
-/// A bound; none if the powers do not give one, or need too many monomials for a test.
-std::optional<std::size_t> bound_of(const std::string& notation, const Powers& powers,
-                                    unsigned seed = 1) {
-    const Problem problem = problem_of(notation);
+/// Random images of all views, and three times as many further ones.
+std::vector<Numbers> generic_views(const Problem& problem, unsigned seed) {
     const auto cameras = static_cast<std::size_t>(std::popcount(problem.views)) - 1;
+    return random_views(problem, 1 + 4 * cameras, seed);
+}
+
+/// The bound that these images give; none if the powers do not give one, or need too many monomials
+/// for a test.
+std::optional<std::size_t> bound_by(const Problem& problem, const std::vector<Numbers>& views,
+                                    const Powers& powers, std::size_t most_monomials = 450) {
     try {
-        return solutions_at_most(problem, random_views(problem, 1 + 4 * cameras, seed), powers,
-                                 [](std::size_t monomials) {
-                                     if (monomials > 450) throw Refused("too many monomials");
-                                 });
+        return solutions_at_most(problem, views, powers, [=](std::size_t monomials) {
+            if (monomials > most_monomials) throw Refused("too many monomials");
+        });
     } catch (const Refused&) {
         return std::nullopt;
     }
+}
+
+std::optional<std::size_t> bound_of(const std::string& notation, const Powers& powers,
+                                    unsigned seed = 1) {
+    const Problem problem = problem_of(notation);
+    return bound_by(problem, generic_views(problem, seed), powers);
+}
+
+/// An image with coordinates and factors from -1 to 1: many of its places are the same, or three of
+/// them on a line.
+Numbers special_view(const Problem& problem, Dice& dice) {
+    for (int tries = 0; tries < 10'000; ++tries)
+        try {
+            Numbers image(numbers_of_view(problem));
+            for (int& number : image)
+                number = dice.from_to(-1, 1);
+            scene_system(problem, {image, image});
+            return image;
+        } catch (const Refused&) {
+            continue; // does not meet the conditions of the format
+        }
+    FAIL("no image");
+    return {};
 }
 
 } // namespace
@@ -56,6 +83,40 @@ TEST_CASE("a bound does not depend on the images") {
         CHECK(bound_of("projective: 2*PL/PL/PL + PLabcd/PLabcd/PLabcd + 2*P/P/P", {2, 1}, seed) ==
               2U);
     }
+}
+
+TEST_CASE("a special image in view 1 never makes a bound smaller than the degree") {
+    Dice dice(1);
+    std::size_t bounds = 0;
+    for (const auto& [notation, degree] : projective_degrees()) {
+        CAPTURE(notation);
+        const Problem problem = problem_of(notation);
+        std::vector<Numbers> views = generic_views(problem, 1);
+        for (int tries = 0; tries < 5; ++tries) {
+            views[0] = special_view(problem, dice);
+            const auto bound = bound_by(problem, views, {1, 1}, 100);
+            if (!bound) continue;
+            ++bounds;
+            CHECK(*bound >= degree);
+        }
+    }
+    CHECK(bounds > 10);
+}
+
+TEST_CASE("view 1 may not show a point off a line where it shows one of the line") {
+    // An axis through the two points off the line is in a plane with point 2 and the centre.
+    const Problem problem = problem_of("projective: PL/PL/PL + 2*PLab/PLab/PLab + 2*P/P/P");
+    std::vector<Numbers> views = generic_views(problem, 1);
+    const auto any = [](std::size_t) {};
+    CHECK(solutions_at_most(problem, views, {2, 1}, any) == 3);
+    std::copy_n(views[0].begin() + 3, 3, views[0].begin() + 8); // point 4 as point 2
+    std::string reason;
+    try {
+        solutions_at_most(problem, views, {2, 1}, any);
+    } catch (const Refused& refused) {
+        reason = refused.reason;
+    }
+    CHECK(reason == "view 1 is too special: take other images there");
 }
 
 TEST_CASE("too few powers give no bound, or a larger one") {
