@@ -40,7 +40,8 @@ static std::vector<std::size_t> depths_around(const Problem& problem, const Scen
 }
 
 static bool share_a_point(const Line& a, const Line& b) {
-    return std::ranges::find_first_of(a.points, b.points) != a.points.end();
+    return std::ranges::any_of(
+        a.points, [&](std::size_t point) { return std::ranges::binary_search(b.points, point); });
 }
 
 static std::vector<FewDepths> few_depths(const Problem& problem, const SceneSystem& system) {

@@ -58,10 +58,11 @@ folder:
 
     c++ -std=c++20 -O2 -DPLC_ARB -I. checker/*.cpp checker/*/*.cpp -lflint-arb -lflint -lgmpxx -lgmp -o plcheck
     ./plcheck certs/*.plc certs/degrees/*.plc certs/solutions/*.plc
+    ./plcheck --effort 2000000 certs/solutions/large/*.plc
 
 The first line builds the checker. FLINT 3 has Arb inside: leave out -lflint-arb. The second line
-replays every certificate, in about a minute. It prints what they prove, and exits with 0 if all of
-them hold.
+replays certificates in about a minute, the third those that take some minutes more. They print what
+is proved, and exit with 0 if all certificates hold.
 
 Without FLINT, the checker replays all but the degree files:
 

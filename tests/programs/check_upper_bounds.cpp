@@ -42,8 +42,9 @@ std::map<std::string, int> degrees_by_certificates() {
 std::map<std::string, int> bounds_of(const std::string& file) {
     const Outcome outcome = run(plcheck + " --json " + file);
     REQUIRE(outcome.status == 0);
+    const nlohmann::json report = nlohmann::json::parse(outcome.out);
     std::map<std::string, int> found;
-    for (const auto& record : nlohmann::json::parse(outcome.out)["files"][0]["upper_bounds"])
+    for (const auto& record : report["files"][0]["upper_bounds"])
         found[record["problem"]] = record["certified_at_most"];
     return found;
 }

@@ -120,6 +120,7 @@ TEST_CASE("header and modulus") {
     CHECK(malformed(altered(few_certificates(), "plcert ", 0, "3")) == "found `3`, expected `2`");
     CHECK(malformed(altered(few_certificates(), "plcert 2 ", 0, "catalogue")) ==
           "found `catalogue`, expected `classification`, `problem`, `problems`, `solutions`, "
+          "`at-most`, "
           "`degrees` or "
           "`bounds`");
     CHECK(malformed(altered(few_certificates(), "modulus ", 0, "2305843009213693949")) ==

@@ -47,7 +47,8 @@ TEST_CASE("a file of format 1 is refused, and told what to do, whatever its kind
 
 TEST_CASE("a file of an unknown kind is refused") {
     const std::string kinds =
-        "`, expected `classification`, `problem`, `problems`, `solutions`, `degrees` or `bounds`";
+        "`, expected `classification`, `problem`, `problems`, `solutions`, `at-most`, `degrees` or "
+        "`bounds`";
     for (const std::string kind :
          {"catalogue", "digests", "Problem", "problemss", "Problems", "degree"})
         CHECK(complaint("plcert 2 " + kind + "\n") == "1: found `" + kind + kinds);
