@@ -17,6 +17,12 @@ public:
     /// Of a camera of the system. Throws Refused where the image is special.
     Resection(const SceneSystem& system, std::size_t camera);
 
+    /// How many minors of size 3 N(D) has.
+    std::size_t minors() const {
+        const std::size_t rows = eliminations_.size();
+        return rows * (rows - 1) * (rows - 2) / 6;
+    }
+
     /// The cubic minors of N(D), at a scene whose places have these depths.
     SmallRow cubics(const SmallRow& depths) const;
 

@@ -10,6 +10,22 @@ static void multiply(SmallRow& row, const SmallRow& by) {
         row[k] = row[k] * by[k];
 }
 
+/// Those of all cameras. Throws Refused if they have too many cubic forms to note their values at
+/// so many scenes.
+static std::vector<Resection> resections_of(const SceneSystem& system, std::size_t scenes) {
+    constexpr std::size_t most_values = 20'000'000;
+    std::vector<Resection> resections;
+    std::size_t values = 0;
+    for (std::size_t camera = 0; camera < system.cameras; ++camera) {
+        resections.emplace_back(system, camera);
+        values += resections.back().minors() * scenes;
+        if (values > most_values)
+            throw Refused("it takes more than ", most_values,
+                          " values of cubic forms: leave further images out, or take smaller powers");
+    }
+    return resections;
+}
+
 /// Forms in the coordinates of scenes, by their values at some random scenes. Cameras are numbered
 /// from that of view 2; those from `given` on belong to further images.
 class Forms {
@@ -18,9 +34,7 @@ public:
           std::size_t scenes, Choices& choices)
         : cubics_(system.cameras), linear_(coordinates.kept().size()), given_(given),
           scenes_(scenes), choices_(choices) {
-        std::vector<Resection> resections;
-        for (std::size_t camera = 0; camera < system.cameras; ++camera)
-            resections.emplace_back(system, camera);
+        const std::vector<Resection> resections = resections_of(system, scenes);
         for (std::size_t scene = 0; scene < scenes; ++scene) {
             SmallRow own(system.depths);
             for (const std::size_t depth : coordinates.kept())

@@ -119,6 +119,18 @@ TEST_CASE("view 1 may not show a point off a line where it shows one of the line
     CHECK(reason == "view 1 is too special: take other images there");
 }
 
+TEST_CASE("a problem with too many cubic forms is refused before they are computed") {
+    const std::string point = "P" + std::string("abcdefghijkl");
+    const Problem problem = problem_of("projective: 6*P/P + " + point + "/" + point);
+    std::string reason;
+    try {
+        solutions_at_most(problem, random_views(problem, 30, 1), {1, 1}, [](std::size_t) {});
+    } catch (const Refused& refused) {
+        reason = refused.reason;
+    }
+    CHECK(reason.starts_with("it takes more than 20000000 values of cubic forms"));
+}
+
 TEST_CASE("too few powers give no bound, or a larger one") {
     CHECK(bound_of("projective: 4*Pa/Pa/Pa/Pa/Pa", {3, 1}) == 7U);
     CHECK(bound_of("projective: 4*Pa/Pa/Pa/Pa/Pa", {2, 1}) != 7U);
