@@ -138,8 +138,86 @@ static std::vector<Pencil> pencils(const Problem& problem, const SceneSystem& sy
     return found;
 }
 
+/// The lines whose only point this is.
+static std::vector<std::size_t> lines_alone_at(const Problem& problem, std::size_t point) {
+    std::vector<std::size_t> lines;
+    for (const std::size_t line : problem.points[point].lines)
+        if (problem.lines[line].points.size() == 1) lines.push_back(line);
+    return lines;
+}
+
+/// Whether a line has three points, and but for one other point all points and all lines with one
+/// point are there, and no line is without points.
+static bool holds_almost_all(const Problem& problem, const Line& line,
+                             const std::optional<std::size_t>& other) {
+    if (line.points.size() != 3) return false;
+    if (problem.points.size() != line.points.size() + (other ? 1 : 0)) return false;
+    if (other && !lines_alone_at(problem, *other).empty()) return false;
+    return std::ranges::none_of(problem.lines, [](const Line& l) { return l.points.empty(); });
+}
+
+static std::vector<Tangent> tangents(const Problem& problem) {
+    std::vector<Tangent> found;
+    for (std::size_t n = 0; n < problem.lines.size(); ++n) {
+        const Line& line = problem.lines[n];
+        std::optional<std::size_t> other;
+        for (std::size_t point = 0; point < problem.points.size(); ++point)
+            if (std::ranges::count(line.points, point) == 0) other = point;
+        if (!holds_almost_all(problem, line, other)) continue;
+        for (const std::size_t point : line.points) {
+            const std::size_t lines = lines_alone_at(problem, point).size();
+            if (lines == 1 || lines == 2) found.push_back({n, point, other});
+        }
+    }
+    return found;
+}
+
 BaseScenes base_scenes(const Problem& problem, const SceneSystem& system) {
-    return {few_depths(problem, system), pencils(problem, system)};
+    return {few_depths(problem, system), pencils(problem, system), tangents(problem)};
+}
+
+static Row3 residues(const Place& place) {
+    return {Small::of_integer(place.x[0]), Small::of_integer(place.x[1]),
+            Small::of_integer(place.x[2])};
+}
+
+std::array<SmallRow, 2> choose_tangent(const Problem& problem, const SceneSystem& system,
+                                       const Tangent& tangent, Choices& choices) {
+    const Indices& points = problem.lines[tangent.line].points;
+    const Row3 a = residues(system.places[points[0]]), b = residues(system.places[points[1]]);
+    // What is not on the line, projects to u a + v b, where the other point projects to 0.
+    Row3 c{choices.next(), choices.next(), choices.next()};
+    Small u = choices.next(), v = choices.next();
+    if (tangent.other) {
+        c = residues(system.places[*tangent.other]);
+        u = v = Small{};
+    }
+    const Small volume = determinant(a, b, c);
+    if (volume == Small{}) throw Refused("view 1 is too special: take other images there");
+    const auto projected = [&](const Row3& x) -> std::array<Small, 2> {
+        const Small off = determinant(a, b, x);
+        return {determinant(x, b, c) + off * u, determinant(a, x, c) + off * v};
+    };
+    const auto area = [&](const Row3& x, const Row3& y) {
+        const auto p = projected(x), q = projected(y);
+        return p[0] * q[1] - p[1] * q[0];
+    };
+    const Row3 centre = residues(system.places[tangent.point]);
+    SmallRow scene(system.depths), direction(system.depths);
+    for (const std::size_t point : points)
+        for (const std::size_t line : lines_alone_at(problem, point)) {
+            const Place& place = system.places[system.lines[line][1]];
+            const std::size_t depth = place.depth.size() - 1;
+            if (point == tangent.point) {
+                scene[depth] = choices.next();
+                continue;
+            }
+            const Row3 x = residues(system.places[point]);
+            const Small divisor = area(x, centre);
+            if (divisor == Small{}) throw Refused("view 1 is too special: take other images there");
+            direction[depth] = -area(x, residues(place)) * divisor.inverse();
+        }
+    return {scene, direction};
 }
 
 SmallRow choose_scene(const SceneSystem& system, const FewDepths& few, Choices& choices) {

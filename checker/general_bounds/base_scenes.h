@@ -19,9 +19,19 @@ struct Pencil {
     std::vector<std::size_t> lines{};  // that meet the axis, but have no point on it
 };
 
+/// Scenes D and directions D' of curves D + D' z + ... in which all cubic forms vanish to order 2:
+/// near a scene of few depths, at a point of a line with three points, cameras project all else to
+/// this line.
+struct Tangent {
+    std::size_t line = 0;               // with three points; all other points are one at most
+    std::size_t point = 0;              // on it
+    std::optional<std::size_t> other{}; // point
+};
+
 struct BaseScenes {
     std::vector<FewDepths> few_depths{};
     std::vector<Pencil> pencils{};
+    std::vector<Tangent> tangents{};
 };
 
 BaseScenes base_scenes(const Problem& problem, const SceneSystem& system);
@@ -30,4 +40,8 @@ BaseScenes base_scenes(const Problem& problem, const SceneSystem& system);
 /// depth makes a line meet the axis.
 SmallRow choose_scene(const SceneSystem& system, const Pencil& pencil, Choices& choices);
 SmallRow choose_scene(const SceneSystem& system, const FewDepths& few, Choices& choices);
+
+/// The own depths of such a scene, and the direction. Throws Refused as well.
+std::array<SmallRow, 2> choose_tangent(const Problem& problem, const SceneSystem& system,
+                                       const Tangent& tangent, Choices& choices);
 } // namespace checker::general

@@ -137,25 +137,27 @@ static Series product(const Series& a, const Series& b) {
     return c;
 }
 
-/// The coefficients of all monomials on the line through a point in some direction, below an order:
-/// one row for each power.
+/// Points D_0 + D_1 z + D_2 z^2 + ...
+using Curve = std::vector<SmallRow>;
+
+/// The coefficients of all monomials on a curve, below an order: one row for each power.
 static std::vector<SmallRow> jets(const std::vector<Exponents>& monomials, int degree,
-                                  const SmallRow& point, const SmallRow& direction,
-                                  std::size_t order) {
-    std::vector<std::vector<Series>> powers(point.size());
-    for (std::size_t i = 0; i < point.size(); ++i) {
-        Series one(order), linear(order);
+                                  const Curve& curve, std::size_t order) {
+    const std::size_t coordinates = curve[0].size();
+    std::vector<std::vector<Series>> powers(coordinates);
+    for (std::size_t i = 0; i < coordinates; ++i) {
+        Series one(order), coordinate(order);
         one[0] = Small{1};
-        linear[0] = point[i];
-        if (order > 1) linear[1] = direction[i];
+        for (std::size_t k = 0; k < std::min(order, curve.size()); ++k)
+            coordinate[k] = curve[k][i];
         powers[i] = {one};
         for (int k = 0; k < degree; ++k)
-            powers[i].push_back(product(powers[i].back(), linear));
+            powers[i].push_back(product(powers[i].back(), coordinate));
     }
     std::vector<SmallRow> rows(order, SmallRow(monomials.size()));
     for (std::size_t m = 0; m < monomials.size(); ++m) {
         Series value = powers[0][0];
-        for (std::size_t i = 0; i < point.size(); ++i)
+        for (std::size_t i = 0; i < coordinates; ++i)
             if (monomials[m][i] > 0)
                 value = product(value, powers[i][static_cast<std::size_t>(monomials[m][i])]);
         for (std::size_t k = 0; k < order; ++k)
@@ -173,13 +175,16 @@ public:
 
     std::size_t rank() const { return space_.rank(); }
 
-    /// That forms vanish at the scenes that this chooses, until these say nothing new.
+    /// That forms vanish at the beginnings of curves, in own depths, that this chooses, until these
+    /// say nothing new. The curves go on in any way.
     template <class Choose> void add(std::size_t order, const Choose& choose) {
         constexpr int enough = 2;
         for (int idle = 0; idle < enough;) {
-            const SmallRow point = coordinates_.of(choose());
-            const SmallRow direction = choices_.row(point.size());
-            const bool is_new = space_.add(jets(monomials_, powers_.degree(), point, direction,
+            Curve curve;
+            for (const SmallRow& own : choose())
+                curve.push_back(coordinates_.of(own));
+            curve.push_back(choices_.row(coordinates_.kept().size()));
+            const bool is_new = space_.add(jets(monomials_, powers_.degree(), curve,
                                                 order * static_cast<std::size_t>(powers_.cubics)));
             idle = is_new ? 0 : idle + 1;
         }
@@ -200,19 +205,22 @@ std::vector<Exponents> monomials_that_fit(const BaseScenes& base,
         .of_degree(powers.degree());
 }
 
-std::size_t rank_of_conditions(const std::vector<Exponents>& monomials, const SceneSystem& system,
-                               const BaseScenes& base, const SceneCoordinates& coordinates,
-                               const Powers& powers, Choices& choices) {
+std::size_t rank_of_conditions(const std::vector<Exponents>& monomials, const Problem& problem,
+                               const SceneSystem& system, const BaseScenes& base,
+                               const SceneCoordinates& coordinates, const Powers& powers,
+                               Choices& choices) {
     Conditions conditions(monomials, coordinates, powers, choices);
     const auto is_kept = [&](std::size_t depth) {
         return std::ranges::count(coordinates.kept(), depth) > 0;
     };
     for (const FewDepths& few : base.few_depths) {
         if (std::ranges::all_of(few.depths, is_kept)) continue; // all monomials meet it
-        conditions.add(few.order, [&] { return choose_scene(system, few, choices); });
+        conditions.add(few.order, [&] { return Curve{choose_scene(system, few, choices)}; });
     }
     for (const Pencil& pencil : base.pencils)
-        conditions.add(1, [&] { return choose_scene(system, pencil, choices); });
+        conditions.add(1, [&] { return Curve{choose_scene(system, pencil, choices)}; });
+    for (const Tangent& tangent : base.tangents)
+        conditions.add(2, [&] { return choose_tangent(problem, system, tangent, choices); });
     return conditions.rank();
 }
 } // namespace checker::general

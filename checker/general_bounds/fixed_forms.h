@@ -45,7 +45,8 @@ std::vector<Exponents> monomials_that_fit(const BaseScenes& base,
 
 /// How many conditions the other base scenes put on their coefficients, at least, for generic image
 /// vectors of view 1.
-std::size_t rank_of_conditions(const std::vector<Exponents>& monomials, const SceneSystem& system,
-                               const BaseScenes& base, const SceneCoordinates& coordinates,
-                               const Powers& powers, Choices& choices);
+std::size_t rank_of_conditions(const std::vector<Exponents>& monomials, const Problem& problem,
+                               const SceneSystem& system, const BaseScenes& base,
+                               const SceneCoordinates& coordinates, const Powers& powers,
+                               Choices& choices);
 } // namespace checker::general

@@ -20,8 +20,9 @@ static std::vector<Resection> resections_of(const SceneSystem& system, std::size
         resections.emplace_back(system, camera);
         values += resections.back().minors() * scenes;
         if (values > most_values)
-            throw Refused("it takes more than ", most_values,
-                          " values of cubic forms: leave further images out, or take smaller powers");
+            throw Refused(
+                "it takes more than ", most_values,
+                " values of cubic forms: leave further images out, or take smaller powers");
     }
     return resections;
 }
@@ -110,7 +111,7 @@ std::size_t solutions_at_most(const Problem& problem, const std::vector<Numbers>
     Choices choices;
     const std::size_t dimension =
         monomials.size() -
-        rank_of_conditions(monomials, system, base, coordinates, powers, choices);
+        rank_of_conditions(monomials, problem, system, base, coordinates, powers, choices);
     const auto given = static_cast<std::size_t>(std::popcount(problem.views)) - 1;
     constexpr std::size_t more = 20; // scenes than dimensions, to notice a mistake
     const Forms forms(system, coordinates, given, dimension + more, choices);
@@ -127,7 +128,7 @@ std::size_t solutions_at_most(const Problem& problem, const std::vector<Numbers>
         return row;
     });
     if (space.rank() > dimension)
-        throw Refused("the forms have more dimensions than Lemmas F3 and F4 allow: report this");
+        throw Refused("the forms have more dimensions than Lemmas F3 to F5 allow: report this");
     if (space.rank() < dimension)
         throw Refused("the forms leave ", dimension - space.rank(), " of ", dimension,
                       " dimensions open: take other powers");

@@ -17,11 +17,10 @@ bool all_zero(const SmallRow& numbers) {
     return std::ranges::all_of(numbers, [](Small x) { return x == Small{}; });
 }
 
-/// To which order at least, at most 2, all cubic forms vanish at these own depths: by their values
-/// on a line, which are polynomials of degree 3.
-std::size_t order_at(const SceneSystem& system, const Resection& resection, const SmallRow& own,
-                     Choices& choices) {
-    const SmallRow direction = choices.row(own.size());
+/// To which order at least, at most 2, all cubic forms vanish at these own depths on the line in
+/// some direction: by their values there, which are polynomials of degree 3.
+std::size_t order_in(const SceneSystem& system, const Resection& resection, const SmallRow& own,
+                     const SmallRow& direction) {
     std::vector<SmallRow> values;
     for (const std::uint32_t step : {0U, 1U, 2U, 3U}) {
         SmallRow moved = own;
@@ -35,6 +34,12 @@ std::size_t order_at(const SceneSystem& system, const Resection& resection, cons
         derivatives.push_back(Small{18} * values[1][i] - Small{9} * values[2][i] +
                               Small{2} * values[3][i]);
     return all_zero(derivatives) ? 2 : 1;
+}
+
+/// The same in an arbitrary direction.
+std::size_t order_at(const SceneSystem& system, const Resection& resection, const SmallRow& own,
+                     Choices& choices) {
+    return order_in(system, resection, own, choices.row(own.size()));
 }
 
 } // namespace
@@ -63,7 +68,7 @@ TEST_CASE("the cubic forms of all views vanish at a solution, and not at other d
 
 TEST_CASE("the cubic forms of any image vanish at base scenes, and only there to that order") {
     Choices choices;
-    std::size_t pencils = 0;
+    std::size_t pencils = 0, tangents = 0;
     for (const auto& [notation, degree] : projective_degrees()) {
         CAPTURE(notation);
         const Problem problem = problem_of(notation);
@@ -81,8 +86,14 @@ TEST_CASE("the cubic forms of any image vanish at base scenes, and only there to
                 const SmallRow own = choose_scene(system, pencil, choices);
                 CHECK(order_at(system, resection, own, choices) >= 1);
             }
+            for (const Tangent& tangent : base.tangents) {
+                const auto [own, direction] = choose_tangent(problem, system, tangent, choices);
+                CHECK(order_in(system, resection, own, direction) == 2);
+            }
         }
         pencils += base.pencils.size();
+        tangents += base.tangents.size();
     }
     CHECK(pencils > 100);
+    CHECK(tangents > 10);
 }
