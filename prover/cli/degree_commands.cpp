@@ -13,6 +13,7 @@
 #include "prover/system/progress.h"
 
 #include <chrono>
+#include <sstream>
 
 namespace plprove {
 
@@ -37,6 +38,20 @@ constexpr const char* degree_examples =
     "  plprove degree 'projective: 6*P/P/P' --at-most 1,2 -o three.plc\n"
     "                                               at most so many, as plcheck will find\n";
 
+/// Two powers, such as `2,1`. Throws CLI::ValidationError.
+multiview::Powers powers_of(const std::string& text) {
+    multiview::Powers powers;
+    std::istringstream stream(text);
+    char comma = 0;
+    const bool reads = stream >> powers.cubics >> comma >> powers.linear && stream.peek() == EOF;
+    const auto fits = [](int power) { return power >= 1 && power <= largest_power; };
+    if (!reads || comma != ',' || !fits(powers.cubics) || !fits(powers.linear))
+        throw CLI::ValidationError("--at-most", "give two numbers from 1 to " +
+                                                    std::to_string(largest_power) +
+                                                    ", such as 2,1");
+    return powers;
+}
+
 /// The problem's decision. Throws BadInput where it has no degree that can be computed.
 Decision decided(const std::string& spec) {
     Decision decision = decide(parse_spec(spec));
@@ -53,7 +68,7 @@ struct DegreeRequest {
     std::string spec;
     std::string path;
     DegreeOptions options;
-    std::vector<int> powers; // of an upper bound; empty: none is asked for
+    std::optional<multiview::Powers> powers; // of an upper bound, if one is asked for
     bool json = false;
 };
 
@@ -75,9 +90,9 @@ DegreeReport computed(const Decision& decision, std::size_t number, DegreeOption
 
 int find_degree_in_general(const DegreeRequest& request, const general::Problem& problem,
                            const Deliver& deliver) {
-    if (!request.powers.empty())
-        return propose_upper_bound(problem, {request.powers[0], request.powers[1]},
-                                   request.options.seed, request.path, deliver);
+    if (request.powers)
+        return propose_upper_bound(problem, *request.powers, request.options.seed, request.path,
+                                   deliver);
     return find_multiview_degree(problem,
                                  {request.options.seed, request.options.target,
                                   request.options.at_least, request.path, request.json},
@@ -88,7 +103,7 @@ int find_degree(const DegreeRequest& request, const Deliver& deliver,
                 const ComputeDegree& compute) {
     if (const std::optional<general::Problem> problem = general::parse_spec(request.spec))
         return find_degree_in_general(request, *problem, deliver);
-    if (!request.powers.empty())
+    if (request.powers)
         throw BadInput("--at-most is for projective cameras: write `projective:` in front of the "
                        "problem");
     const Decision decision = decided(request.spec);
@@ -134,13 +149,11 @@ Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree com
         ->check(CLI::Range(1, largest_target))
         ->excludes("--target");
     command
-        ->add_option("--at-most", request->powers,
-                     "only write a certificate of an upper bound, for projective cameras, with "
-                     "these powers\n(certs/FORMAT.md, section 15; try 1,1 then 2,1 then 3,1)")
+        ->add_option_function<std::string>(
+            "--at-most", [request](const std::string& text) { request->powers = powers_of(text); },
+            "only write a certificate of an upper bound, for projective cameras, with "
+            "these powers\n(certs/FORMAT.md, section 15; try 1,1 then 2,1 then 3,1)")
         ->type_name("CUBICS,LINEAR")
-        ->delimiter(',')
-        ->expected(2)
-        ->check(CLI::Range(1, largest_power))
         ->excludes("--target")
         ->excludes("--at-least");
     add_seed(*command, request->options.seed);

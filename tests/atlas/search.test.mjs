@@ -37,7 +37,7 @@ test("problems of any number of views and of projective cameras are decided", as
     await page.fill("#spec", "projective: 6*P/P/P");
     await until(page, () => /projective cameras/.test(document.querySelector("#answer").textContent));
     const answer = await textOf(page, "#answer");
-    assert.match(answer, /Minimal.*3 projective cameras.*scene 18 \+ cameras 18 = images 36.*evidence/s);
+    assert.match(answer, /Minimal.*3 projective cameras.*scene 18 \+ cameras 18 = images 36.*certified/s);
     await page.fill("#spec", "4*PL/PL/PL/PL");
     await until(page, () => /4 calibrated/.test(document.querySelector("#answer").textContent));
     assert.match(await textOf(page, "#answer"), /Not minimal.*against images/s);
