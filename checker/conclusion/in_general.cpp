@@ -44,15 +44,6 @@ std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
     return std::nullopt;
 }
 
-CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem) {
-    CountedInGeneral most;
-    for (const ReplayedFile* file : files_of<general::SolutionsFile>(findings))
-        for (const auto& [notation, other, solutions] :
-             std::get<general::SolutionsFile>(file->content).counts)
-            if (solutions > most.solutions && same(problem, other)) most = {solutions, file->name};
-    return most;
-}
-
 /// What records say of problems, by what a renaming keeps of these, and the file of each.
 template <class Record>
 using ByInvariant = std::map<general::Invariant, std::vector<std::pair<Record, std::string>>>;
@@ -76,6 +67,15 @@ static void for_each(const ByInvariant<Record>& all, const general::Problem& pro
     if (alike == all.end()) return;
     for (const auto& [record, file] : alike->second)
         if (general::isomorphic(problem, record.problem)) use(record, file);
+}
+
+CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem) {
+    CountedInGeneral most;
+    for_each(by_invariant(findings, &general::SolutionsFile::counts), problem,
+             [&](const general::SolutionCount& count, const std::string& file) {
+                 if (count.solutions > most.solutions) most = {count.solutions, file};
+             });
+    return most;
 }
 
 using UpperBounds = ByInvariant<general::SolutionBound>;

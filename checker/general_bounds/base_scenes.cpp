@@ -176,20 +176,15 @@ BaseScenes base_scenes(const Problem& problem, const SceneSystem& system) {
     return {few_depths(problem, system), pencils(problem, system), tangents(problem)};
 }
 
-static Row3 residues(const Place& place) {
-    return {Small::of_integer(place.x[0]), Small::of_integer(place.x[1]),
-            Small::of_integer(place.x[2])};
-}
-
 std::array<SmallRow, 2> choose_tangent(const Problem& problem, const SceneSystem& system,
                                        const Tangent& tangent, Choices& choices) {
     const Indices& points = problem.lines[tangent.line].points;
-    const Row3 a = residues(system.places[points[0]]), b = residues(system.places[points[1]]);
+    const Row3 a = residues(system.places[points[0]].x), b = residues(system.places[points[1]].x);
     // What is not on the line, projects to u a + v b, where the other point projects to 0.
     Row3 c{choices.next(), choices.next(), choices.next()};
     Small u = choices.next(), v = choices.next();
     if (tangent.other) {
-        c = residues(system.places[*tangent.other]);
+        c = residues(system.places[*tangent.other].x);
         u = v = Small{};
     }
     const Small volume = determinant(a, b, c);
@@ -202,7 +197,7 @@ std::array<SmallRow, 2> choose_tangent(const Problem& problem, const SceneSystem
         const auto p = projected(x), q = projected(y);
         return p[0] * q[1] - p[1] * q[0];
     };
-    const Row3 centre = residues(system.places[tangent.point]);
+    const Row3 centre = residues(system.places[tangent.point].x);
     SmallRow scene(system.depths), direction(system.depths);
     for (const std::size_t point : points)
         for (const std::size_t line : lines_alone_at(problem, point)) {
@@ -212,10 +207,10 @@ std::array<SmallRow, 2> choose_tangent(const Problem& problem, const SceneSystem
                 scene[depth] = choices.next();
                 continue;
             }
-            const Row3 x = residues(system.places[point]);
+            const Row3 x = residues(system.places[point].x);
             const Small divisor = area(x, centre);
             if (divisor == Small{}) throw Refused("view 1 is too special: take other images there");
-            direction[depth] = -area(x, residues(place)) * divisor.inverse();
+            direction[depth] = -area(x, residues(place.x)) * divisor.inverse();
         }
     return {scene, direction};
 }
@@ -228,8 +223,8 @@ SmallRow choose_scene(const SceneSystem& system, const FewDepths& few, Choices& 
 }
 
 static Point4 point_at(const Place& place, Small depth) {
-    return {Small::of_integer(place.x[0]), Small::of_integer(place.x[1]),
-            Small::of_integer(place.x[2]), depth};
+    const auto [x, y, z] = residues(place.x);
+    return {x, y, z, depth};
 }
 
 /// The plane through three points.

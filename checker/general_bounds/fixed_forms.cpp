@@ -1,6 +1,7 @@
 #include "checker/general_bounds/fixed_forms.h"
 
 #include "checker/file/complaint.h"
+#include "checker/general_bounds/resection.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,9 +12,7 @@ static std::vector<Row3> vectors_of_depths(const SceneSystem& system) {
     std::vector<Row3> vectors;
     for (const auto& [x, depth] : system.places) {
         const bool is_new = depth.size() > vectors.size(); // else it depends on depths before
-        if (is_new)
-            vectors.push_back(
-                {Small::of_integer(x[0]), Small::of_integer(x[1]), Small::of_integer(x[2])});
+        if (is_new) vectors.push_back(residues(x));
     }
     return vectors;
 }

@@ -3,7 +3,7 @@
 #include "checker/file/complaint.h"
 
 namespace checker::general {
-static Row3 residues(const ImageCoordinates& v) {
+Row3 residues(const ImageCoordinates& v) {
     return {Small::of_integer(v[0]), Small::of_integer(v[1]), Small::of_integer(v[2])};
 }
 

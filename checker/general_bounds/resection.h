@@ -8,6 +8,9 @@
 #include <array>
 
 namespace checker::general {
+/// Image coordinates modulo the prime.
+Row3 residues(const ImageCoordinates& vector);
+
 /// The depths of all places of a system, whose own depths are these.
 SmallRow place_depths(const SceneSystem& system, const SmallRow& own);
 
