@@ -16,12 +16,6 @@ static bool meet(const Line& a, const Line& b) {
     return std::ranges::any_of(a.points, [&](std::size_t point) { return is_on(b, point); });
 }
 
-static bool all_views_see_all(const Problem& problem) {
-    const auto is_seen = [&](const auto& thing) { return thing.seen_by == problem.views; };
-    return std::ranges::all_of(problem.points, is_seen) &&
-           std::ranges::all_of(problem.lines, is_seen);
-}
-
 /// Whether two axes share a point: item 1.
 static bool axes_meet(const Problem& problem) {
     const auto is_on_two = [&](const Point& point) {

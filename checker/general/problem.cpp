@@ -29,6 +29,12 @@ static bool share_two_points(const Line& a, const Line& b) {
     return std::ranges::count_if(a.points, is_on_b) >= 2;
 }
 
+bool all_views_see_all(const Problem& problem) {
+    const auto is_seen = [&](const auto& thing) { return thing.seen_by == problem.views; };
+    return std::ranges::all_of(problem.points, is_seen) &&
+           std::ranges::all_of(problem.lines, is_seen);
+}
+
 const char* violation(const Problem& problem) {
     for (std::size_t i = 0; i < problem.lines.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)

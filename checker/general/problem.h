@@ -45,6 +45,9 @@ std::optional<std::size_t> carrier(const Problem& problem, std::size_t point);
 /// How many more points fix the line, beside the points on it: two, one or none.
 std::size_t own_points(const Line& line);
 
+/// Whether each view sees all points and lines.
+bool all_views_see_all(const Problem& problem);
+
 /// Why the problem does not conform; empty if it does.
 const char* violation(const Problem& problem);
 

@@ -2,10 +2,9 @@
 #include "checker/general/degree_bound.h"
 
 #include "checker/conclusion/in_general.h"
+#include "tests/checker/general/degrees_on_file.h"
 
 #include <doctest/doctest.h>
-#include <fstream>
-#include <sstream>
 
 using namespace checker;
 
@@ -15,25 +14,6 @@ using Bound = std::optional<std::size_t>;
 
 Bound bound_of(const std::string& notation) {
     return general::degree_bound(parse_general_problem(notation));
-}
-
-/// A line of certs/family-degrees.csv.
-struct OnFile {
-    std::string family, problem, degree, bound, status, certified, source;
-};
-
-std::vector<OnFile> degrees_on_file() {
-    std::ifstream table(SOURCE_DIR "/certs/family-degrees.csv");
-    std::vector<OnFile> rows;
-    for (std::string line; std::getline(table, line);) {
-        if (line.starts_with('#') || line.starts_with("family,")) continue;
-        std::istringstream columns(line);
-        OnFile& row = rows.emplace_back();
-        for (std::string* column : {&row.family, &row.problem, &row.degree, &row.bound, &row.status,
-                                    &row.certified, &row.source})
-            std::getline(columns, *column, ',');
-    }
-    return rows;
 }
 
 } // namespace

@@ -1,0 +1,75 @@
+// Theorem Q of proofs/moduli.md: all degrees that monodromy found, all problems that it speaks of,
+// and its conditions at their borders.
+#include "checker/general_bounds/three_views.h"
+
+#include "checker/conclusion/in_general.h"
+#include "tests/checker/general/degrees_on_file.h"
+
+#include <doctest/doctest.h>
+
+using namespace checker;
+
+namespace {
+
+std::optional<std::size_t> degree_of(const std::string& notation) {
+    return general::degree_in_three_views(parse_general_problem(notation));
+}
+
+/// A problem in three views that sees everything, with so many free lines, and for each of these
+/// numbers a point with so many pins.
+general::Problem problem_of(std::size_t free_lines, const std::vector<std::size_t>& pins) {
+    constexpr general::Views all = 0b111;
+    general::Problem problem{.projective = true, .views = all};
+    problem.lines.assign(free_lines, {.seen_by = all});
+    for (std::size_t p = 0; p < pins.size(); ++p) {
+        general::Point& point = problem.points.emplace_back();
+        point.seen_by = all;
+        for (std::size_t k = 0; k < pins[p]; ++k) {
+            point.lines.push_back(problem.lines.size());
+            problem.lines.push_back({.seen_by = all, .points = {p}});
+        }
+    }
+    return problem;
+}
+
+/// Calls `visit` with all lists of numbers of pins, 4 at most and ascending, of points that leave
+/// some of the 18 dimensions of cameras to free lines.
+template <class Visit>
+void for_each_choice(std::vector<std::size_t>& pins, std::size_t open, const Visit& visit) {
+    visit(open);
+    const std::size_t least = pins.empty() ? 0 : pins.back();
+    for (std::size_t k = least; k <= 4 && 3 + k <= open; ++k) {
+        pins.push_back(k);
+        for_each_choice(pins, open - 3 - k, visit);
+        pins.pop_back();
+    }
+}
+
+} // namespace
+
+TEST_CASE("the degrees that monodromy found are those of Theorem Q, wherever it applies") {
+    std::size_t problems = 0;
+    for (const OnFile& row : degrees_on_file()) {
+        CAPTURE(row.problem);
+        const std::optional<std::size_t> degree = degree_of(row.problem);
+        if (!degree) continue;
+        CHECK(*degree == std::stoul(row.degree));
+        ++problems;
+    }
+    CHECK(problems == 46);
+}
+
+TEST_CASE("enum") {
+    std::vector<std::size_t> pins;
+    std::size_t minimal = 0;
+    for_each_choice(pins, 18, [&](std::size_t open) {
+        if (open % 2 != 0) return;
+        const auto degree = general::degree_in_three_views(problem_of(open / 2, pins));
+        std::string s = std::to_string(open / 2) + ":";
+        for (auto k : pins)
+            s += " " + std::to_string(k);
+        if (*degree == 0) MESSAGE(s);
+        minimal += *degree > 0;
+    });
+    MESSAGE(minimal);
+}
