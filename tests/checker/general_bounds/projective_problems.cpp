@@ -1,26 +1,17 @@
 #include "tests/checker/general_bounds/projective_problems.h"
 
 #include "checker/general_degrees/scene_system.h"
+#include "tests/checker/general/degrees_on_file.h"
 
 #include <doctest/doctest.h>
-#include <fstream>
-#include <sstream>
 
 using namespace checker;
 
 std::vector<DegreeOnFile> projective_degrees() {
     std::vector<DegreeOnFile> degrees;
-    std::ifstream table(SOURCE_DIR "/certs/family-degrees.csv");
-    for (std::string line; std::getline(table, line);) {
-        std::istringstream columns(line);
-        std::string family, notation, degree;
-        std::getline(columns, family, ',');
-        std::getline(columns, notation, ',');
-        std::getline(columns, degree, ',');
-        if (family != "projective") continue;
-        if (std::popcount(problem_of(notation).views) > 2)
-            degrees.push_back({notation, std::stoul(degree)});
-    }
+    for (const OnFile& row : degrees_on_file())
+        if (row.family == "projective" && std::popcount(problem_of(row.problem).views) > 2)
+            degrees.push_back({row.problem, std::stoul(row.degree)});
     REQUIRE(degrees.size() > 200);
     return degrees;
 }
