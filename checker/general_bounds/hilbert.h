@@ -1,0 +1,18 @@
+// The degrees of problems for projective cameras whose views give twelve equations each, by
+// counting the invariants of GL_4 (proofs/moduli.md, Theorem H).
+#pragma once
+
+#include "checker/general/problem.h"
+
+#include <gmpxx.h>
+
+namespace checker::general {
+/// r(n) of Theorem H: the multiplicity of det^3n in the tensor product of representations of GL_4,
+/// one for each point, with the lines through it, and for each free line; none if the theorem says
+/// nothing of the problem.
+std::optional<mpz_class> invariants(const Problem& problem, int n);
+
+/// How many solutions for its cameras, up to motions of space, the problem has, if Theorem H says:
+/// a difference of these numbers. None also if there are no invariants.
+std::optional<std::size_t> degree_by_invariants(const Problem& problem);
+} // namespace checker::general
