@@ -4,9 +4,6 @@
 #include "checker/degrees/constraint_class.h"
 
 namespace checker {
-/// Of proofs/families.md.
-static constexpr std::string_view theorem_in_general = "16";
-
 /// The notation without blanks.
 static std::string without_blanks(std::string_view notation) {
     std::string text;
@@ -153,7 +150,9 @@ static std::string in_words(const UpperBound& bound) {
         return say("at most ", bound.solutions, ", by templates of relative pose and registration");
     std::string_view page = "upper_bounds.md";
     if (is_of_relations(theorem->theorem)) page = "relations.md";
-    if (theorem->theorem == theorem_in_general) page = "families.md";
+    if (theorem->theorem == theorem_of_points_and_lines) page = "families.md";
+    if (theorem->theorem == theorem_of_cameras || theorem->theorem == theorem_of_arrangements)
+        page = "moduli.md";
     return say("at most ", bound.solutions, ", by Theorem ", theorem->theorem, " of proofs/", page);
 }
 
@@ -214,7 +213,7 @@ static KnownDegree degree_of_class(const Classification& classes, const Findings
 }
 
 /// The same, with what a file of solutions counts, if that is more. Of a problem in general also
-/// what the theorem says.
+/// what theorems say.
 static KnownDegree degree_of(const Classification& classes, const Findings& findings,
                              const Proved& proved, const ExpectedProblem& expected) {
     KnownDegree known = degree_of_class(classes, findings, proved, expected.problem.views);
@@ -228,7 +227,7 @@ static KnownDegree degree_of(const Classification& classes, const Findings& find
     const auto bound = bound_in_general(findings, *expected.in_general);
     if (proved.verdict != "minimal" || !bound) return known;
     known.files.upper = {proved.file};
-    known.bounds.at_most = UpperBound{bound->at_most, TheoremRow{0, theorem_in_general}};
+    known.bounds.at_most = UpperBound{bound->at_most, TheoremRow{0, bound->theorem}};
     if (!bound->file.empty()) {
         known.bounds.at_most->by = ByForms{};
         known.files.upper.push_back(bound->file);

@@ -3,6 +3,8 @@
 #include "checker/general/degree_bound.h"
 #include "checker/general/isomorphism.h"
 #include "checker/general/notation.h"
+#include "checker/general_bounds/hilbert.h"
+#include "checker/general_bounds/three_views.h"
 
 namespace checker {
 general::Problem parse_general_problem(std::string_view notation) {
@@ -84,12 +86,22 @@ static UpperBounds upper_bounds_of(const Findings& findings) {
     return by_invariant(findings, &general::AtMostFile::bounds);
 }
 
+static std::optional<BoundedInGeneral> bound_by_theorem(const general::Problem& problem) {
+    std::optional<BoundedInGeneral> least;
+    const auto consider = [&](std::optional<std::size_t> at_most, std::string_view theorem) {
+        if (at_most && (!least || *at_most < least->at_most)) least = {*at_most, theorem, {}};
+    };
+    consider(general::degree_bound(problem), theorem_of_points_and_lines);
+    consider(general::degree_in_three_views(problem), theorem_of_cameras);
+    consider(general::degree_by_invariants(problem), theorem_of_arrangements);
+    return least;
+}
+
 static std::optional<BoundedInGeneral> least_bound(const UpperBounds& bounds,
                                                    const general::Problem& problem) {
-    std::optional<BoundedInGeneral> least;
-    if (const auto bound = general::degree_bound(problem)) least = {*bound, {}};
+    std::optional<BoundedInGeneral> least = bound_by_theorem(problem);
     for_each(bounds, problem, [&](const general::SolutionBound& bound, const std::string& file) {
-        if (!least || bound.at_most < least->at_most) least = {bound.at_most, file};
+        if (!least || bound.at_most < least->at_most) least = {bound.at_most, {}, file};
     });
     return least;
 }

@@ -27,14 +27,19 @@ struct CountedInGeneral {
 /// The most that any record counts; 0 if none is about the problem.
 CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem);
 
-/// So many solutions a minimal problem has at most. The file proves it; Theorem 16, if there is
-/// none.
+/// Theorems on degrees of problems in general: of proofs/families.md, and two of proofs/moduli.md.
+inline constexpr std::string_view theorem_of_points_and_lines = "16";
+inline constexpr std::string_view theorem_of_cameras = "Q";
+inline constexpr std::string_view theorem_of_arrangements = "T";
+
+/// So many solutions a minimal problem has at most. A theorem proves it, or else a file.
 struct BoundedInGeneral {
     std::size_t at_most = 0;
+    std::string_view theorem{};
     std::string file{};
 };
 
-/// The least that the theorem or any record says; none if they do not speak of the problem.
+/// The least that the theorems or any record say; none if they do not speak of the problem.
 std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
                                                  const general::Problem& problem);
 
@@ -42,7 +47,7 @@ std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
 struct DegreesInGeneral {
     std::map<std::size_t, std::size_t> at_least{}; // how many problems have each lower bound
     std::size_t exact = 0;                         // of so many, bounds meet
-    std::size_t exact_by_theorem = 0;              // of these, by Theorem 16
+    std::size_t exact_by_theorem = 0;              // of these, by theorem
 };
 
 DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems);

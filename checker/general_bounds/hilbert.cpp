@@ -1,5 +1,7 @@
 #include "checker/general_bounds/hilbert.h"
 
+#include "checker/general_bounds/stability.h"
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -82,7 +84,7 @@ mpz_class determinants(const Schur& a, const Schur& b, int n) {
     return sum;
 }
 
-/// Those of a problem of Theorem H, the ones with most pins first; none of another problem.
+/// Those of a problem of Theorem T, the ones with most pins first; none of another problem.
 std::vector<Feature> features_of(const Problem& problem) {
     if (!problem.projective || !all_views_see_all(problem) || surplus(problem) != 0) return {};
     std::vector<Feature> features;
@@ -122,8 +124,7 @@ std::optional<mpz_class> invariants(const Problem& problem, int n) {
 
 std::optional<std::size_t> degree_by_invariants(const Problem& problem) {
     const std::vector<Feature> features = features_of(problem);
-    // Without invariants, r(0) = 1 does not fit the polynomial 0.
-    if (features.empty() || invariants(features, 1) == 0) return std::nullopt;
+    if (features.empty() || !general_arrangements_are_stable(problem)) return std::nullopt;
     std::vector<mpz_class> values;
     for (int n = 0; n <= std::popcount(problem.views); ++n)
         values.push_back(invariants(features, n));

@@ -27,7 +27,7 @@ std::string example() {
 std::map<std::string, int> degrees_by_certificates() {
     std::map<std::string, int> degrees;
     for (const std::string& line : lines_of(read_file(certs + "family-degrees.csv"))) {
-        if (line.starts_with("#") || !contains(line, ",by certificates; ")) continue;
+        if (line.starts_with("#") || !contains(line, "certificates; ")) continue;
         std::istringstream columns(line);
         std::string family, problem, degree;
         std::getline(columns, family, ',');
