@@ -66,7 +66,7 @@ TEST_CASE(
     "no degree that monodromy found is above its bound; the file says so of those that "
     "attain it, or the bound of another theorem; and the bound is one wherever the degree is") {
     std::size_t ones = 0, certified = 0, all_certified = 0;
-    for (const OnFile& row : degrees_on_file()) {
+    for (const OnFile& row : family_degrees_on_file()) {
         CAPTURE(row.problem);
         const Bound bound = bound_of(row.problem);
         const std::size_t degree = std::stoul(row.degree);

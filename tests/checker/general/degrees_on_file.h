@@ -11,7 +11,7 @@ struct OnFile {
     std::string family, problem, degree, bound, status, certified, source;
 };
 
-inline std::vector<OnFile> degrees_on_file() {
+inline std::vector<OnFile> family_degrees_on_file() {
     std::ifstream table(SOURCE_DIR "/certs/family-degrees.csv");
     std::vector<OnFile> rows;
     for (std::string line; std::getline(table, line);) {

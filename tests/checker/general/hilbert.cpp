@@ -183,7 +183,7 @@ mpz_class difference(std::vector<mpz_class> values, std::size_t order) {
 
 TEST_CASE("all degrees on file to which the theorem applies are those that it gives") {
     std::size_t applies = 0;
-    for (const OnFile& row : degrees_on_file()) {
+    for (const OnFile& row : family_degrees_on_file()) {
         CAPTURE(row.problem);
         const Degree degree = degree_of(row.problem);
         if (!degree) continue;

@@ -49,7 +49,7 @@ void for_each_choice(std::vector<std::size_t>& pins, std::size_t open, const Vis
 
 TEST_CASE("the degrees that monodromy found are those of Theorem Q, wherever it applies") {
     std::size_t problems = 0;
-    for (const OnFile& row : degrees_on_file()) {
+    for (const OnFile& row : family_degrees_on_file()) {
         CAPTURE(row.problem);
         const std::optional<std::size_t> degree = degree_of(row.problem);
         if (!degree) continue;

@@ -9,7 +9,7 @@ using namespace checker;
 
 std::vector<DegreeOnFile> projective_degrees() {
     std::vector<DegreeOnFile> degrees;
-    for (const OnFile& row : degrees_on_file())
+    for (const OnFile& row : family_degrees_on_file())
         if (row.family == "projective" && std::popcount(problem_of(row.problem).views) > 2)
             degrees.push_back({row.problem, std::stoul(row.degree)});
     REQUIRE(degrees.size() > 200);
