@@ -79,7 +79,8 @@ at least n solutions  file, algebra, problem, degrees; Arb (FLINT);
                       proofs/degrees.md and families.md
 at most n solutions   all of the classification, degrees and bounds; proofs/upper_bounds.md
 ... by theorem        also the table bounds/theorems.h; the proofs that upper_bounds.md names; for
-                      Theorem U17, FLINT and what proofs/computations/two_points.cpp prints
+                      Theorem U17, FLINT and what proofs/computations/two_points.cpp prints; for
+                      Theorem Y, what calibrated_moduli.cpp there prints
 ... in general        general and general_bounds; proofs/families.md, moduli.md and
                       fixed_forms.md
 a digest              digests

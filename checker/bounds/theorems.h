@@ -1,6 +1,7 @@
 // Upper bounds that are theorems: how many camera solutions the problems of a constraint class have
-// at most, if they are minimal. proofs/upper_bounds.md prints the first table. The rows of Theorems
-// R, S and X (proofs/relations.md) are in texts of their own.
+// at most, if they are minimal. proofs/upper_bounds.md prints the first table, with the rows of
+// Theorem Y (proofs/calibrated_moduli.md). The rows of Theorems R, S and X (proofs/relations.md) are
+// in texts of their own.
 #pragma once
 
 #include "checker/bounds/central_views.h"
@@ -21,7 +22,7 @@ struct TheoremBound {
     unsigned bound;
 };
 
-inline constexpr std::array<TheoremBound, 33> theorem_bounds{{
+inline constexpr std::array<TheoremBound, 38> theorem_bounds{{
     {"U8", "Pabcdef/Pabcdef/Pabcdef + a/P/Pa", 64},
     {"U8", "Pabcdef/Pabcdef/Pabcdef + -/P/P + P/-/P", 64},
     {"U8", "Pabcdef/Pabcdef/Pabcdef + -/P/P + P/a/a", 64},
@@ -40,7 +41,11 @@ inline constexpr std::array<TheoremBound, 33> theorem_bounds{{
     {"U11", "Pabcd/Pabcd/Pabcd + Pa/Pa/Pa", 240},
     {"U11", "Pabcd/Pabcd/Pabcd + P/P/P + -/P/P", 240},
     {"U11", "Pabcd/Pabcd/Pabcd + P/P/P + P/a/a", 272},
+    {"Y", "Pabcd/Pabcd/Pabcd + 2*a/a/a", 480},
+    {"Y", "Pabc/Pabc/Pabc + Pab/Pab/Pab", 480},
+    {"Y", "Pabc/Pabc/Pabc + P/P/P + a/a/a", 328},
     {"U15", "Pab/Pab/Pab + 2*P/P/P", 224},
+    {"Y", "Pab/Pab/Pab + 3*a/a/a", 552},
     {"U15", "2*Pa/Pa/Pa + P/P/P", 312},
     {"U15", "Pa/Pa/Pa + 2*P/P/P + -/P/P", 304},
     {"U15", "Pa/Pa/Pa + 2*P/P/P + P/a/a", 376},
@@ -55,10 +60,14 @@ inline constexpr std::array<TheoremBound, 33> theorem_bounds{{
     {"U17", "2*P/P/P + a/Pa/Pa + a/a/a", 240},
     {"U17", "2*P/P/P + 2*a/a/a + -/P/P", 256},
     {"U17", "2*P/P/P + 2*a/a/a + P/a/a", 304},
+    {"Y", "P/P/P + 4*a/a/a", 360},
 }};
 
 /// The problems of this theorem have the same degree, all of them.
 inline constexpr std::string_view theorem_of_equal_degrees = "U8";
+
+/// Of proofs/calibrated_moduli.md.
+inline constexpr std::string_view theorem_of_calibrated_cameras = "Y";
 
 /// Adds the rows of a theorem, from a text with rows such as `4912 11*P/a/a;`.
 inline void add_rows(std::vector<TheoremBound>& rows, std::string_view theorem,

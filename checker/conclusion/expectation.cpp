@@ -141,6 +141,15 @@ std::string in_words(const Expectation& expectation) {
     return whole ? "the whole table" : "";
 }
 
+/// The page of proofs/ that has the theorem.
+static std::string_view page_of(std::string_view theorem) {
+    if (is_of_relations(theorem)) return "relations.md";
+    if (theorem == theorem_of_calibrated_cameras) return "calibrated_moduli.md";
+    if (theorem == theorem_of_points_and_lines) return "families.md";
+    if (theorem == theorem_of_cameras || theorem == theorem_of_arrangements) return "moduli.md";
+    return "upper_bounds.md";
+}
+
 static std::string in_words(const UpperBound& bound) {
     const auto* theorem = std::get_if<TheoremRow>(&bound.by);
     if (std::holds_alternative<ByForms>(bound.by))
@@ -148,12 +157,8 @@ static std::string in_words(const UpperBound& bound) {
                    ", by forms that vanish at all solutions: proofs/fixed_forms.md");
     if (!theorem)
         return say("at most ", bound.solutions, ", by templates of relative pose and registration");
-    std::string_view page = "upper_bounds.md";
-    if (is_of_relations(theorem->theorem)) page = "relations.md";
-    if (theorem->theorem == theorem_of_points_and_lines) page = "families.md";
-    if (theorem->theorem == theorem_of_cameras || theorem->theorem == theorem_of_arrangements)
-        page = "moduli.md";
-    return say("at most ", bound.solutions, ", by Theorem ", theorem->theorem, " of proofs/", page);
+    return say("at most ", bound.solutions, ", by Theorem ", theorem->theorem, " of proofs/",
+               page_of(theorem->theorem));
 }
 
 static void add_file(Judgement& judgement, const std::string& file) {
