@@ -38,8 +38,8 @@ std::int64_t invariants(const Multiplicities& all) {
     return all[middle] - (middle == 0 ? 0 : all[middle - 1]);
 }
 
-/// All products of polynomials of these degrees less 2 m_v in the quaternions, and of degrees m_v in
-/// the translations, which are three to a view, for all m_v with this sum.
+/// All products of polynomials of these degrees less 2 m_v in the quaternions, and of degrees m_v
+/// in the translations, which are three to a view, for all m_v with this sum.
 Multiplicities polynomials(const std::array<std::int64_t, 3>& degrees, std::int64_t sum) {
     const auto factor = [&](std::size_t view, std::int64_t m) {
         Multiplicities all = of_quaternion(degrees[view] - 2 * m);
@@ -67,8 +67,8 @@ std::int64_t euler_characteristic(const Character& bundle, std::int64_t n) {
     const std::array<Multiplicities, 4> exterior{{{1}, {1, 1, 1}, {1, 1, 1}, {1}}};
     std::int64_t sum = 0;
     for (std::int64_t j = 0; j <= 3 && j <= n * bundle[s]; ++j) {
-        const auto all = product(exterior[static_cast<std::size_t>(j)],
-                                 polynomials(degrees, n * bundle[s] - j));
+        const auto all =
+            product(exterior[static_cast<std::size_t>(j)], polynomials(degrees, n * bundle[s] - j));
         sum += j % 2 == 0 ? invariants(all) : -invariants(all);
     }
     return sum;
@@ -90,3 +90,151 @@ std::int64_t top_difference(const Character& bundle) {
 }
 
 } // namespace
+
+namespace {
+
+/// The integral of the 11th power of the first Chern class.
+std::int64_t top_power(const std::vector<FixedPoint>& points, const Character& bundle) {
+    Residue sum;
+    for (const auto& [weight, roots] : points) {
+        Residue chern = residue_of(-bundle[s]) * roots.x[3];
+        for (std::size_t view = 0; view < 3; ++view)
+            chern = chern + residue_of(bundle[a1 + view] / 2) * roots.h[view];
+        Residue term = weight;
+        for (int i = 0; i < 11; ++i)
+            term = term * chern;
+        sum = sum + term;
+    }
+    return number_of(sum);
+}
+
+/// The degree of the class of the features: the number of their constraints.
+unsigned degree_of(const VisibleFeatures& features) {
+    unsigned degree = 2 * features.lines;
+    for (const unsigned pins : features.pins)
+        degree += 3 + pins;
+    return degree;
+}
+
+/// All with at most 4 pins at a point, and with this degree at most.
+std::vector<VisibleFeatures> features_up_to(unsigned most) {
+    std::vector<VisibleFeatures> all{{}};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (unsigned pins = all[i].pins.empty() ? 0 : all[i].pins.back(); pins <= 4; ++pins) {
+            VisibleFeatures more = all[i];
+            more.pins.push_back(pins);
+            if (degree_of(more) <= most) all.push_back(more);
+        }
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        VisibleFeatures more = all[i];
+        ++more.lines;
+        if (degree_of(more) <= most) all.push_back(more);
+    }
+    return all;
+}
+
+/// The numbers of all features of degree 11.
+std::vector<std::int64_t> numbers(const std::vector<FixedPoint>& points) {
+    std::vector<std::int64_t> found;
+    for (const VisibleFeatures& features : features_up_to(11))
+        if (degree_of(features) == 11) found.push_back(intersection_number(points, features));
+    return found;
+}
+
+/// The class of a free line from the fixed points of the Grassmannian of lines.
+Residue localized_line(const Roots& roots) {
+    Residue sum;
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = i + 1; j < 4; ++j) {
+            Residue above{1}, below{1};
+            for (const Residue h : roots.h)
+                above = above * (h - roots.x[i]) * (h - roots.x[j]);
+            for (std::size_t l = 0; l < 4; ++l)
+                if (l != i && l != j)
+                    below = below * (roots.x[l] - roots.x[i]) * (roots.x[l] - roots.x[j]);
+            sum = sum + above * below.inverse();
+        }
+    }
+    return sum;
+}
+
+/// The class of a pin of the j-th point, from the fixed points of the plane of lines through it.
+Residue localized_pin(const Roots& roots, std::size_t j) {
+    Residue sum;
+    for (std::size_t l = 0; l < 4; ++l) {
+        if (l == j) continue;
+        Residue above{1}, below{1};
+        for (const Residue h : roots.h)
+            above = above * (h - roots.x[l]);
+        for (std::size_t k = 0; k < 4; ++k)
+            if (k != j && k != l) below = below * (roots.x[k] - roots.x[l]);
+        sum = sum + above * below.inverse();
+    }
+    return sum;
+}
+
+Residue localized_point(const Roots& roots, unsigned pins) {
+    Residue sum;
+    for (std::size_t j = 0; j < 4; ++j) {
+        Residue above{1}, below{1};
+        for (const Residue h : roots.h)
+            above = above * (h - roots.x[j]) * (h - roots.x[j]);
+        for (unsigned i = 0; i < pins; ++i)
+            above = above * localized_pin(roots, j);
+        for (std::size_t l = 0; l < 4; ++l)
+            if (l != j) below = below * (roots.x[l] - roots.x[j]);
+        sum = sum + above * below.inverse();
+    }
+    return sum;
+}
+
+} // namespace
+
+TEST_CASE("integrals over the space of cameras: dimensions of spaces of invariants give the same") {
+    for (const Character& bundle : {Character{0, 4, 4, 4, 1}, Character{0, 6, 6, 4, 1}})
+        CHECK(top_power(fixed_points(bundle), bundle) == top_difference(bundle));
+}
+
+TEST_CASE("the classes of features by localisation on the spaces of points and lines") {
+    for (const FixedPoint& point : fixed_points()) {
+        CHECK(class_of_line(point.roots) == localized_line(point.roots));
+        for (unsigned pins = 0; pins <= 4; ++pins)
+            CHECK(class_of_point(point.roots, pins) == localized_point(point.roots, pins));
+    }
+}
+
+TEST_CASE("intersection numbers depend neither on the shifts nor on small changes of stability") {
+    const std::vector<std::int64_t> expected = numbers(fixed_points());
+    CHECK(expected.size() == 11); // all minimal problems but the one with five pins at a point
+    CHECK(numbers(fixed_points(stability, 2026)) == expected);
+    CHECK(numbers(fixed_points({13, 1020, 1000, 970, 100})) == expected);
+    CHECK(numbers(fixed_points({0, 4, 4, 4, 1})) == expected);
+    CHECK_THROWS_AS(fixed_points({0, 2, 1, 1, 0}), std::logic_error); // not all are stable
+}
+
+TEST_CASE("products of classes of degree less than 11 have the integral 0") {
+    const std::vector<FixedPoint> points = fixed_points();
+    std::size_t count = 0;
+    for (const VisibleFeatures& features : features_up_to(10)) {
+        CHECK(intersection_number(points, features) == 0);
+        ++count;
+    }
+    CHECK(count > 30);
+}
+
+TEST_CASE(
+    "of problems of which Theorem Y does not speak the intersection number is not the degree") {
+    const std::vector<FixedPoint> points = fixed_points();
+    struct Other {
+        VisibleFeatures features;
+        std::int64_t degree, number;
+    };
+    const std::vector<Other> others{{{{5, 0}, 0}, 64, -24},     {{{2, 1}, 1}, 432, 480},
+                                    {{{2, 0, 0}, 0}, 224, 320}, {{{1, 1, 0}, 0}, 312, 408},
+                                    {{{1, 0}, 2}, 264, 360},    {{{0, 0, 0}, 1}, 216, 288}};
+    for (const auto& [features, degree, number] : others) {
+        CHECK(intersection_number(points, features) == number);
+        CHECK(number != degree);
+    }
+}
