@@ -22,7 +22,7 @@ struct TheoremBound {
     unsigned bound;
 };
 
-inline constexpr std::array<TheoremBound, 38> theorem_bounds{{
+inline constexpr std::array<TheoremBound, 39> theorem_bounds{{
     {"U8", "Pabcdef/Pabcdef/Pabcdef + a/P/Pa", 64},
     {"U8", "Pabcdef/Pabcdef/Pabcdef + -/P/P + P/-/P", 64},
     {"U8", "Pabcdef/Pabcdef/Pabcdef + -/P/P + P/a/a", 64},
@@ -44,6 +44,7 @@ inline constexpr std::array<TheoremBound, 38> theorem_bounds{{
     {"Y", "Pabcd/Pabcd/Pabcd + 2*a/a/a", 480},
     {"Y", "Pabc/Pabc/Pabc + Pab/Pab/Pab", 480},
     {"Y", "Pabc/Pabc/Pabc + P/P/P + a/a/a", 328},
+    {"Y", "Pab/Pab/Pab + Pa/Pa/Pa + a/a/a", 432},
     {"U15", "Pab/Pab/Pab + 2*P/P/P", 224},
     {"Y", "Pab/Pab/Pab + 3*a/a/a", 552},
     {"U15", "2*Pa/Pa/Pa + P/P/P", 312},

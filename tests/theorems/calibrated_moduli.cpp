@@ -1,6 +1,7 @@
 // The integrals of Theorem Y (proofs/calibrated_moduli.md) by second methods: numbers of invariants
 // give one of them, and no choice matters. The program proofs/computations/calibrated_moduli.cpp,
 // which is a test, too, compares the numbers of the theorem with the checker's table.
+#include "proofs/computations/isotropic_planes.h"
 #include "proofs/computations/moduli_space.h"
 
 #include <doctest/doctest.h>
@@ -237,4 +238,9 @@ TEST_CASE(
         CHECK(intersection_number(points, features) == number);
         CHECK(number != degree);
     }
+}
+
+TEST_CASE("two views see as many planes that touch the absolute conic, whatever their images are") {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+        CHECK(isotropic_planes(seed) == 8);
 }
