@@ -82,22 +82,23 @@ TEST_CASE("the committed upper bounds are the degrees on file that certificates 
 }
 
 TEST_CASE("with a lower bound, an upper bound makes a degree exact, and --why names both") {
-    const std::string expect = plcheck + " --why --quiet --expect 'projective: 6*P/P/P' --degree ";
+    const std::string expect =
+        plcheck + " --why --quiet --expect 'projective: 3*PLab/PLab/PLab + Pa/Pa/Pa' --degree ";
     const std::string files =
         certs + "projective.plc " + certs + "solutions/projective.plc " + bounds;
-    const Outcome three = run(expect + "3 " + files);
-    CHECK(three.status == 0);
-    CHECK(contains(three.out, "at most 3, by forms that vanish at all solutions: "
-                              "proofs/fixed_forms.md"));
-    CHECK(contains(three.out, "projective-at-most.plc"));
-    const Outcome four = run(expect + "4 " + files);
-    CHECK(four.status == 1);
-    CHECK(contains(four.out, "exactly 3 solutions are certified"));
-    // Without the upper bound, three are certified at least.
+    const Outcome six = run(expect + "6 " + files);
+    CHECK(six.status == 0);
+    CHECK(contains(six.out, "at most 6, by forms that vanish at all solutions: "
+                            "proofs/fixed_forms.md"));
+    CHECK(contains(six.out, "projective-at-most.plc"));
+    const Outcome seven = run(expect + "7 " + files);
+    CHECK(seven.status == 1);
+    CHECK(contains(seven.out, "exactly 6 solutions are certified"));
+    // Without the upper bound, six are certified at least.
     const Outcome without =
-        run(expect + "3 " + certs + "projective.plc " + certs + "solutions/projective.plc");
+        run(expect + "6 " + certs + "projective.plc " + certs + "solutions/projective.plc");
     CHECK(without.status == 1);
-    CHECK(contains(without.out, "at least 3 solutions are certified"));
+    CHECK(contains(without.out, "at least 6 solutions are certified"));
 }
 
 TEST_CASE("--at-most is for projective cameras that all see everything") {
