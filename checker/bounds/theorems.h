@@ -1,7 +1,7 @@
 // Upper bounds that are theorems: how many camera solutions the problems of a constraint class have
 // at most, if they are minimal. proofs/upper_bounds.md prints the first table, with the rows of
-// Theorem Y (proofs/calibrated_moduli.md). The rows of Theorems R, S and X (proofs/relations.md) are
-// in texts of their own.
+// Theorem Y (proofs/calibrated_moduli.md). The rows of Theorems R, S and X (proofs/relations.md)
+// are in texts of their own.
 #pragma once
 
 #include "checker/bounds/central_views.h"
