@@ -38,6 +38,6 @@ struct Report {
 /// std::invalid_argument if the expectation makes no sense, and std::bad_alloc.
 Report check(std::span<const File> files, const Expectation& expectation = {});
 
-/// The version of the library, `1.5.0`.
+/// The version of the library, `1.6.0`.
 std::string_view version();
 } // namespace plcheck

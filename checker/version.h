@@ -5,6 +5,6 @@
 #include <string_view>
 
 namespace checker {
-inline constexpr std::string_view software_version = "1.5.0";
+inline constexpr std::string_view software_version = "1.6.0";
 inline constexpr std::string_view format_version = "2";
 } // namespace checker
