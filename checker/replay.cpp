@@ -21,8 +21,9 @@ static FileContent replay_certificates(const Classification& classes, std::strin
     if (kind == "problems") return general::replay_problems(reader, execution);
     if (kind == "solutions") return general::replay_solutions(reader, execution);
     if (kind == "at-most") return general::replay_at_most(reader, execution);
-    throw Malformed{{1, say("found `", printable(kind, 40), "`, expected `classification`, ",
-                            "`problem`, `problems`, `solutions`, `at-most`, `degrees` or `bounds`")}};
+    throw Malformed{
+        {1, say("found `", printable(kind, 40), "`, expected `classification`, ",
+                "`problem`, `problems`, `solutions`, `at-most`, `degrees` or `bounds`")}};
 }
 
 static FileContent replay_content(const Classification& classes, std::string_view bytes,

@@ -52,8 +52,8 @@ struct FamilyTable {
     std::vector<Claim> claims{};
     std::vector<FamilyDegree> degrees{};
     std::map<std::size_t, std::size_t> lower_bounds{}; // of degrees: how many problems have each
-    std::size_t exact = 0;            // so many degrees are certified exactly
-    std::size_t exact_by_theorem = 0; // of these, by theorem
+    std::size_t exact = 0;                             // so many degrees are certified exactly
+    std::size_t exact_by_theorem = 0;                  // of these, by theorem
 };
 
 /// The lines on a family; none unless the file has all its problems.

@@ -21,7 +21,8 @@ struct Start {
 };
 
 /// Random complex images of the class with all solutions, by monodromy, from which paths to images
-/// of scenes are short. The same start for the same number and seed on any machine. Assumes that the class is minimal.
+/// of scenes are short. The same start for the same number and seed on any machine. Assumes that
+/// the class is minimal.
 Start find_start(std::size_t number, std::uint64_t seed);
 
 /// The start as a file: JSON with a digest. The same bytes for the same start.

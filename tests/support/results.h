@@ -2,8 +2,8 @@
 // their certificates.
 #pragma once
 
-#include "tests/support/report.h"
 #include "tests/support/all_classes.h"
+#include "tests/support/report.h"
 
 /// A classification file that proves these verdicts.
 inline checker::ReplayedFile classification_with(const checker::Verdicts& verdicts) {
