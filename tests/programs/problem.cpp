@@ -1,12 +1,10 @@
 // plprove problem, show and export of scripts, and plcheck on the certificates of verdicts, as
 // users run them.
 #include "tests/support/program.h"
-#include "tests/support/sanitized.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 namespace {
 
@@ -100,26 +98,6 @@ TEST_CASE("a problem that is not minimal is told what is minimal one feature awa
     // There are more than eight, of which the text shows the first.
     const std::string many = run(plprove + " problem 'P/P/P + 5*P/P/- + 3*a/P/a'").out;
     CHECK(contains(many, "more: --json lists all\n"));
-}
-
-TEST_CASE("a decision takes at most 20 milliseconds of processor time") {
-    const auto seconds = [] {
-        rusage usage{};
-        getrusage(RUSAGE_CHILDREN, &usage);
-        return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-               1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-    };
-    for (const char* spec : {"2394", "6*P/P/- + 5*P/-/P", "3*P/P/P + P/-/P", "4*P/P"}) {
-        CAPTURE(spec);
-        double each = 1;
-        for (int batch = 0; batch < 5; ++batch) {
-            const double begin = seconds();
-            run("for i in 1 2 3 4 5; do " + plprove + " problem '" + spec + "'; done");
-            each = std::min(each, (seconds() - begin) / 5);
-        }
-        CAPTURE(each);
-        if (!sanitized) CHECK(each <= 0.02);
-    }
 }
 
 TEST_CASE("text and JSON say the same") {
