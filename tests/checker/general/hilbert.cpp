@@ -4,6 +4,7 @@
 
 #include "checker/conclusion/in_general.h"
 #include "tests/checker/general/degrees_on_file.h"
+#include "tests/checker/general/visible_problem.h"
 
 #include <algorithm>
 #include <array>
@@ -26,22 +27,6 @@ Degree degree_of(const std::string& notation) {
     return degree_by_invariants(parse_general_problem(notation));
 }
 
-/// Points, each with so many lines of its own, and free lines.
-general::Problem problem_of(unsigned views, const Pins& points, std::size_t free_lines) {
-    const general::Views all = (1U << views) - 1;
-    general::Problem problem{.projective = true, .views = all, .points = {}, .lines = {}};
-    for (const std::size_t pins : points) {
-        general::Point& point = problem.points.emplace_back();
-        point.seen_by = all;
-        for (std::size_t pin = 0; pin < pins; ++pin) {
-            point.lines.push_back(problem.lines.size());
-            problem.lines.push_back({.seen_by = all, .points = {problem.points.size() - 1}});
-        }
-    }
-    problem.lines.resize(problem.lines.size() + free_lines, {.seen_by = all, .points = {}});
-    return problem;
-}
-
 /// A problem of the theorem.
 struct Case {
     unsigned views = 0;
@@ -55,7 +40,8 @@ struct Case {
 void add_cases(std::size_t equations, Pins& points, std::vector<Case>& cases) {
     const unsigned views = 9 - static_cast<unsigned>(points.size());
     if (equations % 2 == 0)
-        cases.push_back({views, points, equations / 2, problem_of(views, points, equations / 2)});
+        cases.push_back(
+            {views, points, equations / 2, visible_problem(views, points, equations / 2)});
     for (std::size_t pins = 0; pins + 2 <= equations; ++pins) {
         if (!points.empty() && pins > points.back()) break;
         points.push_back(pins);
@@ -202,9 +188,9 @@ TEST_CASE("known degrees") {
 
 TEST_CASE("six lines in space have sixteen invariants of degree one in each: fifteen products of "
           "three pairings, and a determinant") {
-    CHECK(invariants(problem_of(9, {}, 6), 0) == 1);
-    CHECK(invariants(problem_of(9, {}, 6), 1) == 16);
-    CHECK(invariants(problem_of(9, {}, 6), 9) == 802450);
+    CHECK(invariants(visible_problem(9, {}, 6), 0) == 1);
+    CHECK(invariants(visible_problem(9, {}, 6), 1) == 16);
+    CHECK(invariants(visible_problem(9, {}, 6), 9) == 802450);
 }
 
 TEST_CASE("in all problems of the theorem, characters have as many invariants") {
@@ -262,8 +248,8 @@ TEST_CASE("the theorem says nothing of other problems") {
 TEST_CASE(
     "a line with two points is not two pins, though a problem with two such lines, in one view, "
     "is balanced and has as many equations") {
-    general::Problem problem = problem_of(1, {1, 1, 1, 1}, 0);
-    CHECK(invariants(problem_of(5, {1, 1, 1, 1}, 0), 1) == 8);
+    general::Problem problem = visible_problem(1, {1, 1, 1, 1}, 0);
+    CHECK(invariants(visible_problem(5, {1, 1, 1, 1}, 0), 1) == 8);
     problem.lines.resize(2);
     problem.lines[0].points = {0, 1};
     problem.lines[1].points = {2, 3};

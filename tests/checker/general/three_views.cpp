@@ -4,6 +4,7 @@
 
 #include "checker/conclusion/in_general.h"
 #include "tests/checker/general/degrees_on_file.h"
+#include "tests/checker/general/visible_problem.h"
 
 #include <doctest/doctest.h>
 
@@ -13,23 +14,6 @@ namespace {
 
 std::optional<std::size_t> degree_of(const std::string& notation) {
     return general::degree_in_three_views(parse_general_problem(notation));
-}
-
-/// A problem in three views that sees everything, with so many free lines, and for each of these
-/// numbers a point with so many pins.
-general::Problem problem_of(std::size_t free_lines, const std::vector<std::size_t>& pins) {
-    constexpr general::Views all = 0b111;
-    general::Problem problem{.projective = true, .views = all};
-    problem.lines.assign(free_lines, {.seen_by = all});
-    for (std::size_t p = 0; p < pins.size(); ++p) {
-        general::Point& point = problem.points.emplace_back();
-        point.seen_by = all;
-        for (std::size_t k = 0; k < pins[p]; ++k) {
-            point.lines.push_back(problem.lines.size());
-            problem.lines.push_back({.seen_by = all, .points = {p}});
-        }
-    }
-    return problem;
 }
 
 /// Calls `visit` with all lists of numbers of pins, 4 at most and ascending, of points that leave
@@ -66,7 +50,7 @@ TEST_CASE("of all balanced problems of Theorem Q, one is not minimal: the others
         if (open % 2 != 0) return;
         CAPTURE(open);
         CAPTURE(pins.size());
-        const auto degree = general::degree_in_three_views(problem_of(open / 2, pins));
+        const auto degree = general::degree_in_three_views(visible_problem(3, pins, open / 2));
         REQUIRE(degree);
         minimal += *degree > 0;
         CHECK((*degree == 0) == (pins == std::vector<std::size_t>{0, 0, 0, 4}));
