@@ -1,0 +1,57 @@
+// The numbers of Theorem N (proofs/many_pins.md): intersection numbers. From the folder that holds
+// proofs/:
+//
+//   c++ -std=c++20 -O2 -I. proofs/computations/many_pins.cpp -o many_pins
+//
+// Each line of the output is a problem and its number. Exit status 1 if one is not as in the
+// theorem.
+#include "proofs/computations/star_cameras.h"
+
+#include <iostream>
+#include <string_view>
+
+namespace {
+
+struct Case {
+    std::string_view problem; // `Pa` stands for `Pa/Pa/Pa`
+    proofs::ManyPins features;
+    std::int64_t degree;
+};
+
+const std::vector<Case>& cases() {
+    static const std::vector<Case> all{
+        {"Pabcdefg + 4*a", {7, {}, 4}, 6},         {"Pabcde + 5*a", {5, {}, 5}, 23},
+        {"Pabcdef + Pabcd + a", {6, {4}, 1}, 6},   {"Pabcdef + Pab + 2*a", {6, {2}, 2}, 4},
+        {"Pabcdef + P + 3*a", {6, {0}, 3}, 2},     {"2*Pabcde + a", {5, {5}, 1}, 16},
+        {"Pabcde + Pabc + 2*a", {5, {3}, 2}, 12},  {"Pabcde + Pa + 3*a", {5, {1}, 3}, 9},
+        {"Pabcde + Pabcd + P", {5, {4, 0}, 0}, 4}, {"Pabcde + Pabc + Pa", {5, {3, 1}, 0}, 4},
+        {"Pabcde + 2*Pab", {5, {2, 2}, 0}, 4},     {"Pabcde + Pab + P + a", {5, {2, 0}, 1}, 2},
+        {"Pabcde + 2*Pa + a", {5, {1, 1}, 1}, 2},  {"Pabcde + 2*P + 2*a", {5, {0, 0}, 2}, 2},
+    };
+    return all;
+}
+
+bool report(bool holds, std::string_view problem, std::int64_t number) {
+    std::cout << (holds ? "holds   " : "FAILS   ") << "Theorem N, " << problem << ": " << number
+              << '\n';
+    return holds;
+}
+
+/// For each camera triple of one star, three zeros have a camera of rank 1 (section 7).
+bool two_points_with_six_pins() {
+    const std::int64_t number = proofs::zeros({6, {6}, 0}) - 2 * 3;
+    return report(number == 4, "2*Pabcdef", number);
+}
+
+} // namespace
+
+int main() {
+    bool all = true;
+    for (const auto& [problem, features, degree] : cases()) {
+        const std::int64_t number = proofs::zeros(features);
+        all = report(number == degree, problem, number) && all;
+    }
+    all = two_points_with_six_pins() && all;
+    std::cout << (all ? "All hold.\n" : "Some fail.\n");
+    return all ? 0 : 1;
+}
