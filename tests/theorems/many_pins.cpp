@@ -1,5 +1,6 @@
 // The integrals of Theorem N (proofs/many_pins.md) by a second method: fixed points of a torus on
-// the whole space N, modulo q = 2^61 - 1, instead of the surface M_5.
+// the whole space N, modulo q = 2^61 - 1, instead of the surface M_5. And the two camera triples
+// that see the same lines.
 #include "checker/algebra/modular.h"
 #include "proofs/computations/star_cameras.h"
 
@@ -95,7 +96,7 @@ Shifts generic_shifts(std::uint64_t seed) {
     return shifts;
 }
 
-/// Half of the sum over all pairs would do: x_i - x_j for i, j in both orders.
+/// The product of x_i - x_j over all i, j that differ.
 Residue roots_of_the_group(const std::array<Residue, 3>& x) {
     Residue product = one;
     for (std::size_t i = 0; i < 3; ++i)
@@ -246,6 +247,50 @@ std::vector<ManyPins> features_up_to(unsigned most) {
     return all;
 }
 
+/// The images A_u a_v of the kernels of the other cameras, which are a basis of Q; A_u a_u = 0.
+using Kernels = std::array<std::array<std::array<Residue, 2>, 3>, 3>;
+
+/// A linear form of each R_v.
+using Line = std::array<std::array<Residue, 2>, 3>;
+
+Residue product(const std::array<Residue, 2>& form, const std::array<Residue, 2>& at) {
+    return form[0] * at[0] + form[1] * at[1];
+}
+
+/// The two products in T_A at this line, of forms at A_1 a_2, A_2 a_3, A_3 a_1 and at the others,
+/// if the kernels a_v are the basis of Q.
+std::array<Residue, 2> terms(const Kernels& at, const Line& line) {
+    std::array<Residue, 2> both{one, one};
+    for (std::size_t u = 0; u < 3; ++u) {
+        const std::size_t v = (u + 1) % 3, w = (u + 2) % 3;
+        both[0] = both[0] * product(line[u], at[u][v]);
+        both[1] = both[1] * product(line[u], at[u][w]);
+    }
+    return both;
+}
+
+/// Whether cameras with these images of kernels see all lines, for one ratio of the two terms.
+bool some_cameras_see(const std::vector<Line>& lines, const Kernels& at) {
+    const auto first = terms(at, lines.front());
+    return std::ranges::all_of(lines, [&](const Line& line) {
+        const auto here = terms(at, line);
+        return first[0] * here[1] == first[1] * here[0];
+    });
+}
+
+/// The image of a random point of Q by the cameras that take the basis of Q to these vectors.
+Line random_line(const Kernels& at, std::mt19937_64& random) {
+    Line line{};
+    for (std::size_t v = 0; v < 3; ++v) {
+        const Residue coordinate = Residue::of(random());
+        for (std::size_t u = 0; u < 3; ++u) {
+            line[u][0] = line[u][0] + coordinate * at[u][v][1];
+            line[u][1] = line[u][1] - coordinate * at[u][v][0];
+        }
+    }
+    return line;
+}
+
 } // namespace
 
 TEST_CASE("Theorem N: integrals over the whole space of star cameras") {
@@ -276,4 +321,19 @@ TEST_CASE("Lemma N1: two camera triples have a generic tensor") {
     for (const FixedPoint& point : fixed_points({8, 11, 11}, 3))
         sum = sum + point.weight * power(sum_of(point.h) - sum_of(point.x), 7);
     CHECK(sum == Residue{2});
+}
+
+TEST_CASE("Lemma N1: which two triples see the same lines") {
+    std::mt19937_64 random(11);
+    Kernels images{}, swapped{};
+    for (std::size_t u = 0; u < 3; ++u)
+        for (const std::size_t v : {(u + 1) % 3, (u + 2) % 3})
+            images[u][v] = swapped[u][3 - u - v] = {Residue::of(random()), Residue::of(random())};
+    std::vector<Line> lines;
+    for (int i = 0; i < 7; ++i)
+        lines.push_back(random_line(images, random));
+    CHECK(some_cameras_see(lines, images));
+    CHECK(some_cameras_see(lines, swapped));
+    swapped[0] = images[0];
+    CHECK_FALSE(some_cameras_see(lines, swapped));
 }
