@@ -147,6 +147,8 @@ static std::string_view page_of(std::string_view theorem) {
     if (theorem == theorem_of_calibrated_cameras) return "calibrated_moduli.md";
     if (theorem == theorem_of_points_and_lines) return "families.md";
     if (theorem == theorem_of_cameras || theorem == theorem_of_arrangements) return "moduli.md";
+    if (theorem == "L") return "three_collinear_points.md";
+    if (theorem == "N") return "many_pins.md";
     return "upper_bounds.md";
 }
 

@@ -4,6 +4,7 @@
 #include "checker/general/isomorphism.h"
 #include "checker/general/notation.h"
 #include "checker/general_bounds/hilbert.h"
+#include "checker/general_bounds/proved_degrees.h"
 #include "checker/general_bounds/three_views.h"
 
 namespace checker {
@@ -94,6 +95,8 @@ static std::optional<BoundedInGeneral> bound_by_theorem(const general::Problem& 
     consider(general::degree_bound(problem), theorem_of_points_and_lines);
     consider(general::degree_in_three_views(problem), theorem_of_cameras);
     consider(general::degree_by_invariants(problem), theorem_of_arrangements);
+    if (const auto proved = general::proved_degree(problem))
+        consider(proved->at_most, proved->theorem);
     return least;
 }
 

@@ -1,0 +1,94 @@
+#include "checker/general_bounds/proved_degrees.h"
+
+#include "checker/general/isomorphism.h"
+#include "checker/general/notation.h"
+
+#include <map>
+#include <string>
+
+namespace checker::general {
+/// A row of a theorem's table: a problem with projective cameras, as one view sees it.
+struct Row {
+    unsigned views = 0;
+    std::string_view view{};
+    std::size_t at_most = 0;
+    std::string_view theorem{};
+};
+
+static constexpr Row rows[] = {
+    // proofs/three_collinear_points.md
+    {3, "PL + PLabcd + PLabcdef", 4, "L"},
+    {3, "PL + 2*PLabcde", 4, "L"},
+    {3, "PLa + PLabc + PLabcdef", 4, "L"},
+    {3, "2*PLab + PLabcdef", 4, "L"},
+    {3, "PLa + PLabcd + PLabcde", 10, "L"},
+    {3, "PLab + PLabc + PLabcde", 10, "L"},
+    {3, "PLab + 2*PLabcd", 10, "L"},
+    {3, "2*PLabc + PLabcd", 10, "L"},
+    {3, "PL + PLab + PLabcdef + a", 2, "L"},
+    {3, "2*PLa + PLabcdef + a", 2, "L"},
+    {3, "2*PL + PLabcdef + 2*a", 2, "L"},
+    {3, "2*PL + PLabcde + Pab", 2, "L"},
+    {3, "PL + PLa + PLabcde + Pa", 2, "L"},
+    {3, "PL + PLabc + PLabcde + a", 7, "L"},
+    {3, "PLa + PLab + PLabcde + a", 7, "L"},
+    {3, "PL + 2*PLabcd + a", 10, "L"},
+    {3, "PLa + PLabc + PLabcd + a", 10, "L"},
+    {3, "2*PLab + PLabcd + a", 10, "L"},
+    {3, "PLab + 2*PLabc + a", 11, "L"},
+    // proofs/many_pins.md
+    {3, "Pabcdefg + 4*a", 6, "N"},
+    {3, "Pabcde + 5*a", 23, "N"},
+    {3, "Pabcd + Pabcdef + a", 6, "N"},
+    {3, "Pab + Pabcdef + 2*a", 4, "N"},
+    {3, "P + Pabcdef + 3*a", 2, "N"},
+    {3, "2*Pabcde + a", 16, "N"},
+    {3, "Pabc + Pabcde + 2*a", 12, "N"},
+    {3, "Pa + Pabcde + 3*a", 9, "N"},
+    {3, "P + Pabcd + Pabcde", 4, "N"},
+    {3, "Pa + Pabc + Pabcde", 4, "N"},
+    {3, "2*Pab + Pabcde", 4, "N"},
+    {3, "P + Pab + Pabcde + a", 2, "N"},
+    {3, "2*Pa + Pabcde + a", 2, "N"},
+    {3, "2*P + Pabcde + 2*a", 2, "N"},
+    {3, "2*Pabcdef", 4, "N"},
+};
+
+/// The row's problem: each view sees each feature in the same way.
+static Problem problem_of(const Row& row) {
+    std::string notation = "projective: ";
+    std::string_view rest = row.view;
+    while (!rest.empty()) {
+        const std::string_view feature = rest.substr(0, rest.find(" + "));
+        rest.remove_prefix(std::min(rest.size(), feature.size() + 3));
+        const std::string_view one = feature.substr(feature.find('*') + 1);
+        notation += feature;
+        for (unsigned view = 1; view < row.views; ++view)
+            notation.append("/").append(one);
+        if (!rest.empty()) notation += " + ";
+    }
+    notation += '\n';
+    Reader reader(notation);
+    return read_notation(reader).problem;
+}
+
+/// All rows, by what a renaming keeps of their problems.
+using Rows = std::multimap<Invariant, std::pair<Problem, ProvedDegree>>;
+
+static Rows all_rows() {
+    Rows all;
+    for (const Row& row : rows) {
+        const Problem problem = problem_of(row);
+        all.emplace(invariant(problem), std::pair{problem, ProvedDegree{row.at_most, row.theorem}});
+    }
+    return all;
+}
+
+std::optional<ProvedDegree> proved_degree(const Problem& problem) {
+    static const Rows all = all_rows();
+    const auto [first, last] = all.equal_range(invariant(problem));
+    for (auto row = first; row != last; ++row)
+        if (isomorphic(row->second.first, problem)) return row->second.second;
+    return std::nullopt;
+}
+} // namespace checker::general

@@ -1,0 +1,47 @@
+// The rows of theorems that treat problems one by one: what monodromy found, and what they are not.
+#include "checker/general_bounds/proved_degrees.h"
+
+#include "checker/conclusion/in_general.h"
+#include "tests/checker/general/degrees_on_file.h"
+
+#include <doctest/doctest.h>
+#include <map>
+
+using namespace checker;
+
+namespace {
+
+std::optional<std::size_t> bound_of(const std::string& notation) {
+    const auto proved = general::proved_degree(parse_general_problem(notation));
+    if (!proved) return std::nullopt;
+    return proved->at_most;
+}
+
+} // namespace
+
+TEST_CASE("each row of a theorem has the degree that monodromy found") {
+    std::map<std::string_view, std::size_t> rows;
+    for (const OnFile& on_file : family_degrees_on_file()) {
+        const auto proved = general::proved_degree(parse_general_problem(on_file.problem));
+        if (!proved) continue;
+        CAPTURE(on_file.problem);
+        CHECK(on_file.family == "projective");
+        CHECK(proved->at_most == std::stoul(on_file.degree));
+        CHECK(on_file.status == "certified");
+        ++rows[proved->theorem];
+    }
+    CHECK(rows == std::map<std::string_view, std::size_t>{{"L", 19}, {"N", 15}});
+}
+
+TEST_CASE("a row is found in whatever order its problem is written") {
+    CHECK(bound_of("projective: 2*PLabcde/PLabcde/PLabcde + PL/PL/PL") == 4U);
+    CHECK(bound_of("projective: a/a/a + 2*Pabcde/Pabcde/Pabcde") == 16U);
+}
+
+TEST_CASE("other views and other cameras have no row") {
+    CHECK(bound_of("projective: 2*Pabcdef/Pabcdef/Pabcdef") == 4U);
+    CHECK(bound_of("projective: 2*Pabcdef/Pabcdef") == std::nullopt);
+    CHECK(bound_of("projective: 2*Pabcdef/Pabcdef/Pabcdef/Pabcdef") == std::nullopt);
+    CHECK(bound_of("projective: 2*Pabcdef/Pabcdef/Pabcde") == std::nullopt);
+    CHECK(bound_of("2*Pabcdef/Pabcdef/Pabcdef") == std::nullopt);
+}
