@@ -1,0 +1,76 @@
+// The curves of Theorem M (proofs/collinear_points_more_views.md, sections 7 and 8) by second
+// methods: scenes with known cameras are on them, and they have the degrees of the page.
+#include "proofs/computations/plane_curves.h"
+#include "proofs/computations/three_pin_curves.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <vector>
+
+using namespace proofs;
+
+TEST_CASE("collinear points, four views: the center of a scene is on four curves of degree 7") {
+    Numbers random(9);
+    const auto pins = eight_pins(random);
+    std::vector<EightImages> views(4);
+    for (EightImages& t : views) {
+        const Camera camera = random_camera(random);
+        for (std::size_t j = 0; j < t.size(); ++j)
+            t[j] = camera.image(pins[j]);
+    }
+    for (const Residue value : curves_at(views, center_of(pins)))
+        CHECK(value == Residue{});
+    // They have degree 7: values at 46 points fit with monomials at most in the four known ways.
+    Matrix values;
+    for (int n = 0; n < 46; ++n) {
+        const Pair o = random.pair();
+        values.push_back(plane_monomials(o, 7));
+        for (const Residue value : curves_at(views, o))
+            values.back().push_back(value);
+    }
+    CHECK(kernel(values, 36 + 4).size() == 4);
+    // All conditions of the scene, too, leave 33: it has nine solutions and eight double points.
+    for (const std::size_t degree : std::array<std::size_t, 2>{11, 13})
+        CHECK(rank_of_multiples(views, degree, random) == (degree + 1) * (degree + 2) / 2 - 33);
+}
+
+TEST_CASE("collinear points, four views and a free line: a scene is on four curves") {
+    Numbers random(10);
+    const Residue zero{}, one{1};
+    std::vector<Pin> pins{
+        {2, random(), {one, zero}}, {2, random(), {zero, one}}, {2, random(), {one, one}}};
+    for (int n = 0; n < 3; ++n)
+        pins.push_back({1, random(), {random(), one}});
+    std::vector<ThreePinImage> views;
+    for (int view = 0; view < 4; ++view) {
+        const Pair a = random.pair();
+        const Camera camera = random_camera_of_line(a, random);
+        std::array<Residue, 6> t{};
+        for (std::size_t j = 0; j < t.size(); ++j)
+            t[j] = camera.image(pins[j]);
+        views.push_back(three_pin_image(a, t));
+    }
+    const Pair x{pins[3].w[0], pins[4].w[0]};
+    for (const Residue value : three_pin_curves(views, x))
+        CHECK(value == Residue{});
+    // The unknowns of the scene solve the equations: s_1, s_2, sigma, and s_4, s_5.
+    const Matrix rows = equations(views, x);
+    const Vector k = kernel(rows, 9).at(0); // with s_5 = 1
+    const Residue scale = pins[4].s;
+    CHECK(scale * k[0] == pins[0].s);
+    CHECK(scale * k[1] == pins[1].s);
+    CHECK(scale * k[2] == pins[0].s + pins[1].s - pins[2].s);
+    CHECK(scale * k[7] == pins[3].s);
+    // The curves have bidegree (5, 5), and with this scene, too, 37 conditions are left.
+    Matrix values;
+    for (int n = 0; n < 48; ++n) {
+        const Pair point = random.pair();
+        values.push_back(box_monomials(point, 5, 5));
+        for (const Residue value : three_pin_curves(views, point))
+            values.back().push_back(value);
+    }
+    CHECK(kernel(values, 36 + 4).size() == 4);
+    for (const std::size_t degree : std::array<std::size_t, 2>{8, 10})
+        CHECK(rank_with(views, degree, 2, random) == (degree + 1) * (degree + 1) - 37);
+}
