@@ -53,7 +53,7 @@ Number product(const Vector3& a) {
     return a[0] * a[1] * a[2];
 }
 
-Number q_0(const Vector3& z) {
+Number omega(const Vector3& z) {
     const Number sum = z[0] + z[1] + z[2];
     return sum * sum - Number(4) * (z[0] * z[1] + z[1] * z[2] + z[2] * z[0]);
 }
@@ -71,7 +71,8 @@ Number polar(const Vector3& x, const Vector3& y) {
 Vector3 first_part(const Tensor& t) {
     Vector3 at;
     for (std::size_t i = 0; i < 3; ++i)
-        at[i] = q_0({t.tau[0] * t.sigma[i][0], t.tau[1] * t.sigma[i][1], t.tau[2] * t.sigma[i][2]});
+        at[i] =
+            omega({t.tau[0] * t.sigma[i][0], t.tau[1] * t.sigma[i][1], t.tau[2] * t.sigma[i][2]});
     return at;
 }
 
@@ -85,8 +86,8 @@ Vector3 q_values(const Tensor& t) {
 Number quintic(const Tensor& t) {
     const Vector3 b = cross(t.sigma[0], t.sigma[1]); // [23], [31], [12]
     const Vector3 x = from_values(first_part(t)), rho = from_values(t.rho);
-    const Number h = t.tau[0] * b[1] * b[2] + t.tau[1] * b[2] * b[0] + t.tau[2] * b[0] * b[1];
-    return polar(x, rho) - Number(2) * h + Number(2) * product(t.tau) * polar(rho, rho);
+    const Number j = t.tau[0] * b[1] * b[2] + t.tau[1] * b[2] * b[0] + t.tau[2] * b[0] * b[1];
+    return polar(x, rho) - Number(2) * j + Number(2) * product(t.tau) * polar(rho, rho);
 }
 
 Number at_pin(const Tensor& t, std::size_t i, const Vector3& a) {
@@ -243,12 +244,13 @@ TEST_CASE("three points on a line: as many solutions as Theorem L says") {
         std::size_t solutions;
     };
     const std::vector<Row> rows = {
-        {{{0, 4, 6}, 0, {}}, 4},  {{{0, 5, 5}, 0, {}}, 4},  {{{1, 3, 6}, 0, {}}, 4},
-        {{{2, 2, 6}, 0, {}}, 4},  {{{2, 3, 5}, 0, {}}, 10}, {{{2, 4, 4}, 0, {}}, 10},
-        {{{3, 3, 4}, 0, {}}, 10}, {{{1, 4, 5}, 0, {}}, 10}, {{{0, 2, 6}, 1, {}}, 2},
-        {{{1, 1, 6}, 1, {}}, 2},  {{{0, 0, 6}, 2, {}}, 2},  {{{0, 0, 5}, 0, {2}}, 2},
-        {{{0, 1, 5}, 0, {1}}, 2}, {{{0, 4, 4}, 1, {}}, 10}, {{{1, 3, 4}, 1, {}}, 10},
-        {{{2, 2, 4}, 1, {}}, 10}, {{{2, 3, 3}, 1, {}}, 11}, {{{0, 3, 5}, 1, {}}, 7},
+        {{{0, 4, 6}, 0, {}}, 4},     {{{0, 5, 5}, 0, {}}, 4},  {{{1, 3, 6}, 0, {}}, 4},
+        {{{2, 2, 6}, 0, {}}, 4},     {{{2, 3, 5}, 0, {}}, 10}, {{{2, 4, 4}, 0, {}}, 10},
+        {{{3, 3, 4}, 0, {}}, 10},    {{{1, 4, 5}, 0, {}}, 10}, {{{0, 2, 6}, 1, {}}, 2},
+        {{{1, 1, 6}, 1, {}}, 2},     {{{0, 0, 6}, 2, {}}, 2},  {{{0, 0, 5}, 0, {2}}, 2},
+        {{{0, 1, 5}, 0, {1}}, 2},    {{{0, 2, 5}, 0, {0}}, 2}, {{{1, 1, 5}, 0, {0}}, 2},
+        {{{0, 0, 4}, 0, {0, 0}}, 2}, {{{0, 4, 4}, 1, {}}, 10}, {{{1, 3, 4}, 1, {}}, 10},
+        {{{2, 2, 4}, 1, {}}, 10},    {{{2, 3, 3}, 1, {}}, 11}, {{{0, 3, 5}, 1, {}}, 7},
         {{{1, 2, 5}, 1, {}}, 7}};
     std::mt19937_64 random(7);
     for (const Row& row : rows) {
