@@ -1,6 +1,7 @@
-// Integrals over the blow-up of the space M of calibrated_moduli.md along the three loci where a
-// camera has rank one. No theorem rests on them: section 9 there says what they suggest. By fixed
-// points of the tori of the three views, modulo q = 2^61 - 1.
+// Fixed points, modulo q = 2^61 - 1, of the tori of the three views on the blow-up of the space M
+// of calibrated_moduli.md along the three loci where a camera has rank one: Theorem Z of
+// proofs/blown_up_cameras.md uses them. No theorem rests on the classes of features below: section
+// 9 of calibrated_moduli.md says what they suggest.
 #pragma once
 
 #include "checker/algebra/modular.h"
