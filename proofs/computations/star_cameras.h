@@ -6,9 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <vector>
 
-namespace proofs {
+namespace proofs::star {
 
 /// A class on M_5: a number, multiples of tau, h_2 and h_3, and a number of points.
 struct ClassOnSurface {
@@ -140,8 +141,10 @@ struct ManyPins {
     unsigned lines = 0;
 };
 
-/// The integral of section 6.
+/// The integral of section 6 for a balanced problem. Throws std::invalid_argument if the first
+/// point has fewer than five pins.
 inline std::int64_t zeros(const ManyPins& problem) {
+    if (problem.pins < 5) throw std::invalid_argument("The first point needs five pins.");
     Polynomial product = constant(unit);
     for (unsigned i = 5; i < problem.pins; ++i)
         product = product * constant(tau);
@@ -152,7 +155,9 @@ inline std::int64_t zeros(const ManyPins& problem) {
     const Polynomial difference = variable(a) + -variable(b);
     product = product * -difference * difference;
     const ClassOnSurface segre = inverse(chern_of_dual);
-    return integral(integral(product, a, segre), b, segre)[{0, 0, 0}].points / 2;
+    const std::int64_t twice = integral(integral(product, a, segre), b, segre)[{0, 0, 0}].points;
+    if (twice % 2 != 0) throw std::logic_error("Martin's theorem gives an even number.");
+    return twice / 2;
 }
 
-} // namespace proofs
+} // namespace proofs::star

@@ -12,7 +12,7 @@
 #include <random>
 
 using checker::Residue;
-using proofs::ManyPins;
+using proofs::star::ManyPins;
 
 namespace {
 
