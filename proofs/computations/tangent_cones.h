@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace proofs {
@@ -105,9 +106,26 @@ inline ResidueRow minors_of_pin(const TangentSpace& space, const ImageLines& pin
     return minors;
 }
 
+/// The values at this point of all monomials of this degree.
+inline ResidueRow forms_of_degree(const ResidueRow& point, std::size_t degree) {
+    // Products of coordinates, and the place of the last one: later factors do not come before it.
+    std::vector<std::pair<Residue, std::size_t>> products{{Residue{1}, 0}};
+    for (std::size_t i = 0; i < degree; ++i) {
+        std::vector<std::pair<Residue, std::size_t>> longer;
+        for (const auto& [value, last] : products)
+            for (std::size_t n = last; n < point.size(); ++n)
+                longer.emplace_back(value * point[n], n);
+        products = std::move(longer);
+    }
+    ResidueRow values;
+    for (const auto& [value, last] : products)
+        values.push_back(value);
+    return values;
+}
+
 /// Whether generic images, of this seed, have tangent cones at the spurious point of this view that
 /// meet in 0 only. Free lines leave a linear space of phi. It suffices that there the minors of all
-/// pins generate all forms of degree 4; forms are known by their values at generic points.
+/// k pins generate all forms of degree k + 1; forms are known by their values at generic points.
 inline bool tangent_cones_meet_in_0(const StarAndLines& problem, std::size_t spurious,
                                     unsigned seed) {
     Residues random(seed);
@@ -117,21 +135,25 @@ inline bool tangent_cones_meet_in_0(const StarAndLines& problem, std::size_t spu
         for (const ResidueRow& row : space.equations({random.matrix(problem.views, 2), {1}}))
             equations.push_back(row);
     const ResidueMatrix basis = kernel_of(equations, space.coordinates());
-    if (basis.empty()) return true;
+    if (basis.empty() || problem.pins == 0) return basis.empty();
     std::vector<ImageLines> pins;
     for (std::size_t i = 0; i < problem.pins; ++i)
         pins.push_back({random.matrix(problem.views, 2), {}});
+    // The cones are Cohen-Macaulay, and if the problem is balanced, their codimensions m - 2 add up
+    // to the dimension of the space. So if they meet in 0 only, the quotient has the Hilbert series
+    // (1 + (m - 2) t)^k: degree k + 1 suffices, and degree k would not.
+    const std::size_t degree = problem.pins + 1;
+    const std::size_t forms = forms_of_degree(ResidueRow(basis.size()), degree).size();
     ResidueMatrix values; // a row for each point
-    const std::size_t n = basis.size(), forms = n * (n + 1) * (n + 2) * (n + 3) / 24;
     for (std::size_t i = 0; i < forms; ++i) {
         const ResidueRow point = random.row(basis.size());
         const ResidueRow phi = product({point}, basis).front();
+        const ResidueRow factors = forms_of_degree(point, degree - 2);
         values.emplace_back();
         for (const ImageLines& pin : pins)
             for (const Residue minor : minors_of_pin(space, pin, phi))
-                for (const Residue one : point)
-                    for (const Residue other : point)
-                        values.back().push_back(minor * one * other);
+                for (const Residue factor : factors)
+                    values.back().push_back(minor * factor);
     }
     return rank_of(values) == forms;
 }

@@ -148,7 +148,7 @@ private:
     std::vector<ResidueMatrix> rows_{}, columns_{};
 };
 
-/// Whether the equations have rank 6 on a generic line of each family on the quadric.
+/// Whether the equations have rank 6 at all points of a generic line of each family on the quadric.
 inline bool no_curve_of_degenerate_points(const PinsAndLines& images, const Quadric& quadric,
                                           Residues& random) {
     constexpr std::size_t count = 6;

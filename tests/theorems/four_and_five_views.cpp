@@ -196,7 +196,16 @@ TEST_CASE("Lemmas V2 and V3 give the degrees of Theorem Q in three views") {
     CHECK(schubert_number(3, 3, 6) - 3 * 8 == 23);
     CHECK(tangent_cones_meet_in_0({3, 1, 7}, 0, 3));
     CHECK(tangent_cones_meet_in_0({3, 3, 6}, 0, 3));
+}
+
+TEST_CASE("Lemma V3: more pins yield curves, unless there are too many free lines") {
+    // (k - 2)(m - 2) >= 3: section 5 of the page.
     CHECK_FALSE(tangent_cones_meet_in_0({3, 5, 5}, 0, 3));
+    CHECK_FALSE(tangent_cones_meet_in_0({5, 3, 4}, 0, 3));
+    // One line more than in a balanced problem.
+    CHECK(tangent_cones_meet_in_0({3, 5, 6}, 0, 3));
+    CHECK(tangent_cones_meet_in_0({4, 4, 5}, 0, 3));
+    CHECK(tangent_cones_meet_in_0({5, 3, 5}, 0, 3));
 }
 
 TEST_CASE("Lemma V7: a star of five pins that is seen is one of 15 zeros") {
