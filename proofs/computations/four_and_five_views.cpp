@@ -9,12 +9,14 @@
 #include "proofs/computations/schubert_numbers.h"
 #include "proofs/computations/star_of_five.h"
 #include "proofs/computations/star_of_four.h"
+#include "proofs/computations/star_of_three.h"
 #include "proofs/computations/tangent_cones.h"
 #include "proofs/computations/three_points_two_lines.h"
 
 #include <cstddef>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -75,6 +77,20 @@ void star_of_four(Report& report) {
     report.fact(spurious_stars_are_four(equations), "Lemma V8, control: four spurious points");
 }
 
+void star_of_three(Report& report) {
+    Residues random(seed);
+    std::vector<SparsePolynomial> equations = ThreePinEquations(generic_views(random)).all();
+    const QuotientOfThreePins quotient(equations, random);
+    report.fact(quotient.dimension_of_f() == 440 && quotient.dimension() == 36,
+                "Lemma V12 (a): codimension " + std::to_string(quotient.dimension()));
+    for (const Multidegree& degree : degrees_of_e)
+        report.fact(quotient.spanned_by_multiples(degree, random),
+                    "Lemma V12 (b): the multiples of one element suffice");
+    equations.resize(24);
+    report.fact(QuotientOfThreePins(equations, random).dimension() == 96,
+                "Lemma V12, control: codimension 96 for the minors of size 5 alone");
+}
+
 void three_points(Report& report) {
     Residues random(seed);
     const PinsAndLines images = generic_pins_and_lines(random);
@@ -96,6 +112,7 @@ int main() {
                 "Lemma V3, control: not so for Pabcde + 5*a in three views");
     star_of_five(report);
     star_of_four(report);
+    star_of_three(report);
     three_points(report);
     std::cout << (report.all() ? "All hold.\n" : "Some fail.\n");
     return report.all() ? 0 : 1;
