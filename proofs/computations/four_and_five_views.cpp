@@ -80,14 +80,14 @@ void star_of_four(Report& report) {
 void star_of_three(Report& report) {
     Residues random(seed);
     std::vector<SparsePolynomial> equations = ThreePinEquations(generic_views(random)).all();
-    const QuotientOfThreePins quotient(equations, random);
+    const QuotientOfThreePins quotient(equations);
     report.fact(quotient.dimension_of_f() == 440 && quotient.dimension() == 36,
                 "Lemma V12 (a): codimension " + std::to_string(quotient.dimension()));
     for (const Multidegree& degree : degrees_of_e)
         report.fact(quotient.spanned_by_multiples(degree, random),
                     "Lemma V12 (b): the multiples of one element suffice");
     equations.resize(24);
-    report.fact(QuotientOfThreePins(equations, random).dimension() == 96,
+    report.fact(QuotientOfThreePins(equations).dimension() == 96,
                 "Lemma V12, control: codimension 96 for the minors of size 5 alone");
 }
 

@@ -122,19 +122,17 @@ inline constexpr Multidegree degree_of_f{2, 2, 2, 2, 2, 4, 3, 3};
 /// The space F modulo products of equations with monomials, for Lemma V12.
 class QuotientOfThreePins {
 public:
-    QuotientOfThreePins(const std::vector<SparsePolynomial>& equations, Residues& random)
+    explicit QuotientOfThreePins(const std::vector<SparsePolynomial>& equations)
         : f_(monomials_of(degree_of_f)) {
         for (std::size_t n = 0; n < f_.size(); ++n)
             places_.emplace(f_[n], n);
-        ResidueMatrix products = all_products(equations);
-        shuffle(products, random);
         RowSpace span;
-        for (const ResidueRow& row : products)
-            if (span.dimension() + expected < f_.size()) span.insert(row);
+        for (const ResidueRow& row : all_products(equations))
+            span.insert(row);
         find_classes(span);
     }
 
-    /// The codimension of the span of as many products as make it 36, or of all.
+    /// The codimension of the span of all products.
     std::size_t dimension() const { return dimension_; }
 
     std::size_t dimension_of_f() const { return f_.size(); }
@@ -158,8 +156,6 @@ public:
             if (span.dimension() < row.size()) span.insert(row);
         return span.dimension() == e.size() * dimension_;
     }
-
-    static constexpr std::size_t expected = 36;
 
 private:
     /// A random order, so that the first rows are soon as independent as all are.

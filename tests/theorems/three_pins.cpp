@@ -230,7 +230,7 @@ TEST_CASE("Lemma V12: values at points give codimension 36, and so does a scene 
     Residues random(10);
     const FiveViews images = scene(random).images;
     CHECK(codimension_by_values(images, random) == 36);
-    const QuotientOfThreePins quotient(ThreePinEquations(images).all(), random);
+    const QuotientOfThreePins quotient(ThreePinEquations(images).all());
     CHECK(quotient.dimension() == 36);
     for (const Multidegree& degree : degrees_of_e)
         CHECK(quotient.spanned_by_multiples(degree, random));
