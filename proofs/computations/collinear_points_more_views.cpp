@@ -1,6 +1,6 @@
-// What the proof of Theorem M (proofs/collinear_points_more_views.md) needs computed: examples
-// modulo the prime 2^61 - 1, each for a statement on generic images or generic scenes. From the
-// folder that holds checker/ and proofs/:
+// What the proof of Theorem M (proofs/collinear_points_more_views.md, and from section 6 on
+// proofs/collinear_points_curves.md) needs computed: examples modulo the prime 2^61 - 1, each for a
+// statement on generic images or generic scenes. From the folder that holds checker/ and proofs/:
 //
 //   c++ -std=c++20 -O2 -I. proofs/computations/collinear_points_more_views.cpp -lgmp -o collinear
 //

@@ -1,4 +1,4 @@
-// The curves of degree 7 of section 7 of proofs/collinear_points_more_views.md, modulo the prime
+// The curves of degree 7 of section 7 of proofs/collinear_points_curves.md, modulo the prime
 // 2^61 - 1, and how many conditions their multiples leave.
 #pragma once
 

@@ -1,5 +1,5 @@
-// The matrices of sections 4 to 6 of proofs/collinear_points_more_views.md. Entries are numbers or
-// polynomials in one variable.
+// The matrices of sections 4 and 5 of proofs/collinear_points_more_views.md, and of section 6 of
+// proofs/collinear_points_curves.md. Entries are numbers or polynomials in one variable.
 #pragma once
 
 #include "proofs/computations/collinear_scene.h"

@@ -1,4 +1,4 @@
-// The matrix N and the curves F_v of section 8 of proofs/collinear_points_more_views.md, modulo the
+// The matrix N and the curves F_v of section 8 of proofs/collinear_points_curves.md, modulo the
 // prime 2^61 - 1: three pins of X_3, three of X_2 and a free line in four views.
 #pragma once
 

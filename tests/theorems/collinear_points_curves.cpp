@@ -1,11 +1,12 @@
-// The curves of Theorem M (proofs/collinear_points_more_views.md, sections 7 and 8) by second
-// methods: scenes with known cameras are on them, and they have the degrees of the page.
+// The curves of Theorem M (proofs/collinear_points_curves.md, sections 7 and 8) by second methods:
+// scenes with known cameras are on them, and they have the degrees and double points of the page.
 #include "proofs/computations/plane_curves.h"
 #include "proofs/computations/three_pin_curves.h"
 
 #include <doctest/doctest.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 using namespace proofs;
@@ -73,4 +74,82 @@ TEST_CASE("collinear points, four views and a free line: a scene is on four curv
     CHECK(kernel(values, 36 + 4).size() == 4);
     for (const std::size_t degree : std::array<std::size_t, 2>{8, 10})
         CHECK(rank_with(views, degree, 2, random) == (degree + 1) * (degree + 1) - 37);
+}
+
+namespace {
+
+/// Whether a function on a line is a polynomial of at most this degree, and has exactly this order
+/// at the parameter 1.
+bool has_order(std::size_t order, std::size_t degree,
+               const std::function<Residue(Residue)>& on_line) {
+    const Polynomial f = interpolate(degree, on_line); // takes no value at 1
+    if (!(value(f, Residue{1000}) == on_line(Residue{1000}))) return false;
+    Polynomial power(Residue{1});
+    for (std::size_t n = 0; n < order; ++n)
+        power = power * Polynomial(std::vector{-Residue{1}, Residue{1}});
+    if (!trimmed(remainder(f, power)).coefficients.empty()) return false;
+    power = power * Polynomial(std::vector{-Residue{1}, Residue{1}});
+    return !trimmed(remainder(f, power)).coefficients.empty();
+}
+
+Residue power(Residue x, std::size_t exponent) {
+    Residue result{1};
+    for (std::size_t n = 0; n < exponent; ++n)
+        result = result * x;
+    return result;
+}
+
+/// The order of curve n at (x : 1), or at (1 : x) for x at infinity, as a form of bidegree (5, 5).
+bool has_order(std::size_t order, const std::vector<ThreePinImage>& views, std::size_t n,
+               const Pair& x, bool at_infinity, Numbers& random) {
+    const Pair direction = random.pair();
+    return has_order(order, 10, [&](Residue s) {
+        const Residue step = s - Residue{1};
+        const Pair y{x[0] + step * direction[0], x[1] + step * direction[1]};
+        if (!at_infinity) return three_pin_curves(views, y)[n];
+        const Pair inverse{y[0].inverse(), y[1].inverse()};
+        return three_pin_curves(views, inverse)[n] * power(y[0] * y[1], 5);
+    });
+}
+
+} // namespace
+
+TEST_CASE("collinear points, four views: the four curves have order 2 at the eight points") {
+    Numbers random(11);
+    std::vector<EightImages> views(4);
+    const Residue zero{}, one{1};
+    std::vector<std::array<Residue, 3>> points{
+        {one, zero, zero}, {zero, one, zero}, {zero, zero, one}, {one, one, one}};
+    for (EightImages& t : views) {
+        for (Residue& number : t)
+            number = random();
+        points.push_back({t[0] - t[3], t[1] - t[3], t[2] - t[3]});
+    }
+    for (const auto& point : points) {
+        const std::array<Residue, 3> direction{random(), random(), random()};
+        for (std::size_t n = 0; n < 4; ++n)
+            CHECK(has_order(2, 7, [&](Residue s) {
+                std::array<Residue, 3> x = point;
+                for (std::size_t i = 0; i < 3; ++i)
+                    x[i] = x[i] + (s - one) * direction[i];
+                const Residue scale = x[2].inverse();
+                return curves_at(views, {x[0] * scale, x[1] * scale})[n] * power(x[2], 7);
+            }));
+    }
+}
+
+TEST_CASE("collinear points, four views and a free line: the orders of the four curves") {
+    Numbers random(12);
+    const Residue zero{}, one{1};
+    std::vector<ThreePinImage> views;
+    for (int view = 0; view < 4; ++view)
+        views.push_back(three_pin_image(
+            random.pair(), {random(), random(), random(), random(), random(), random()}));
+    for (std::size_t n = 0; n < 4; ++n) {
+        CHECK(has_order(2, views, n, {zero, zero}, false, random));
+        CHECK(has_order(2, views, n, {one, one}, false, random));
+        CHECK(has_order(2, views, n, {zero, zero}, true, random));
+        for (std::size_t v = 0; v < 4; ++v) // curve n leaves out view n
+            CHECK(has_order(v == n ? 2 : 1, views, n, zero_of_view(views[v]), false, random));
+    }
 }

@@ -1,5 +1,6 @@
-// Theorem M (proofs/collinear_points_more_views.md) by second methods: scenes with known cameras
-// are zeros of its equations, and eliminants count the zeros of random images. Modulo 2^61 - 1.
+// Theorem M (proofs/collinear_points_more_views.md, and section 6 of collinear_points_curves.md) by
+// second methods: scenes with known cameras are zeros of its equations, and eliminants count the
+// zeros of random images. Modulo 2^61 - 1.
 #include "proofs/computations/scroll_quadrics.h"
 #include "proofs/computations/star_equations.h"
 
