@@ -1,12 +1,14 @@
-// What the proof of Theorem M (proofs/collinear_points_more_views.md, and from section 6 on
-// proofs/collinear_points_curves.md) needs computed: examples modulo the prime 2^61 - 1, each for a
-// statement on generic images or generic scenes. From the folder that holds checker/ and proofs/:
+// What the proof of Theorem M (proofs/collinear_points_more_views.md, from section 6 on
+// proofs/collinear_points_curves.md, and proofs/special_lines.md) needs computed: examples modulo
+// the prime 2^61 - 1, each for a statement on generic images or generic scenes. From the folder
+// that holds checker/ and proofs/:
 //
 //   c++ -std=c++20 -O2 -I. proofs/computations/collinear_points_more_views.cpp -lgmp -o collinear
 //
 // Each line of the output is a fact. Exit status 1 if one fails.
 #include "proofs/computations/plane_curves.h"
 #include "proofs/computations/scroll_quadrics.h"
+#include "proofs/computations/special_lines.h"
 #include "proofs/computations/star_equations.h"
 #include "proofs/computations/three_pin_curves.h"
 
@@ -221,6 +223,57 @@ void scene_of_three_pins(Numbers& random) {
     report(rank(equations(views, x)) == 8, "0, 3, 3 pins, a: section 8, N has rank 8");
 }
 
+bool is_zero(const Vector& v) {
+    return std::ranges::all_of(v, [](Residue x) { return x == Residue{}; });
+}
+
+void scene_of_special_line(Numbers& random) {
+    const std::string problem = "2, 3, 3 pins: special lines, ";
+    const auto pins = random_pins({2, 3, 3}, random);
+    Matrix first_two;
+    for (const Vector& coordinate : kernel(rows_of_H(pins), 8))
+        first_two.push_back({coordinate[0], coordinate[1]});
+    report(rank(first_two) == 2, problem + "u_1 and u_2 are independent");
+    Matrix seen;
+    for (const EightImages& t : images(pins, 4, random))
+        seen.emplace_back(t.begin(), t.end());
+    const auto points = ten_points(seen);
+    const Matrix xi = projection_of_scene(pins), line = kernel(xi, 4);
+    bool avoids = line.size() == 2;
+    for (const PointOfK& x : points)
+        avoids = avoids && rank({line[0], line[1], projected(x)}) == 3;
+    report(avoids, problem + "the line of a scene contains none of the ten points");
+    bool nonzero = true;
+    for (const BilinearMap& map : maps_of_points(points)) {
+        const Matrix restricted = on_line(map, line, xi);
+        nonzero = nonzero && !(is_zero(restricted[0]) && is_zero(restricted[1]));
+    }
+    report(nonzero, problem + "Lambda_1 and Lambda_2 are not 0 on it");
+}
+
+void special_lines(Numbers& random) {
+    const std::string problem = "2, 3, 3 pins: ";
+    Matrix seen(4, Vector(8));
+    for (Vector& t : seen)
+        for (Residue& number : t)
+            number = random();
+    const auto points = ten_points(seen);
+    report(rank(squares(points)) == 10, problem + "Lemma M25, ten squares are a basis");
+    std::array<bool, 2> holds{true, true}; // for the t_v, for the e_j
+    for (std::size_t n = 0; n < 10; ++n) {
+        const auto maps = maps_of_points(centered_at(points, n, random));
+        const bool is_pin = n < 6;
+        for (const Third third : {Third::jacobian, Third::normal})
+            if (codimension(maps, third, 12, random) > (is_pin ? 3 : 0)) holds[is_pin] = false;
+    }
+    report(holds[0], problem + "Lemma M29, at the t_v the multiples are all forms");
+    report(holds[1], problem + "Lemma M29, at the e_j the multiples have codimension 3");
+    const auto maps = maps_of_points(points);
+    report(rank_of_cubics(maps, {0, 1}, {2, 3}, random) == 20 &&
+               rank_of_cubics(maps, {2, 3}, {0, 1}, random) == 20,
+           problem + "Lemma M30, the multiples of the minors are all cubic forms");
+}
+
 } // namespace
 
 int main() {
@@ -243,6 +296,9 @@ int main() {
     curves_of_degree_7(random);
     scene_of_three_pins(random);
     curves_of_bidegree_5(random);
+    general_scene({2, 3, 3}, random);
+    scene_of_special_line(random);
+    special_lines(random);
     std::cout << (all_hold ? "All hold.\n" : "Some fail.\n");
     return all_hold ? 0 : 1;
 }

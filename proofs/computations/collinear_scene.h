@@ -18,6 +18,10 @@ inline Residue dot(const Pair& a, const Pair& b) {
     return a[0] * b[0] + a[1] * b[1];
 }
 
+inline Residue area(const Pair& a, const Pair& b) {
+    return a[0] * b[1] - a[1] * b[0];
+}
+
 /// Random numbers other than 0, the same in each run.
 class Numbers {
 public:

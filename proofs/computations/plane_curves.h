@@ -13,10 +13,6 @@ namespace proofs {
 /// What a view shows of the pins: 0 to 3 of X_3, 4 to 6 of X_2, 7 of X_1.
 using EightImages = std::array<Residue, 8>;
 
-inline Residue area(const Pair& a, const Pair& b) {
-    return a[0] * b[1] - a[1] * b[0];
-}
-
 /// The classes of e_0, ..., e_3 modulo O = (o, 1): e_0, e_1, e_2 is a basis, and the sum is 0.
 inline std::array<Pair, 4> frame(const Pair& o) {
     const Residue zero{}, one{1};
