@@ -23,14 +23,28 @@ static Signature signature_of(std::string_view problem) {
     return signature;
 }
 
-/// The bounds by theorem, by constraint class. Where two theorems speak, the first row stays.
-static std::map<Signature, UpperBound> bounds_by_theorem() {
+/// Adds a row: where two speak of a constraint class the smaller bound counts, or else the first
+/// row.
+static void add_row(std::map<Signature, UpperBound>& bounds, const Signature& constraints,
+                    const UpperBound& bound) {
+    const auto [place, is_new] = bounds.emplace(constraints, bound);
+    if (!is_new && bound.solutions < place->second.solutions) place->second = bound;
+}
+
+/// The bounds by theorem, by constraint class.
+static std::map<Signature, UpperBound> bounds_by_theorem(const Classification& classes) {
     std::map<Signature, UpperBound> bounds;
     const std::vector<TheoremBound> rows = all_theorem_bounds();
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const auto& [theorem, problem, bound] = rows[row];
         const Signature key = constraint_class(signature_of(problem));
-        bounds.emplace(key, UpperBound{bound, TheoremRow{row, theorem}});
+        add_row(bounds, key, {bound, TheoremRow{row, theorem}});
+    }
+    std::size_t row = rows.size();
+    for (const auto& [number, bound] : blown_up_camera_rows()) {
+        const Signature key = constraint_class(classes.representatives.at(number));
+        add_row(bounds, key, {bound, TheoremRow{row, theorem_of_blown_up_cameras}});
+        ++row;
     }
     return bounds;
 }
@@ -70,7 +84,7 @@ DegreeTable combine(const Classification& classes, const std::vector<bool>& mini
     DegreeTable table;
     for (const LowerBound& bound : lower)
         add_lower(table[constraint_class(classes.representatives[bound.number])], bound);
-    const std::map<Signature, UpperBound> theorems = bounds_by_theorem();
+    const std::map<Signature, UpperBound> theorems = bounds_by_theorem(classes);
     for (std::size_t n = 0; n < minimal.size(); ++n) {
         if (!minimal[n]) continue;
         const Signature& signature = classes.representatives[n];

@@ -1,9 +1,11 @@
 // Upper bounds that are theorems: how many camera solutions the problems of a constraint class have
 // at most, if they are minimal. proofs/upper_bounds.md prints the first table, with the rows of
 // Theorem Y (proofs/calibrated_moduli.md). The rows of Theorems R, S and X (proofs/relations.md)
-// are in texts of their own.
+// and of Theorem Z (proofs/blown_up_cameras.md) are in texts of their own.
 #pragma once
 
+#include "checker/bounds/blown_up_cameras.h"
+#include "checker/bounds/blown_up_cameras_more.h"
 #include "checker/bounds/central_views.h"
 #include "checker/bounds/central_views_lines.h"
 #include "checker/bounds/hidden_points.h"
@@ -67,8 +69,7 @@ inline constexpr std::array<TheoremBound, 39> theorem_bounds{{
 /// The problems of this theorem have the same degree, all of them.
 inline constexpr std::string_view theorem_of_equal_degrees = "U8";
 
-/// Of proofs/calibrated_moduli.md.
-inline constexpr std::string_view theorem_of_calibrated_cameras = "Y";
+inline constexpr std::string_view theorem_of_blown_up_cameras = "Z";
 
 /// Adds the rows of a theorem, from a text with rows such as `4912 11*P/a/a;`.
 inline void add_rows(std::vector<TheoremBound>& rows, std::string_view theorem,
@@ -82,11 +83,6 @@ inline void add_rows(std::vector<TheoremBound>& rows, std::string_view theorem,
         rows.push_back({theorem, text.substr(space + 1, end - space - 1), bound});
         text.remove_prefix(end + 1);
     }
-}
-
-/// Whether proofs/relations.md has this theorem.
-inline bool is_of_relations(std::string_view theorem) {
-    return theorem == "R" || theorem == "S" || theorem == "X";
 }
 
 /// All rows of Theorems R, S and X. No class has two.
@@ -105,6 +101,37 @@ inline std::vector<TheoremBound> all_theorem_bounds() {
     std::vector<TheoremBound> rows(theorem_bounds.begin(), theorem_bounds.end());
     const std::vector<TheoremBound> central = central_view_rows();
     rows.insert(rows.end(), central.begin(), central.end());
+    return rows;
+}
+
+/// A row of Theorem Z: of the constraint class of this label class.
+struct NumberedBound {
+    std::size_t number = 0;
+    unsigned bound = 0;
+};
+
+/// Adds the rows of a text with rows such as `520: 2633;` or `544: 254 552;`.
+inline void add_numbered_rows(std::vector<NumberedBound>& rows, std::string_view text) {
+    unsigned bound = 0;
+    while (true) {
+        const std::size_t begin = text.find_first_of("0123456789");
+        if (begin == std::string_view::npos) return;
+        unsigned number = 0;
+        const char* end = text.data() + text.size();
+        const char* after = std::from_chars(text.data() + begin, end, number).ptr;
+        if (*after == ':')
+            bound = number;
+        else
+            rows.push_back({number, bound});
+        text = {after, end};
+    }
+}
+
+/// All rows of Theorem Z. No class has two.
+inline std::vector<NumberedBound> blown_up_camera_rows() {
+    std::vector<NumberedBound> rows;
+    add_numbered_rows(rows, blown_up_camera_bounds);
+    add_numbered_rows(rows, blown_up_camera_bounds_more);
     return rows;
 }
 } // namespace checker

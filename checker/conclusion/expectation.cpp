@@ -141,14 +141,25 @@ std::string in_words(const Expectation& expectation) {
     return whole ? "the whole table" : "";
 }
 
-/// The page of proofs/ that has the theorem.
+/// The pages of proofs/ with theorems that are not in upper_bounds.md.
+static constexpr std::pair<std::string_view, std::string_view> pages[] = {
+    {theorem_of_points_and_lines, "families.md"},
+    {"L", "three_collinear_points.md"},
+    {"M", "collinear_points_more_views.md"},
+    {"N", "many_pins.md"},
+    {theorem_of_cameras, "moduli.md"},
+    {"R", "relations.md"},
+    {"S", "relations.md"},
+    {theorem_of_arrangements, "moduli.md"},
+    {"V", "four_and_five_views.md"},
+    {"X", "relations.md"},
+    {"Y", "calibrated_moduli.md"},
+    {theorem_of_blown_up_cameras, "blown_up_cameras.md"},
+};
+
 static std::string_view page_of(std::string_view theorem) {
-    if (is_of_relations(theorem)) return "relations.md";
-    if (theorem == theorem_of_calibrated_cameras) return "calibrated_moduli.md";
-    if (theorem == theorem_of_points_and_lines) return "families.md";
-    if (theorem == theorem_of_cameras || theorem == theorem_of_arrangements) return "moduli.md";
-    if (theorem == "L") return "three_collinear_points.md";
-    if (theorem == "N") return "many_pins.md";
+    for (const auto& [name, page] : pages)
+        if (name == theorem) return page;
     return "upper_bounds.md";
 }
 

@@ -115,12 +115,12 @@ unsigned bound_by_statements(const Signature& signature) {
     return bound_by_lines_through_a_point(traits);
 }
 
-/// By theorem alone, of the first table: without those of proofs/relations.md.
+/// By theorem alone, of the first table.
 const DegreeTable& table_by_theorem() {
     static const DegreeTable table = [] {
         DegreeTable all = table_of({});
         std::erase_if(all, [](const auto& entry) {
-            return is_of_relations(std::get<TheoremRow>(entry.second.at_most->by).theorem);
+            return std::get<TheoremRow>(entry.second.at_most->by).row >= theorem_bounds.size();
         });
         return all;
     }();

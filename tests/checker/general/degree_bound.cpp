@@ -86,5 +86,5 @@ TEST_CASE(
     }
     CHECK(ones == 75);
     CHECK(certified == 126);
-    CHECK(all_certified == 232);
+    CHECK(all_certified == 257);
 }
