@@ -80,9 +80,9 @@ at least n solutions  file, algebra, problem, degrees; Arb (FLINT);
 at most n solutions   all of the classification, degrees and bounds; proofs/upper_bounds.md
 ... by theorem        also the table bounds/theorems.h; the proofs that upper_bounds.md names; for
                       Theorem U17, FLINT and what proofs/computations/two_points.cpp prints; for
-                      Theorem Y, what calibrated_moduli.cpp there prints
-... in general        general and general_bounds; proofs/families.md, moduli.md and
-                      fixed_forms.md
+                      Theorems Y and Z, what calibrated_moduli.cpp and blown_up_cameras.cpp print
+... in general        general and general_bounds; proofs/families.md, moduli.md, fixed_forms.md,
+                      and the page of the theorem that plcheck --why names, with its program
 a digest              digests
 what you expect       also conclusion, which finds what the files prove of it
 

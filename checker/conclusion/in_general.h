@@ -28,6 +28,7 @@ struct CountedInGeneral {
 CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem);
 
 /// Theorems on degrees of problems in general: of proofs/families.md, and two of proofs/moduli.md.
+/// Others have a table, checker/general_bounds/proved_degrees.h.
 inline constexpr std::string_view theorem_of_points_and_lines = "16";
 inline constexpr std::string_view theorem_of_cameras = "Q";
 inline constexpr std::string_view theorem_of_arrangements = "T";
