@@ -168,7 +168,7 @@ inline Residue class_of_free_line(const FixedPoint& at) {
     return result;
 }
 
-/// The class of a feature (section 5 of the page).
+/// The class of a feature (Lemma Z9 of proofs/blown_up_classes.md).
 inline Residue class_of(const Chart& chart, const checker::Feature& feature) {
     if (feature.free_line) return class_of_free_line(*chart.at);
     Residue result = class_of_visible_point(chart, feature);
@@ -184,7 +184,7 @@ inline Residue class_of(const Chart& chart, const checker::Feature& feature) {
 }
 
 /// How many conditions data of a feature put on the image of a common centre of two cameras, and on
-/// their relative rotation: a way of Lemma Z7.
+/// their relative rotation: a way of Lemma Z8.
 struct Way {
     unsigned on_image = 0, on_rotation = 0;
 };
