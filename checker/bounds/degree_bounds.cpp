@@ -42,9 +42,9 @@ static std::map<Signature, UpperBound> bounds_by_theorem(const Classification& c
     }
     std::size_t row = rows.size();
     for (const auto& [number, bound] : blown_up_camera_rows()) {
-        const Signature key = constraint_class(classes.representatives.at(number));
-        add_row(bounds, key, {bound, TheoremRow{row, theorem_of_blown_up_cameras}});
-        ++row;
+        if (number >= classes.representatives.size()) continue; // of a shorter list of classes
+        const Signature key = constraint_class(classes.representatives[number]);
+        add_row(bounds, key, {bound, TheoremRow{row++, theorem_of_blown_up_cameras}});
     }
     return bounds;
 }
