@@ -1,6 +1,6 @@
 #include "checker/conclusion/expectation.h"
 
-#include "checker/bounds/theorems.h"
+#include "checker/conclusion/pages_of_theorems.h"
 #include "checker/degrees/constraint_class.h"
 
 namespace checker {
@@ -139,28 +139,6 @@ std::string in_words(const Expectation& expectation) {
         return "the family " + family->name;
     const bool whole = std::holds_alternative<WholeClassification>(expectation);
     return whole ? "the whole table" : "";
-}
-
-/// The pages of proofs/ with theorems that are not in upper_bounds.md.
-static constexpr std::pair<std::string_view, std::string_view> pages[] = {
-    {theorem_of_points_and_lines, "families.md"},
-    {"L", "three_collinear_points.md"},
-    {"M", "collinear_points_more_views.md"},
-    {"N", "many_pins.md"},
-    {theorem_of_cameras, "moduli.md"},
-    {"R", "relations.md"},
-    {"S", "relations.md"},
-    {theorem_of_arrangements, "moduli.md"},
-    {"V", "four_and_five_views.md"},
-    {"X", "relations.md"},
-    {"Y", "calibrated_moduli.md"},
-    {theorem_of_blown_up_cameras, "blown_up_cameras.md"},
-};
-
-static std::string_view page_of(std::string_view theorem) {
-    for (const auto& [name, page] : pages)
-        if (name == theorem) return page;
-    return "upper_bounds.md";
 }
 
 static std::string in_words(const UpperBound& bound) {

@@ -1,0 +1,32 @@
+// Which page of proofs/ proves a theorem on degrees.
+#pragma once
+
+#include "checker/bounds/theorems.h"
+#include "checker/conclusion/in_general.h"
+
+#include <string_view>
+#include <utility>
+
+namespace checker {
+/// The pages with theorems that are not in upper_bounds.md.
+inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems[] = {
+    {theorem_of_points_and_lines, "families.md"},
+    {"L", "three_collinear_points.md"},
+    {"M", "collinear_points_more_views.md"},
+    {"N", "many_pins.md"},
+    {theorem_of_cameras, "moduli.md"},
+    {"R", "relations.md"},
+    {"S", "relations.md"},
+    {theorem_of_arrangements, "moduli.md"},
+    {"V", "four_and_five_views.md"},
+    {"X", "relations.md"},
+    {"Y", "calibrated_moduli.md"},
+    {theorem_of_blown_up_cameras, "blown_up_cameras.md"},
+};
+
+inline std::string_view page_of(std::string_view theorem) {
+    for (const auto& [name, page] : pages_of_theorems)
+        if (name == theorem) return page;
+    return "upper_bounds.md";
+}
+} // namespace checker
