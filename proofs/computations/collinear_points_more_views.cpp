@@ -238,6 +238,7 @@ void scene_of_special_line(Numbers& random) {
     for (const EightImages& t : images(pins, 4, random))
         seen.emplace_back(t.begin(), t.end());
     const auto points = ten_points(seen);
+    report(rank(squares(points)) == 10, problem + "the ten squares of a scene are a basis");
     const Matrix xi = projection_of_scene(pins), line = kernel(xi, 4);
     bool avoids = line.size() == 2;
     for (const PointOfK& x : points)

@@ -55,7 +55,7 @@ inline Matrix coordinates_of_products(const std::vector<PointOfK>& points) {
     return result;
 }
 
-/// Lambda_1 and Lambda_2, with x'^2 -> x_i x' for the ten points.
+/// Lambda_1 and Lambda_2, with x'^2 -> x_i x' for the ten points, whose squares have to be a basis.
 inline std::array<BilinearMap, 2> maps_of_points(const std::vector<PointOfK>& points) {
     const Matrix y = coordinates_of_products(points);
     std::array<BilinearMap, 2> maps;
@@ -152,7 +152,7 @@ inline Vector ternary_monomials(const Vector& y, std::size_t degree) {
 enum class Third { jacobian, normal };
 
 /// Lemma M29: the codimension of the multiples of degree d of q_1, q_2 and one more form among all
-/// forms of this degree, by values at random points.
+/// forms of this degree. It is found by values at random points, so it is at most what is returned.
 inline std::size_t codimension(const std::array<BilinearMap, 2>& maps, Third third, std::size_t d,
                                Numbers& random) {
     const std::size_t dimension = (d + 1) * (d + 2) / 2;
@@ -195,8 +195,8 @@ inline Matrix derivative(const BilinearMap& map, const std::array<std::size_t, 2
     return rows;
 }
 
-/// Lemma M30: the rank of all products of linear forms and minors of both derivatives, by values.
-/// There are 20 cubic forms.
+/// Lemma M30: the rank of all products of linear forms and minors of both derivatives. It is found
+/// by values, so it is at least what is returned. There are 20 cubic forms.
 inline std::size_t rank_of_cubics(const std::array<BilinearMap, 2>& maps,
                                   const std::array<std::size_t, 2>& line,
                                   const std::array<std::size_t, 2>& others, Numbers& random) {

@@ -76,6 +76,7 @@ TEST_CASE("special lines: there are 125 by a sum over fixed points of a torus") 
 TEST_CASE("special lines: the maps of the ten points have them as eigenvectors") {
     Numbers random(32);
     const auto points = random_points(random);
+    REQUIRE(rank(squares(points)) == 10);
     const auto maps = maps_of_points(points);
     for (std::size_t h = 0; h < 2; ++h)
         for (const PointOfK& x : points) {
@@ -95,10 +96,14 @@ TEST_CASE("special lines: on the line of a scene the maps have the images w_1 an
         for (const Pin& pin : pins)
             seen.back().push_back(camera.image(pin));
     }
-    const auto maps = maps_of_points(ten_points(seen));
+    const auto points = ten_points(seen);
+    REQUIRE(rank(squares(points)) == 10); // else the maps are not defined
+    const auto maps = maps_of_points(points);
     const Matrix xi = projection_of_scene(pins), line = kernel(xi, 4);
+    REQUIRE(line.size() == 2);
     for (std::size_t h = 0; h < 2; ++h) {
         const Matrix restricted = on_line(maps[h], line, xi);
+        CHECK(rank(restricted) == 1); // not 0
         for (std::size_t n = 0; n < 3; ++n)
             CHECK(area({restricted[0][n], restricted[1][n]}, pins[h].w) == Residue{});
     }
