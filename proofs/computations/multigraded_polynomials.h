@@ -1,4 +1,4 @@
-// Polynomials in the numbers alpha_{v,i} of five views v and three columns i, modulo q = 2^61 - 1:
+// Polynomials in the numbers alpha_{v,c} of five views v and three columns c, modulo q = 2^61 - 1:
 // for Lemma V12 of proofs/stars_in_several_views.md.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace proofs {
 
-/// The exponents of alpha_{v,i}, at place 3 v + i.
+/// The exponents of alpha_{v,c}, at place 3 v + c.
 using Exponents = std::array<std::uint8_t, 15>;
 using SparsePolynomial = std::map<Exponents, Residue>;
 
@@ -39,6 +39,15 @@ inline Exponents product(const Exponents& a, const Exponents& b) {
     Exponents result{};
     for (std::size_t n = 0; n < result.size(); ++n)
         result[n] = static_cast<std::uint8_t>(a[n] + b[n]);
+    return result;
+}
+
+/// At a point whose numbers are all given, alpha_{v,c} at place 3 v + c.
+inline Residue value(const Exponents& monomial, const ResidueRow& alpha) {
+    Residue result{1};
+    for (std::size_t n = 0; n < monomial.size(); ++n)
+        for (int power = 0; power < monomial[n]; ++power)
+            result = result * alpha[n];
     return result;
 }
 
@@ -119,8 +128,12 @@ public:
 
     /// The rest of a row, with 0 at the leading places of the rows so far.
     ResidueRow reduced(ResidueRow row) const {
-        for (const auto& [place, leader] : rows_)
-            if (row[place] != Residue{}) add_multiple(row, -row[place], leader);
+        for (const auto& [place, leader] : rows_) {
+            if (row[place] == Residue{}) continue;
+            const Residue factor = -row[place];
+            for (std::size_t n = place; n < row.size(); ++n) // the leader is 0 before
+                row[n] = row[n] + factor * leader[n];
+        }
         return row;
     }
 

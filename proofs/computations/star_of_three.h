@@ -114,6 +114,26 @@ private:
     FiveViews images_;
 };
 
+/// The zero of the equations at which all cameras have one kernel.
+inline ResidueRow common_kernel(const FiveViews& images) {
+    ResidueRow kappa;
+    for (const ImageOfThreePins& image : images)
+        for (std::size_t c = 0; c < 3; ++c)
+            kappa.push_back(bracket(image.pins[(c + 1) % 3], image.pins[(c + 2) % 3]));
+    return kappa;
+}
+
+/// Random coefficients of these monomials, so that their combination vanishes at a point.
+inline ResidueRow vanishing_at(const ResidueRow& point, const std::vector<Exponents>& monomials,
+                               Residues& random) {
+    ResidueRow values;
+    for (const Exponents& monomial : monomials)
+        values.push_back(value(monomial, point));
+    ResidueRow coefficients = random.row(monomials.size());
+    coefficients[0] = coefficients[0] - product(coefficients, values) * values.front().inverse();
+    return coefficients;
+}
+
 /// The multidegrees of the spaces E_1, E_2 and F of Lemma V12.
 inline constexpr std::array<Multidegree, 2> degrees_of_e{
     {{1, 1, 1, 0, 0, 1, 1, 1}, {0, 0, 1, 1, 1, 1, 1, 1}}};
@@ -137,12 +157,18 @@ public:
 
     std::size_t dimension_of_f() const { return f_.size(); }
 
-    /// Whether E F = u F + E K for a random u of E, the space of this multidegree, and the span K
-    /// of the products in F. By the products of monomials of E with a basis of F modulo K: they
-    /// have a relation for each m n = m' n', with monomials m, m' of E and n, n' of F.
-    bool spanned_by_multiples(const Multidegree& degree_of_e, Residues& random) const {
+    /// The number of symbols m b, for monomials m of E, the space of this multidegree, and b of a
+    /// basis of F modulo K, the span of the products in F.
+    std::size_t number_of_symbols(const Multidegree& degree_of_e) const {
+        return monomials_of(degree_of_e).size() * dimension_;
+    }
+
+    /// The rank of the relations of the symbols with the multiples of u, an element of E by its
+    /// coefficients: E F = u F + E K if it is the number of symbols. There is a relation for each
+    /// m n = m' n', with monomials m, m' of E and n, n' of F.
+    std::size_t rank_with_multiples(const Multidegree& degree_of_e, const ResidueRow& u,
+                                    Residues& random) const {
         const std::vector<Exponents> e = monomials_of(degree_of_e);
-        const ResidueRow u = random.row(e.size());
         RowSpace span;
         for (std::size_t b = 0; b < dimension_; ++b) {
             ResidueRow row(e.size() * dimension_);
@@ -154,7 +180,7 @@ public:
         shuffle(relations, random);
         for (const ResidueRow& row : relations)
             if (span.dimension() < row.size()) span.insert(row);
-        return span.dimension() == e.size() * dimension_;
+        return span.dimension();
     }
 
 private:
