@@ -233,7 +233,7 @@ TEST_CASE("a line is told for each file as soon as it is replayed, and no bar in
     folder.in("mkfifo pipe");
     // The line on the first file comes before the second one can be read.
     const Outcome told =
-        folder.in("( " + plcheck +
+        folder.in(": >out; ( " + plcheck +
                   " chicago.plc pipe >out 2>err & until grep -q certified out; do sleep 0.1; "
                   "done; cat point.plc >pipe; wait ); cat out; cat err >&2");
     CHECK(told.err.empty());
