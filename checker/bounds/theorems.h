@@ -117,13 +117,13 @@ inline void add_numbered_rows(std::vector<NumberedBound>& rows, std::string_view
         const std::size_t begin = text.find_first_of("0123456789");
         if (begin == std::string_view::npos) return;
         unsigned number = 0;
-        const char* end = text.data() + text.size();
-        const char* after = std::from_chars(text.data() + begin, end, number).ptr;
+        const char* after =
+            std::from_chars(text.data() + begin, text.data() + text.size(), number).ptr;
         if (*after == ':')
             bound = number;
         else
             rows.push_back({number, bound});
-        text = {after, end};
+        text.remove_prefix(static_cast<std::size_t>(after - text.data()));
     }
 }
 

@@ -3,6 +3,7 @@
 #include "checker/general/isomorphism.h"
 #include "checker/general/notation.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 
