@@ -13,6 +13,10 @@ const axeSource = require("axe-core").source;
 export const root = path.resolve(fileURLToPath(import.meta.url), "../../..");
 export const atlas = path.join(root, "build/atlas");
 
+/** Milliseconds after which a page that does not answer hangs. (How fast it is, tests/bench/atlas.mjs
+ * measures.) */
+const patience = 600_000;
+
 /** Serves build/atlas; resolves to its address and the process. */
 async function serve() {
     const options = ["-u", "-m", "http.server", "0", "--bind", "127.0.0.1", "--directory", atlas];
@@ -31,7 +35,7 @@ export async function open() {
     });
     const errors = [];
     const watch = (page) => {
-        page.setDefaultTimeout(60_000);
+        page.setDefaultTimeout(patience);
         page.on("pageerror", (error) => errors.push(error.message));
         page.on("console", (message) => {
             if (message.type() === "error") errors.push(message.text());
@@ -69,7 +73,7 @@ export async function violationsOf(page) {
 /** Waits until a function in the page is true. (Playwright's own way evaluates texts in the page, which
  * the page's policy forbids.) */
 export async function until(page, isTrue, argument) {
-    const end = Date.now() + 60_000;
+    const end = Date.now() + patience;
     while (!(await page.evaluate(isTrue, argument))) {
         assert.ok(Date.now() < end, `waited in vain for ${isTrue}`);
         await page.waitForTimeout(50);

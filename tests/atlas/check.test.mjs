@@ -19,14 +19,12 @@ after(async () => {
     atlas.assertNoErrors();
 });
 
-test("the whole classification is replayed in under 15 s, and fills the table", async () => {
+test("the whole classification is replayed, and fills the table", async () => {
     const page = await atlas.visit("index.html");
-    const start = Date.now();
     await page.click("#check-now");
     const { state, output } = await outcomeOf(page);
     assert.match(state, /^VERIFIED in this browser/);
     assert.match(output, /all 143494 label classes are certified, 140616 minimal/);
-    assert.ok(Date.now() - start < 15_000);
     assert.match(await page.textContent("#counts caption"), /your browser just derived/);
     assert.match(
         await page.textContent("#counts tbody"),

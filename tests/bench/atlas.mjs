@@ -1,0 +1,64 @@
+// How long a reader of the atlas waits: for the start page, a search, and a replay of the whole
+// classification, beside the same replay by plcheck.
+//
+// Usage: node tests/bench/atlas.mjs       after atlas/build
+import { execFileSync } from "node:child_process";
+import path from "node:path";
+import { open, outcomeOf, root, until } from "../atlas/browser.mjs";
+
+const rounds = 5;
+
+/** The shortest of some rounds, in milliseconds: of what `once` resolves to. */
+async function shortest(once) {
+    const times = [];
+    for (let round = 0; round < rounds; ++round) times.push(await once());
+    return Math.min(...times);
+}
+
+async function timed(action) {
+    const start = performance.now();
+    await action();
+    return performance.now() - start;
+}
+
+const atlas = await open();
+try {
+    const start = await shortest(async () => {
+        const page = await atlas.visit("index.html", { serviceWorkers: "block" });
+        return page.evaluate(
+            () => performance.getEntriesByType("navigation")[0].domContentLoadedEventEnd,
+        );
+    });
+    console.log(`start page            ${start.toFixed(0)} ms`);
+
+    const search = await atlas.visit("search.html");
+    await search.waitForSelector(".card");
+    let points = 0;
+    const found = await shortest(async () => {
+        const before = await search.textContent("#total");
+        await search.fill("[name=points]", String(++points));
+        await until(
+            search,
+            (was) => document.querySelector("#total").textContent !== was,
+            before,
+        );
+        return Number(await search.getAttribute("#results", "data-milliseconds"));
+    });
+    console.log(`search                ${found.toFixed(0)} ms`);
+
+    const browser = await shortest(async () => {
+        const page = await atlas.visit("index.html");
+        return timed(async () => {
+            await page.click("#check-now");
+            await outcomeOf(page);
+        });
+    });
+    const plcheck = path.join(root, "build/bin/plcheck");
+    const archive = path.join(root, "certs/classification.plc");
+    const native = await shortest(() => timed(() => execFileSync(plcheck, [archive])));
+    console.log(`replay, in a browser  ${browser.toFixed(0)} ms`);
+    console.log(`replay, by plcheck    ${native.toFixed(0)} ms`);
+    console.log(`ratio                 ${(browser / native).toFixed(1)}`);
+} finally {
+    await atlas.close();
+}
