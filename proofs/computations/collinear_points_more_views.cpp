@@ -73,7 +73,7 @@ void five_pins(const PinCounts& counts, Numbers& random) {
     const Matrix points = points_in_K(counts, 4, random);
     const Matrix plane(points.begin(), points.begin() + 3);
     report(rank(plane) == 2, name(counts) + "section 3, e_1, e_2, e_3 span a plane");
-    const Matrix forms = kernel(plane, 6); // that vanish on it
+    const Matrix forms = kernel_of(plane, 6); // that vanish on it
     Matrix projected;
     for (std::size_t n = 3; n < points.size(); ++n) {
         projected.emplace_back();
@@ -231,7 +231,7 @@ void scene_of_special_line(Numbers& random) {
     const std::string problem = "2, 3, 3 pins: special lines, ";
     const auto pins = random_pins({2, 3, 3}, random);
     Matrix first_two;
-    for (const Vector& coordinate : kernel(rows_of_H(pins), 8))
+    for (const Vector& coordinate : kernel_of(rows_of_H(pins), 8))
         first_two.push_back({coordinate[0], coordinate[1]});
     report(rank(first_two) == 2, problem + "u_1 and u_2 are independent");
     Matrix seen;
@@ -239,7 +239,7 @@ void scene_of_special_line(Numbers& random) {
         seen.emplace_back(t.begin(), t.end());
     const auto points = ten_points(seen);
     report(rank(squares(points)) == 10, problem + "the ten squares of a scene are a basis");
-    const Matrix xi = projection_of_scene(pins), line = kernel(xi, 4);
+    const Matrix xi = projection_of_scene(pins), line = kernel_of(xi, 4);
     bool avoids = line.size() == 2;
     for (const PointOfK& x : points)
         avoids = avoids && rank({line[0], line[1], projected(x)}) == 3;

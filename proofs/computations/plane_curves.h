@@ -71,7 +71,7 @@ inline Matrix two_forms(const Matrix& basis, const Pair& o) {
 /// belongs to the basis of the kernel.
 inline std::array<Residue, 4> curves_at(const std::vector<EightImages>& views, const Pair& o) {
     const Matrix rows = conditions(views, o);
-    const Matrix basis = kernel(rows, 7);
+    const Matrix basis = kernel_of(rows, 7);
     // The basis is the identity at the columns from 4 on, if the minor of the others is not 0.
     Matrix minor = rows;
     for (Vector& row : minor)
@@ -89,11 +89,11 @@ inline std::array<Residue, 4> curves_at(const std::vector<EightImages>& views, c
 
 /// The point O of a scene with eight pins, in this order.
 inline Pair center_of(const std::vector<Pin>& pins) {
-    const Matrix coordinates = kernel(rows_of_H(pins), 8); // u_j is column j
+    const Matrix coordinates = kernel_of(rows_of_H(pins), 8); // u_j is column j
     Matrix others;
     for (std::size_t j = 4; j < 8; ++j)
         others.push_back({coordinates[0][j], coordinates[1][j], coordinates[2][j]});
-    const Vector form = kernel(others, 3).at(0); // on U; 0 on the u_j of X_1 and X_2
+    const Vector form = kernel_of(others, 3).at(0); // on U; 0 on the u_j of X_1 and X_2
     Matrix projected(2);
     for (std::size_t j = 0; j < 4; ++j) {
         Residue factor;
@@ -102,7 +102,7 @@ inline Pair center_of(const std::vector<Pin>& pins) {
         for (std::size_t n = 0; n < 2; ++n)
             projected[n].push_back(factor * pins[j].w[n]);
     }
-    for (const Vector& o : kernel(projected, 4)) { // one of them is no multiple of (1, 1, 1, 1)
+    for (const Vector& o : kernel_of(projected, 4)) { // one of them is no multiple of (1, 1, 1, 1)
         if (o[2] == o[3]) continue;
         const Residue inverse = (o[2] - o[3]).inverse();
         return {(o[0] - o[3]) * inverse, (o[1] - o[3]) * inverse};
@@ -119,18 +119,6 @@ inline std::vector<Pin> eight_pins(Numbers& random) {
     return pins;
 }
 
-/// All x^i y^j with i + j at most the degree.
-inline Vector plane_monomials(const Pair& o, std::size_t degree) {
-    Vector all;
-    Residue x{1};
-    for (std::size_t i = 0; i <= degree; ++i, x = x * o[0]) {
-        Residue term = x;
-        for (std::size_t j = 0; i + j <= degree; ++j, term = term * o[1])
-            all.push_back(term);
-    }
-    return all;
-}
-
 /// The rank of all multiples of this degree of the four curves, by their values at random points.
 inline std::size_t rank_of_multiples(const std::vector<EightImages>& views, std::size_t degree,
                                      Numbers& random) {
@@ -140,7 +128,7 @@ inline std::size_t rank_of_multiples(const std::vector<EightImages>& views, std:
         const Pair o = random.pair();
         const auto values = curves_at(views, o);
         columns.emplace_back();
-        for (const Residue factor : plane_monomials(o, degree - 7))
+        for (const Residue factor : ternary_monomials({o[0], o[1], Residue{1}}, degree - 7))
             for (const Residue value : values)
                 columns.back().push_back(factor * value);
     }

@@ -1,4 +1,4 @@
-// Polynomials in one variable, and ranks of matrices, modulo the prime 2^61 - 1.
+// Polynomials in one variable, and determinants of small matrices, modulo the prime 2^61 - 1.
 #pragma once
 
 #include "checker/algebra/modular.h"
@@ -132,39 +132,6 @@ inline Polynomial interpolate(std::size_t degree, const std::function<Residue(Re
         product = product * Polynomial(std::vector{-x, Residue{1}});
     }
     return result;
-}
-
-/// A basis of all x with m x = 0. By columns of m; rows are reduced.
-inline std::vector<std::vector<Residue>> kernel(std::vector<std::vector<Residue>> m,
-                                                std::size_t columns) {
-    std::vector<std::size_t> pivots;
-    for (std::size_t c = 0; c < columns && pivots.size() < m.size(); ++c) {
-        const std::size_t r = pivots.size();
-        std::size_t place = r;
-        while (place < m.size() && m[place][c] == Residue{})
-            ++place;
-        if (place == m.size()) continue;
-        std::swap(m[r], m[place]);
-        const Residue inverse = m[r][c].inverse();
-        for (Residue& entry : m[r])
-            entry = entry * inverse;
-        for (std::size_t other = 0; other < m.size(); ++other) {
-            if (other == r) continue;
-            const Residue factor = m[other][c];
-            for (std::size_t k = c; k < columns; ++k)
-                m[other][k] = m[other][k] - factor * m[r][k];
-        }
-        pivots.push_back(c);
-    }
-    std::vector<std::vector<Residue>> basis;
-    for (std::size_t c = 0; c < columns; ++c) {
-        if (std::ranges::find(pivots, c) != pivots.end()) continue;
-        basis.emplace_back(columns);
-        basis.back()[c] = Residue{1};
-        for (std::size_t r = 0; r < pivots.size(); ++r)
-            basis.back()[pivots[r]] = -m[r][c];
-    }
-    return basis;
 }
 
 } // namespace proofs

@@ -4,6 +4,7 @@
 
 #include "proofs/computations/collinear_scene.h"
 #include "proofs/computations/polynomials.h"
+#include "proofs/computations/residue_matrices.h"
 
 #include <vector>
 
@@ -45,6 +46,22 @@ inline Vector unit(std::size_t size, std::size_t place) {
     return vector;
 }
 
+/// All monomials of a degree in three variables, at a point.
+inline Vector ternary_monomials(const Vector& y, std::size_t degree) {
+    Vector all;
+    Residue a{1};
+    for (std::size_t i = 0; i <= degree; ++i, a = a * y[0]) {
+        Residue b = a;
+        for (std::size_t j = 0; i + j <= degree; ++j, b = b * y[1]) {
+            Residue c = b;
+            for (std::size_t n = i + j; n < degree; ++n)
+                c = c * y[2];
+            all.push_back(c);
+        }
+    }
+    return all;
+}
+
 /// The monomials of degree 2 at a point.
 inline Vector monomials(const Vector& x) {
     Vector values;
@@ -59,7 +76,7 @@ inline Matrix quadrics(const Matrix& points, std::size_t n) {
     Matrix conditions;
     for (const Vector& point : points)
         conditions.push_back(monomials(point));
-    return kernel(conditions, n * (n + 1) / 2);
+    return kernel_of(conditions, n * (n + 1) / 2);
 }
 
 /// The symmetric matrix of twice a form.
@@ -89,7 +106,7 @@ inline Matrix rows_of_H(const std::vector<Pin>& pins) {
 /// coordinates of U = C^k / H are forms that vanish on H.
 inline Matrix map_of_scene(const std::vector<Pin>& pins) {
     Matrix rows;
-    for (const Vector& coordinate : kernel(rows_of_H(pins), pins.size()))
+    for (const Vector& coordinate : kernel_of(rows_of_H(pins), pins.size()))
         for (std::size_t n = 0; n < 2; ++n) {
             rows.emplace_back();
             for (std::size_t j = 0; j < pins.size(); ++j)
@@ -99,7 +116,7 @@ inline Matrix map_of_scene(const std::vector<Pin>& pins) {
 }
 
 inline std::size_t rank(const Matrix& matrix) {
-    return matrix[0].size() - kernel(matrix, matrix[0].size()).size();
+    return matrix[0].size() - kernel_of(matrix, matrix[0].size()).size();
 }
 
 } // namespace proofs

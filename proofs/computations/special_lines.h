@@ -49,7 +49,7 @@ inline Matrix coordinates_of_products(const std::vector<PointOfK>& points) {
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = i; j < 4; ++j, ++m)
             system[m][10 + m] = -(i == j ? one : half);
-    Matrix result = kernel(system, 20); // (y, unit vector)
+    Matrix result = kernel_of(system, 20); // (y, unit vector)
     for (Vector& row : result)
         row.resize(10);
     return result;
@@ -130,22 +130,6 @@ inline Star star(const BilinearMap& map, const Vector& y) {
         result.g[n] = determinant_of(y, By, Bv);
     }
     return result;
-}
-
-/// All monomials of a degree in three variables, at a point.
-inline Vector ternary_monomials(const Vector& y, std::size_t degree) {
-    Vector all;
-    Residue a{1};
-    for (std::size_t i = 0; i <= degree; ++i, a = a * y[0]) {
-        Residue b = a;
-        for (std::size_t j = 0; i + j <= degree; ++j, b = b * y[1]) {
-            Residue c = b;
-            for (std::size_t n = i + j; n < degree; ++n)
-                c = c * y[2];
-            all.push_back(c);
-        }
-    }
-    return all;
 }
 
 /// The forms J and h of Lemma M28.
@@ -249,8 +233,9 @@ inline std::vector<PointOfK> ten_points(const Matrix& images) {
 
 /// The matrix of xi: K' -> W of a scene with these pins.
 inline Matrix projection_of_scene(const std::vector<Pin>& pins) {
-    const Matrix u = kernel(rows_of_H(pins), 8); // u_j is column j
-    const Vector form = kernel({{u[0][0], u[1][0], u[2][0]}, {u[0][1], u[1][1], u[2][1]}}, 3).at(0);
+    const Matrix u = kernel_of(rows_of_H(pins), 8); // u_j is column j
+    const Vector form =
+        kernel_of({{u[0][0], u[1][0], u[2][0]}, {u[0][1], u[1][1], u[2][1]}}, 3).at(0);
     Matrix rows(2);
     for (const std::size_t j : std::array<std::size_t, 4>{2, 3, 5, 6}) {
         Residue factor;

@@ -71,7 +71,7 @@ inline std::array<Residue, 4> three_pin_curves(const std::vector<ThreePinImage>&
                                                const Pair& x) {
     const Matrix rows = equations(views, x);
     const Residue scale = minor_without(rows, 8);
-    const auto pin = last_pin(views, kernel(rows, 9).at(0));
+    const auto pin = last_pin(views, kernel_of(rows, 9).at(0));
     const Residue inverse = (x[1] - x[0]).inverse();
     std::array<Residue, 4> values;
     for (std::size_t n = 0; n < 4; ++n) {

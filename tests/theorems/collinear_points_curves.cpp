@@ -26,11 +26,11 @@ TEST_CASE("collinear points, four views: the center of a scene is on four curves
     Matrix values;
     for (int n = 0; n < 46; ++n) {
         const Pair o = random.pair();
-        values.push_back(plane_monomials(o, 7));
+        values.push_back(ternary_monomials({o[0], o[1], Residue{1}}, 7));
         for (const Residue value : curves_at(views, o))
             values.back().push_back(value);
     }
-    CHECK(kernel(values, 36 + 4).size() == 4);
+    CHECK(kernel_of(values, 36 + 4).size() == 4);
     // All conditions of the scene, too, leave 33: it has nine solutions and eight double points.
     for (const std::size_t degree : std::array<std::size_t, 2>{11, 13})
         CHECK(rank_of_multiples(views, degree, random) == (degree + 1) * (degree + 2) / 2 - 33);
@@ -57,7 +57,7 @@ TEST_CASE("collinear points, four views and a free line: a scene is on four curv
         CHECK(value == Residue{});
     // The unknowns of the scene solve the equations: s_1, s_2, sigma, and s_4, s_5.
     const Matrix rows = equations(views, x);
-    const Vector k = kernel(rows, 9).at(0); // with s_5 = 1
+    const Vector k = kernel_of(rows, 9).at(0); // with s_5 = 1
     const Residue scale = pins[4].s;
     CHECK(scale * k[0] == pins[0].s);
     CHECK(scale * k[1] == pins[1].s);
@@ -71,7 +71,7 @@ TEST_CASE("collinear points, four views and a free line: a scene is on four curv
         for (const Residue value : three_pin_curves(views, point))
             values.back().push_back(value);
     }
-    CHECK(kernel(values, 36 + 4).size() == 4);
+    CHECK(kernel_of(values, 36 + 4).size() == 4);
     for (const std::size_t degree : std::array<std::size_t, 2>{8, 10})
         CHECK(rank_with(views, degree, 2, random) == (degree + 1) * (degree + 1) - 37);
 }

@@ -240,14 +240,22 @@ std::size_t dimension_of_products(const std::vector<Exponents>& e) {
     return products.size();
 }
 
+/// Images of a scene, with its cameras, those with one kernel, and some that see nothing.
+struct Example {
+    FiveViews images;
+    ResidueRow alpha, kappa, other;
+};
+
+Example example(unsigned seed) {
+    Residues random(seed);
+    const Scene seen = scene(random);
+    return {seen.images, seen.alpha, common_kernel(seen.images), random.row(15)};
+}
+
 } // namespace
 
 TEST_CASE("Lemma V11: a scene that is seen, and cameras with one kernel, are zeros") {
-    Residues random(8);
-    const Scene seen = scene(random);
-    const FiveViews& images = seen.images;
-    const ResidueRow& alpha = seen.alpha;
-    const ResidueRow kappa = common_kernel(images), other = random.row(15);
+    const auto [images, alpha, kappa, other] = example(8);
     for (std::size_t line = 0; line < 4; ++line) {
         CHECK(rank_of(relation_forms(images, alpha, line)) == 1);
         CHECK(rank_of(relation_forms(images, kappa, line)) == 0);
@@ -265,11 +273,7 @@ TEST_CASE("Lemma V11: a scene that is seen, and cameras with one kernel, are zer
 }
 
 TEST_CASE("Lemma V11: polynomials have the values of the determinants") {
-    Residues random(9);
-    const Scene seen = scene(random);
-    const FiveViews& images = seen.images;
-    const ResidueRow& alpha = seen.alpha;
-    const ResidueRow kappa = common_kernel(images), other = random.row(15);
+    const auto [images, alpha, kappa, other] = example(9);
     const std::vector<SparsePolynomial> polynomials = ThreePinEquations(images).all();
     const std::vector<Equation> values = equations_at(images, other);
     REQUIRE(polynomials.size() == 24 + 1260);
