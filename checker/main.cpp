@@ -78,9 +78,9 @@ at least n solutions  file, algebra, problem, degrees; Arb (FLINT);
 ... in general        file, algebra, problem, degrees, general, general_degrees; Arb (FLINT);
                       proofs/degrees.md and families.md
 at most n solutions   all of the classification, degrees and bounds; proofs/upper_bounds.md
-... by theorem        also the table bounds/theorems.h; the proofs that upper_bounds.md names; for
-                      Theorem U17, FLINT and what proofs/computations/two_points.cpp prints; for
-                      Theorems Y and Z, what calibrated_moduli.cpp and blown_up_cameras.cpp print
+... by theorem        the page of the theorem that plcheck --why names, and what
+                      proofs/computations/common_centres.cpp or points_with_many_pins.cpp
+                      prints
 ... in general        general and general_bounds; proofs/families.md, moduli.md, fixed_forms.md,
                       and the page of the theorem that plcheck --why names, with its program
 a digest              digests

@@ -23,29 +23,21 @@ static Signature signature_of(std::string_view problem) {
     return signature;
 }
 
-/// Adds a row: where two speak of a constraint class the smaller bound counts, or else the first
-/// row.
-static void add_row(std::map<Signature, UpperBound>& bounds, const Signature& constraints,
-                    const UpperBound& bound) {
-    const auto [place, is_new] = bounds.emplace(constraints, bound);
-    if (!is_new && bound.solutions < place->second.solutions) place->second = bound;
-}
-
-/// The bounds by theorem, by constraint class.
+/// The bounds by theorem, by constraint class. No class has two.
 static std::map<Signature, UpperBound> bounds_by_theorem(const Classification& classes) {
     std::map<Signature, UpperBound> bounds;
-    const std::vector<TheoremBound> rows = all_theorem_bounds();
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        const auto& [theorem, problem, bound] = rows[row];
-        const Signature key = constraint_class(signature_of(problem));
-        add_row(bounds, key, {bound, TheoremRow{row, theorem}});
-    }
-    std::size_t row = rows.size();
-    for (const auto& [number, bound] : blown_up_camera_rows()) {
-        if (number >= classes.representatives.size()) continue; // of a shorter list of classes
-        const Signature key = constraint_class(classes.representatives[number]);
-        add_row(bounds, key, {bound, TheoremRow{row++, theorem_of_blown_up_cameras}});
-    }
+    std::size_t row = 0;
+    for (const auto& [theorem, problem, bound] : theorem_bounds)
+        bounds[constraint_class(signature_of(problem))] = {bound, TheoremRow{row++, theorem}};
+    const auto add = [&](std::string_view theorem, const std::vector<NumberedBound>& rows) {
+        for (const auto& [number, bound] : rows) {
+            if (number >= classes.representatives.size()) continue; // of a shorter list of classes
+            const Signature key = constraint_class(classes.representatives[number]);
+            bounds[key] = {bound, TheoremRow{row++, theorem}};
+        }
+    };
+    add(theorem_of_common_centres, common_centre_rows());
+    add(theorem_of_many_pins, many_pin_rows());
     return bounds;
 }
 

@@ -49,12 +49,18 @@ inline Residue integral_over_points(const Polynomial& f, const std::array<Residu
     return sum;
 }
 
-/// A fixed point of the second blow-up: one of the first, and the divisors over two null views,
-/// ordered by the view that they lack. Values there count `factor` times.
+/// A fixed point of the second blow-up: one of the first, the classes of the divisors of null
+/// cameras, and of those over two null views, ordered by the view that they lack. Values there
+/// count `factor` times.
 struct Chart {
     const FixedPoint* at = nullptr;
+    Triple null{};
     Residue factor{1};
     Triple both{};
+    // Only on the third blow-up (common_centres.h), in the same order: the divisors over a common
+    // centre of two views, and the class of this centre.
+    Triple same_centre{};
+    Triple centre{};
 };
 
 /// The fixed points over one of the first blow-up, if null[v] is the class of the divisor of null
@@ -63,10 +69,10 @@ inline std::vector<Chart> toric_charts(const FixedPoint& at, const Triple& null)
     std::vector<std::size_t> views;
     for (std::size_t view = 0; view < 3; ++view)
         if (null[view] != Residue{}) views.push_back(view);
-    if (views.size() < 2) return {{&at}};
+    if (views.size() < 2) return {{&at, null}};
     std::vector<Chart> charts;
     do {
-        Chart chart{&at};
+        Chart chart{&at, null};
         // The blow-up has the weights d_i, d_j - d_i, d_k - d_j there, in the order i, j, k.
         for (std::size_t i = 0; i + 1 < views.size(); ++i) {
             const Residue d = null[views[i]], next = null[views[i + 1]];
@@ -138,15 +144,18 @@ inline Polynomial feature_seen(const FixedPoint& at, const checker::Feature& fea
     return f;
 }
 
-/// What is left of the class where two null views see any point at their common kernel.
+/// What is left of the class where two null views see any point at their common kernel, and where
+/// two views see any point at their common centre.
 inline Residue class_of_visible_point(const Chart& chart, const checker::Feature& feature) {
     const FixedPoint& at = *chart.at;
     Residue sum = integral_over_points(feature_seen(at, feature, checker::all_views), at.x);
     for (std::size_t view = 0; view < 3; ++view) {
         const checker::Views pair = checker::all_views ^ 1U << view;
         if ((feature.point & pair) != pair) continue;
+        const Polynomial rest = feature_seen(at, feature, 1U << view);
         // The kernel is a trivial bundle.
-        sum = sum - chart.both[view] * value_at(feature_seen(at, feature, 1U << view), {});
+        sum = sum - chart.both[view] * value_at(rest, {});
+        sum = sum - chart.same_centre[view] * value_at(rest, chart.centre[view]);
     }
     return sum;
 }
@@ -233,14 +242,20 @@ inline unsigned points_shared_by(const checker::Signature& signature, std::size_
     return count;
 }
 
+/// The largest number of pins of a point.
+inline unsigned most_pins(const checker::Signature& signature) {
+    unsigned most = 0;
+    for (std::size_t i = 0; i < checker::feature_count; ++i)
+        if (signature[i] > 0) most = std::max(most, checker::features[i].pins);
+    return most;
+}
+
 /// Whether Theorem Z speaks of a signature.
 inline bool has_degree_by_blow_up(const checker::Signature& signature) {
-    unsigned most_pins = 0;
-    for (std::size_t i = 0; i < checker::feature_count; ++i)
-        if (signature[i] > 0) most_pins = std::max(most_pins, checker::features[i].pins);
-    if (most_pins > 3) return false;
+    const unsigned pins = most_pins(signature);
+    if (pins > 3) return false;
     for (std::size_t view = 0; view < 3; ++view) {
-        if (points_shared_by(signature, view) > (most_pins == 3 ? 4 : 5)) return false;
+        if (points_shared_by(signature, view) > (pins == 3 ? 4 : 5)) return false;
         const unsigned shared = checker::shared_points(signature, checker::all_views ^ 1U << view);
         if (shared > 3) return false;
         if (shared == 3 && may_have_common_centre(signature, view)) return false;
@@ -253,12 +268,14 @@ class Integrals {
 public:
     /// For a signature without features like `Pab/b/a`: of its constraint class.
     std::int64_t of(const checker::Signature& signature) const {
+        std::vector<std::size_t> factors;
+        for (std::size_t i = 0; i < checker::feature_count; ++i)
+            factors.insert(factors.end(), signature[i], i);
         Residue sum;
         for (const auto& [factor, values] : charts_) {
             Residue product = factor;
-            for (std::size_t i = 0; i < checker::feature_count; ++i)
-                for (unsigned n = 0; n < signature[i]; ++n)
-                    product = product * values[i];
+            for (const std::size_t i : factors)
+                product = product * values[i];
             sum = sum + product;
         }
         const auto value = static_cast<std::int64_t>(sum.value);
@@ -266,9 +283,12 @@ public:
         return value > q / 2 ? value - q : value;
     }
 
-    explicit Integrals(std::uint64_t seed = 5) {
+    using ChartsOver = std::vector<Chart> (*)(const FixedPoint&);
+
+    /// The charts are those of the second blow-up, or of the third.
+    explicit Integrals(std::uint64_t seed = 5, ChartsOver charts = charts_over) {
         for (const FixedPoint& at : fixed_points(seed)) {
-            for (const Chart& chart : charts_over(at)) {
+            for (const Chart& chart : charts(at)) {
                 Values values{chart.factor * at.weight, {}};
                 for (std::size_t i = 0; i < checker::feature_count; ++i)
                     if (checker::features[i].pins <= 3)

@@ -27,6 +27,11 @@ struct FixedPoint {
     std::array<Triple, 3> w{};  // of the bundles W that replace those of image vectors
     Triple image{};             // of the subbundles of W that an image of a point spans
     Triple isotropic{};         // of the locus where the camera has rank one, on an image line
+    Triple null_y{};            // of null cameras, as in NullView; 0 for a regular one
+    // For a null camera, what is not 0 of (delta : tau), or of the vector t if the camera has rank
+    // two: 0 is delta, 1 and 2 are the coefficients of kappa kappa' and kappa'^2.
+    std::array<std::size_t, 3> direction{};
+    std::size_t translated = 0; // the view with the image of V/H
 };
 
 /// A view in which the quaternion is kappa w at a fixed point of A. The weights of kappa^2, kappa
@@ -128,6 +133,10 @@ inline void add_points(std::vector<FixedPoint>& points, const Quaternions& at,
     Residue normal{1};
     for (const Residue tangent : at.tangents)
         normal = normal * tangent;
+    for (const auto& [view, null_y] : at.nulls)
+        start.null_y[view] = null_y;
+    start.direction[chosen.view] = chosen.power;
+    start.translated = chosen.view;
     for (const Translation& other : translations(at))
         if (other.view != chosen.view || other.power != chosen.power)
             normal = normal * (other.weight - chosen.weight);
@@ -148,6 +157,7 @@ inline void add_points(std::vector<FixedPoint>& points, const Quaternions& at,
                 blown.w[view] = {rests[0], rests[1] - e, rests[2] - e};
                 blown.image[view] = at.h[view] - e;
                 blown.isotropic[view] = e * (at.h[view] - rests[0]);
+                blown.direction[view] = i;
                 next.push_back(blown);
             }
         above = next;

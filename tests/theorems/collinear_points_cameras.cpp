@@ -101,7 +101,7 @@ public:
         for (std::size_t i = 0; i < 3; ++i)
             for (const Image& x : view.points)
                 rows[i].push_back(x[i]);
-        const Vector relation = kernel(rows, 3).at(0);
+        const Vector relation = proofs::kernel_of(rows, 3).at(0);
         frame[0] = times(relation[1], view.points[1]);
         frame[1] = times(-relation[0], view.points[0]);
         frame[2] = {random(), random(), random()}; // any vector off the image of L

@@ -99,7 +99,7 @@ TEST_CASE("special lines: on the line of a scene the maps have the images w_1 an
     const auto points = ten_points(seen);
     REQUIRE(rank(squares(points)) == 10); // else the maps are not defined
     const auto maps = maps_of_points(points);
-    const Matrix xi = projection_of_scene(pins), line = kernel(xi, 4);
+    const Matrix xi = projection_of_scene(pins), line = kernel_of(xi, 4);
     REQUIRE(line.size() == 2);
     for (std::size_t h = 0; h < 2; ++h) {
         const Matrix restricted = on_line(maps[h], line, xi);
