@@ -152,14 +152,13 @@ TEST_CASE(
 
 TEST_CASE("plcheck says by which theorem of which page a degree is certified") {
     struct Example {
-        std::string problem, degree, theorem;
-        std::string page = "relations.md";
+        std::string problem, degree, theorem, page;
     };
     const std::vector<Example> examples{
-        {"2*P/P/P + a/P/Pa + P/a/Pa + -/P/P", "416", "R"},          // a view sees all points
-        {"2*P/P/P + a/P/Pa + 2*P/-/P + P/a/a", "512", "S"},         // all but one
-        {"P/P/P + a/Pa/Pa + P/a/Pa + 2*-/P/P + a/P/a", "496", "X"}, // two views share four
-        {"Pabc/Pabc/Pabc + P/P/P + a/a/a", "328", "Y", "calibrated_moduli.md"}};
+        {"2*P/P/P + a/P/Pa + P/a/Pa + -/P/P", "416", "C", "common_centres.md"},
+        {"Pabcde/Pabcde/Pabcde + a/P/Pa + P/a/a", "304", "K", "points_with_many_pins.md"},
+        {"Pabcd/Pabcd/Pabcd + Pa/Pa/Pa", "240", "U11", "upper_bounds.md"},
+        {"Pabcd/Pabcd/Pabcd + 2*a/a/a", "480", "Y", "calibrated_moduli.md"}};
     const TemporaryFolder folder;
     const std::string degrees = (folder / "degrees.plc").string();
     for (const auto& [problem, degree, theorem, page] : examples) {
