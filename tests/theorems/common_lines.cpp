@@ -1,4 +1,4 @@
-// Six and five lines through a point (proofs/upper_bounds.md, sections 8 and 9): the trilinear
+// Six and five lines through a point (proofs/lines_through_a_point.md): the trilinear
 // forms of three rotations lie on a quartic hypersurface, over the integers; and what determines
 // the rotations of a form.
 #include "checker/degrees/evaluation.h"
