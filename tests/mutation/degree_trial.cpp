@@ -1,11 +1,9 @@
 #include "tests/mutation/degree_trial.h"
 
 #include "checker/bounds/degree_bounds.h"
-#include "checker/degrees/constraint_class.h"
 #include "tests/mutation/degree_referee.h"
 #include "tests/mutation/mutants.h"
 #include "tests/mutation/replayed.h"
-#include "tests/mutation/short_archive.h"
 #include "tests/mutation/table.h"
 
 #include <algorithm>
@@ -250,27 +248,24 @@ int try_degree_files(const checker::Classification& all, std::size_t mutants, st
 
 int try_bounds(const checker::Classification& all, std::size_t mutants, std::uint64_t seed) {
     // A class for each type of registration, with the number of its solutions.
-    std::vector<std::size_t> numbers, degrees;
+    std::map<std::size_t, std::size_t> degrees;
+    std::vector<bool> minimal(all.representatives.size(), false);
     for (const File& record : records(committed("degrees/registrations.plc"))) {
-        numbers.push_back(number_of(record));
-        degrees.push_back(shown(record));
+        degrees[number_of(record)] = shown(record);
+        minimal[number_of(record)] = true;
     }
-    const checker::Classification few = classification_of(all, numbers);
-    const std::vector<bool> minimal(numbers.size(), true);
     const auto objection = [&](const checker::ReplayedFile& file,
                                const std::string&) -> std::optional<std::string> {
         const checker::DegreeTable table =
-            checker::combine(few, minimal, {}, proved_by<checker::BoundsFile>(file).bounds);
-        for (std::size_t n = 0; n < degrees.size(); ++n) {
-            const auto known = table.find(checker::constraint_class(few.representatives[n]));
-            if (known == table.end() || !known->second.at_most) continue;
-            const std::size_t bound = known->second.at_most->solutions;
-            if (bound < degrees[n])
-                return "class " + std::to_string(numbers[n]) + " has more solutions than " +
-                       std::to_string(bound);
+            checker::combine(all, minimal, {}, proved_by<checker::BoundsFile>(file).bounds);
+        for (const auto& [number, degree] : degrees) {
+            const auto known = checker::bounds_of(table, all.representatives[number]).at_most;
+            if (known && known->solutions < degree)
+                return "class " + std::to_string(number) + " has more solutions than " +
+                       std::to_string(known->solutions);
         }
         return {};
     };
-    return Trial(few, objection)
+    return Trial(all, objection)
         .run("Files of upper bounds", "templates", bounds_bases(), mutants, seed);
 }
