@@ -6,6 +6,7 @@
 #include "checker/problem/classes.h"
 #include "checker/problem/obstruction.h"
 #include "proofs/computations/blown_up_moduli.h"
+#include "proofs/computations/incident_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -85,6 +86,18 @@ inline std::vector<Chart> toric_charts(const FixedPoint& at, const Triple& null)
     return charts;
 }
 
+/// The factors of Lagrange's formula for the value at 0, from those at 1, 2, ..., `samples`.
+inline std::vector<Residue> lagrange_factors(std::uint64_t samples) {
+    std::vector<Residue> factors;
+    for (std::uint64_t t = 1; t <= samples; ++t) {
+        Residue factor{1};
+        for (std::uint64_t u = 1; u <= samples; ++u)
+            if (u != t) factor = factor * Residue{u} * (Residue{u} - Residue{t}).inverse();
+        factors.push_back(factor);
+    }
+    return factors;
+}
+
 /// The same for all classes: integrals over the fibres are polynomials in the three classes, of
 /// degree at most 11. Where two are the same, the value is interpolated from others.
 inline std::vector<Chart> charts_over(const FixedPoint& at) {
@@ -94,17 +107,15 @@ inline std::vector<Chart> charts_over(const FixedPoint& at) {
         generic = generic && (null[view] == Residue{} || null[view] != null[(view + 1) % 3]);
     if (generic) return toric_charts(at, null);
     constexpr std::uint64_t samples = checker::camera_unknowns + 1;
+    static const std::vector<Residue> factors = lagrange_factors(samples);
     constexpr std::array<std::uint64_t, 3> moves{1, 7919, 104729};
     std::vector<Chart> charts;
     for (std::uint64_t t = 1; t <= samples; ++t) {
         Triple moved = null;
         for (std::size_t view = 0; view < 3; ++view)
             if (null[view] != Residue{}) moved[view] = null[view] + Residue{t * moves[view]};
-        Residue factor{1}; // of Lagrange's formula, at 0
-        for (std::uint64_t u = 1; u <= samples; ++u)
-            if (u != t) factor = factor * Residue{u} * (Residue{u} - Residue{t}).inverse();
         for (Chart chart : toric_charts(at, moved)) {
-            chart.factor = chart.factor * factor;
+            chart.factor = chart.factor * factors[t - 1];
             charts.push_back(chart);
         }
     }
@@ -162,16 +173,7 @@ inline Residue class_of_visible_point(const Chart& chart, const checker::Feature
 
 /// The class of a free line that all views see.
 inline Residue class_of_free_line(const FixedPoint& at) {
-    Residue c1, c2;
-    for (const Residue h : at.h) {
-        c2 = c2 + c1 * h;
-        c1 = c1 + h;
-    }
-    for (const Residue x : at.x) {
-        c1 = c1 - x;
-        c2 = c2 - c1 * x;
-    }
-    Residue result = c1 * c1 - c2;
+    Residue result = class_of_incident_line(at.x, at.h);
     for (const Residue locus : at.isotropic)
         result = result - locus;
     return result;
@@ -263,6 +265,19 @@ inline bool has_degree_by_blow_up(const checker::Signature& signature) {
     return true;
 }
 
+/// The integer of least absolute value with this residue.
+inline std::int64_t signed_value(Residue residue) {
+    const auto value = static_cast<std::int64_t>(residue.value);
+    const auto q = static_cast<std::int64_t>(checker::modulus);
+    return value > q / 2 ? value - q : value;
+}
+
+/// The classes of features at a chart, and how many pins a point may have for them.
+struct FeatureClasses {
+    Residue (*of)(const Chart&, const checker::Feature&) = class_of;
+    unsigned pins = 3;
+};
+
 /// Integrals of products of classes of features.
 class Integrals {
 public:
@@ -278,21 +293,20 @@ public:
                 product = product * values[i];
             sum = sum + product;
         }
-        const auto value = static_cast<std::int64_t>(sum.value);
-        const auto q = static_cast<std::int64_t>(checker::modulus);
-        return value > q / 2 ? value - q : value;
+        return signed_value(sum);
     }
 
     using ChartsOver = std::vector<Chart> (*)(const FixedPoint&);
 
     /// The charts are those of the second blow-up, or of the third.
-    explicit Integrals(std::uint64_t seed = 5, ChartsOver charts = charts_over) {
+    explicit Integrals(std::uint64_t seed = 5, ChartsOver charts = charts_over,
+                       FeatureClasses classes = {}) {
         for (const FixedPoint& at : fixed_points(seed)) {
             for (const Chart& chart : charts(at)) {
                 Values values{chart.factor * at.weight, {}};
                 for (std::size_t i = 0; i < checker::feature_count; ++i)
-                    if (checker::features[i].pins <= 3)
-                        values.features[i] = class_of(chart, checker::features[i]);
+                    if (checker::features[i].pins <= classes.pins)
+                        values.features[i] = classes.of(chart, checker::features[i]);
                 charts_.push_back(values);
             }
         }

@@ -59,9 +59,7 @@ inline Residue star_at_common_centre(const Chart& chart, std::size_t third) {
 }
 
 inline LinearClass linear_class_of(const Chart& chart, const checker::Feature& feature) {
-    const bool star = feature.pins == 4;
-    LinearClass result{star ? StarClass(chart, feature.pins).corrected() : class_of(chart, feature),
-                       {}};
+    LinearClass result{corrected_class_of(chart, feature), {}};
     if (feature.free_line) return result;
     for (std::size_t third = 0; third < 3; ++third) {
         const checker::Views pair = checker::all_views ^ 1U << third;
@@ -71,7 +69,7 @@ inline LinearClass linear_class_of(const Chart& chart, const checker::Feature& f
             -value_at(feature_seen(*chart.at, feature, 1U << third), common_centre(chart, third));
         if (feature.point == pair && feature.pins == 1 && feature.pin[0] == checker::all_views)
             common = common + chart.at->isotropic[third];
-        if (star) common = common + star_at_common_centre(chart, third);
+        if (is_star(feature)) common = common + star_at_common_centre(chart, third);
     }
     return result;
 }
@@ -79,11 +77,13 @@ inline LinearClass linear_class_of(const Chart& chart, const checker::Feature& f
 /// More than the number of features of a problem with such a point.
 inline constexpr std::size_t powers = 6;
 
-/// Lemma C2: what the powers of the divisor of common centres become on the space below.
-inline std::array<Residue, powers> powers_of_common_centres(const Chart& chart, std::size_t third) {
+/// The total Chern class of the normal bundle of the locus of common centres, which is that of all
+/// points where V -> W_u + W_v has a kernel, with V as it is after division by the equation of the
+/// divisor over two null views. The coefficients are the Chern classes.
+inline Polynomial normal_class_of_common_centres(const Chart& chart, std::size_t third) {
     const FixedPoint& at = *chart.at;
     const Residue line = at.x[3]; // V / H
-    Polynomial c(powers);         // the total Chern class of the normal bundle
+    Polynomial c(powers);
     c[0] = Residue{1};
     const auto times = [&](Residue root) {
         for (std::size_t i = powers - 1; i > 0; --i)
@@ -101,6 +101,12 @@ inline std::array<Residue, powers> powers_of_common_centres(const Chart& chart, 
     for (std::size_t i = 0; i < 3; ++i)
         divided_by(at.x[i] - line);
     divided_by(chart.both[third] - line);
+    return c;
+}
+
+/// Lemma C2: what the powers of the divisor of common centres become on the space below.
+inline std::array<Residue, powers> powers_of_common_centres(const Chart& chart, std::size_t third) {
+    const Polynomial c = normal_class_of_common_centres(chart, third);
     std::array<Residue, powers> result{Residue{1}};
     Polynomial segre(powers);
     for (std::size_t i = 0; i + 3 < powers; ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/algebra/modular.h"
+#include "proofs/computations/incident_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -177,20 +178,6 @@ inline std::vector<FixedPoint> fixed_points(const Character& stable = stability,
     return points;
 }
 
-/// The class of a free line that all views see: c_1^2 - c_2 of the difference of the bundles.
-inline Residue class_of_line(const Roots& roots) {
-    Residue c1, c2;
-    for (const Residue h : roots.h) {
-        c2 = c2 + c1 * h;
-        c1 = c1 + h;
-    }
-    for (const Residue x : roots.x) {
-        c1 = c1 - x;
-        c2 = c2 - c1 * x;
-    }
-    return c1 * c1 - c2;
-}
-
 /// The class of a point that all views see, with so many pins.
 inline Residue class_of_point(const Roots& roots, unsigned pins) {
     const auto& [x, h] = roots;
@@ -226,7 +213,7 @@ inline std::int64_t intersection_number(const std::vector<FixedPoint>& points,
         for (const unsigned pins : features.pins)
             product = product * class_of_point(roots, pins);
         for (unsigned i = 0; i < features.lines; ++i)
-            product = product * class_of_line(roots);
+            product = product * class_of_incident_line(roots.x, roots.h);
         sum = sum + product;
     }
     return number_of(sum);

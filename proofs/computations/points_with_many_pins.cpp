@@ -18,7 +18,7 @@ int main() {
     std::map<std::size_t, std::int64_t> rows;
     for (const auto& [number, bound] : checker::many_pin_rows())
         rows.emplace(number, bound);
-    const proofs::blown_up::StarIntegrals few_common_points;
+    const auto few_common_points = proofs::blown_up::integrals_with_stars();
     const proofs::blown_up::FourPinIntegrals four_pins;
     const checker::Classification classes = checker::classify();
     std::set<checker::Signature> printed;

@@ -28,21 +28,6 @@ inline Residue product_of_differences(const Roots& roots, std::span<const std::s
 
 constexpr std::uint64_t samples_of_roots = 16; // more than the degree of any class below
 
-/// The factors of Lagrange's formula for the value at 0, from those at 1, 2, ...
-inline const Roots& lagrange_factors() {
-    static const Roots factors = [] {
-        Roots all;
-        for (std::uint64_t t = 1; t <= samples_of_roots; ++t) {
-            Residue factor{1};
-            for (std::uint64_t u = 1; u <= samples_of_roots; ++u)
-                if (u != t) factor = factor * Residue{u} * (Residue{u} - Residue{t}).inverse();
-            all.push_back(factor);
-        }
-        return all;
-    }();
-    return factors;
-}
-
 inline bool are_different(const Roots& roots) {
     for (const Residue root : roots)
         if (std::count(roots.begin(), roots.end(), root) > 1) return false;
@@ -55,12 +40,13 @@ template <class Value>
 Residue at_special_roots(const Roots& roots, bool generic, const Value& value) {
     constexpr std::array<std::uint64_t, 4> moves{1, 7919, 104729, 33};
     if (generic) return value(roots);
+    static const Roots factors = lagrange_factors(samples_of_roots);
     Residue sum;
     for (std::uint64_t t = 1; t <= samples_of_roots; ++t) {
         Roots moved = roots;
         for (std::size_t i = 0; i < moved.size(); ++i)
             moved[i] = moved[i] + Residue{t * moves[i]};
-        sum = sum + lagrange_factors()[t - 1] * value(moved);
+        sum = sum + factors[t - 1] * value(moved);
     }
     return sum;
 }
@@ -272,60 +258,24 @@ inline bool views_share_few_points(const checker::Signature& signature) {
 /// Whether Theorem K speaks of a signature.
 inline bool has_degree_with_many_pins(const checker::Signature& signature) {
     std::size_t stars = 0;
-    unsigned most_pins = 0;
     for (std::size_t i = 0; i < checker::feature_count; ++i) {
         const checker::Feature& feature = checker::features[i];
         if (signature[i] == 0) continue;
         if (!is_star(feature) && feature.pins > 1) return false;
         if (is_star(feature)) stars += signature[i];
-        most_pins = std::max(most_pins, feature.pins);
     }
-    return stars == 1 && (most_pins == 4 || views_share_few_points(signature));
+    return stars == 1 && (most_pins(signature) == 4 || views_share_few_points(signature));
 }
 
-inline std::int64_t signed_value(Residue sum) {
-    const auto value = static_cast<std::int64_t>(sum.value);
-    const auto q = static_cast<std::int64_t>(checker::modulus);
-    return value > q / 2 ? value - q : value;
+/// The class of a feature on the second blow-up, with the corrections of a point with four or five
+/// pins.
+inline Residue corrected_class_of(const Chart& chart, const checker::Feature& feature) {
+    return is_star(feature) ? StarClass(chart, feature.pins).corrected() : class_of(chart, feature);
 }
 
 /// Integrals of products of a class of a point with four or five pins and classes of others.
-class StarIntegrals {
-public:
-    std::int64_t of(const checker::Signature& signature) const {
-        Residue sum;
-        for (const auto& [factor, values] : charts_) {
-            Residue product = factor;
-            for (std::size_t i = 0; i < checker::feature_count; ++i)
-                for (unsigned n = 0; n < signature[i]; ++n)
-                    product = product * values[i];
-            sum = sum + product;
-        }
-        return signed_value(sum);
-    }
-
-    explicit StarIntegrals(std::uint64_t seed = 5) {
-        for (const FixedPoint& at : fixed_points(seed)) {
-            for (const Chart& chart : charts_over(at)) {
-                Values values{chart.factor * at.weight, {}};
-                for (std::size_t i = 0; i < checker::feature_count; ++i) {
-                    const checker::Feature& feature = checker::features[i];
-                    if (is_star(feature))
-                        values.features[i] = StarClass(chart, feature.pins).corrected();
-                    else if (feature.pins <= 3)
-                        values.features[i] = class_of(chart, feature);
-                }
-                charts_.push_back(values);
-            }
-        }
-    }
-
-private:
-    struct Values {
-        Residue factor{};
-        std::array<Residue, checker::feature_count> features{};
-    };
-    std::vector<Values> charts_{};
-};
+inline Integrals integrals_with_stars(std::uint64_t seed = 5) {
+    return Integrals(seed, charts_over, {corrected_class_of, 5});
+}
 
 } // namespace proofs::blown_up

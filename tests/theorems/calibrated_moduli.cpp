@@ -199,7 +199,7 @@ TEST_CASE("integrals over the space of cameras: dimensions of spaces of invarian
 
 TEST_CASE("the classes of features by localisation on the spaces of points and lines") {
     for (const FixedPoint& point : fixed_points()) {
-        CHECK(class_of_line(point.roots) == localized_line(point.roots));
+        CHECK(class_of_incident_line(point.roots.x, point.roots.h) == localized_line(point.roots));
         for (unsigned pins = 0; pins <= 4; ++pins)
             CHECK(class_of_point(point.roots, pins) == localized_point(point.roots, pins));
     }
