@@ -1,5 +1,5 @@
 // Integrals over the thrice blown-up space of proofs/common_centres.md, for Theorem K of
-// proofs/points_with_many_pins.md, section 6: a point with four pins, whatever else views share.
+// proofs/four_pins.md: a point with four pins, whatever else views share.
 #pragma once
 
 #include "proofs/computations/points_with_many_pins.h"
