@@ -31,7 +31,8 @@ static std::map<Signature, UpperBound> bounds_by_theorem(const Classification& c
         bounds[constraint_class(signature_of(problem))] = {bound, TheoremRow{row++, theorem}};
     const auto add = [&](std::string_view theorem, const std::vector<NumberedBound>& rows) {
         for (const auto& [number, bound] : rows) {
-            const Signature key = constraint_class(classes.representatives.at(number));
+            if (number >= classes.representatives.size()) continue; // of a shorter list of classes
+            const Signature key = constraint_class(classes.representatives[number]);
             bounds[key] = {bound, TheoremRow{row++, theorem}};
         }
     };

@@ -42,8 +42,9 @@ struct DegreeBounds {
 /// By constraint class. Classes of which nothing is known are absent.
 using DegreeTable = std::map<Signature, DegreeBounds>;
 
-/// Puts bounds together. `classes` are all of them, as theorems name them by number. Upper bounds are
-/// applied to the label classes that are `minimal`, by their numbers.
+/// Puts bounds together. Upper bounds are applied to the label classes that are `minimal`, by their
+/// numbers. Theorems name classes by number too, in the list of all of them: of a list that ends
+/// earlier, as tests have, the rows beyond its end say nothing.
 DegreeTable combine(const Classification& classes, const std::vector<bool>& minimal,
                     const std::vector<LowerBound>& lower, const RegistrationBounds& upper);
 
