@@ -25,15 +25,24 @@ struct Residue {
     constexpr Residue operator+(Residue b) const { return of(value + b.value); }
     constexpr Residue operator-(Residue b) const { return *this + -b; }
 
-    /// Both factors are split, a = 2^31 high + low with high < 2^30. As 2^62 = 2 and 2^31 2^30 = 1,
-    /// the product is the sum of four numbers below 2^61, 2^32, 2^61 and 2^62.
-    constexpr Residue operator*(Residue b) const {
+    constexpr Residue operator*(Residue b) const { return sum_of_products(*this, b, {}, {}); }
+
+    /// a b + c d. Each factor is split, a = 2^31 high + low with high < 2^30 and low < 2^31. So the
+    /// sums `high` < 2^61, `middle` < 2^63 and `low` < 2^63 below fit. As 2^62 = 2 and
+    /// 2^31 2^30 = 1, the result is the sum of four numbers below 2^62, 2^33, 2^61 and 2^63, which
+    /// is less than 2^64.
+    static constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d) {
         constexpr std::uint64_t low_30 = (std::uint64_t{1} << 30) - 1;
         constexpr std::uint64_t low_31 = (std::uint64_t{1} << 31) - 1;
-        const std::uint64_t a_high = value >> 31, a_low = value & low_31;
+        const std::uint64_t a_high = a.value >> 31, a_low = a.value & low_31;
         const std::uint64_t b_high = b.value >> 31, b_low = b.value & low_31;
-        const std::uint64_t middle = a_high * b_low + a_low * b_high;
-        return of(2 * a_high * b_high + (middle >> 30) + ((middle & low_30) << 31) + a_low * b_low);
+        const std::uint64_t c_high = c.value >> 31, c_low = c.value & low_31;
+        const std::uint64_t d_high = d.value >> 31, d_low = d.value & low_31;
+        const std::uint64_t high = a_high * b_high + c_high * d_high;
+        const std::uint64_t middle =
+            a_high * b_low + a_low * b_high + c_high * d_low + c_low * d_high;
+        const std::uint64_t low = a_low * b_low + c_low * d_low;
+        return of(2 * high + (middle >> 30) + ((middle & low_30) << 31) + low);
     }
 
     /// The inverse of this, if it is not 0: its power q - 2, by Fermat.
@@ -74,8 +83,8 @@ template <class Matrix> Residue determinant(Matrix m) {
         for (std::size_t r = c + 1; r < m.size(); ++r) {
             const Residue factor = -m[r][c];
             if (factor == Residue{}) continue;
-            for (std::size_t k = c; k < m.size(); ++k)
-                m[r][k] = pivot * m[r][k] + factor * m[c][k];
+            for (std::size_t k = c + 1; k < m.size(); ++k)
+                m[r][k] = Residue::sum_of_products(pivot, m[r][k], factor, m[c][k]);
             scale = scale * pivot;
         }
     }

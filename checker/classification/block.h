@@ -68,8 +68,13 @@ inline Block without_rows(const Block& block, const Numbers& deleted, int first)
         if (!std::binary_search(deleted.begin(), deleted.end(), number)) kept.push_back(row);
         ++number;
     }
-    if (kept.size() == block.rows.size()) return block;
     return eliminate(block.unknowns, std::move(kept));
+}
+
+/// Whether the list, which ascends, has a number from `first` to `last`.
+inline bool has_any(const Numbers& list, int first, int last) {
+    const auto place = std::lower_bound(list.begin(), list.end(), first);
+    return place != list.end() && *place <= last;
 }
 
 /// The minor, modulo q, of the J of a balanced problem of these blocks, in order, without some rows
@@ -81,12 +86,13 @@ inline Residue minor_of(const std::vector<const Block*>& blocks, const Numbers& 
     int row = 1;            // of J, the first of the block
     Residue factor{1};
     for (const Block* block : blocks) {
+        const int next = row + static_cast<int>(block->rows.size());
         Block shorter;
-        if (!deleted_rows.empty()) {
+        if (has_any(deleted_rows, row, next - 1)) {
             shorter = without_rows(*block, deleted_rows, row);
-            row += static_cast<int>(block->rows.size());
             block = &shorter;
         }
+        row = next;
         // The rows that the elimination used up move past those that earlier blocks have left. If
         // these are too many, another block has fewer rows than unknowns, and the minor is 0.
         const bool odd = filled * block->unknowns % 2 != 0;

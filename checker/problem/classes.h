@@ -69,6 +69,18 @@ constexpr Signature largest_relabeled(const Signature& signature) {
     return largest_image(signature, relabelings[0]);
 }
 
+/// Whether it is the largest of its label class: `signature == largest_relabeled(signature)`, but
+/// most comparisons are decided after a few features.
+constexpr bool represents_label_class(const Signature& signature) {
+    for (const FeatureMap& map : relabelings) {
+        std::size_t i = 0;
+        while (i < feature_count && signature[map[i]] == signature[i])
+            ++i;
+        if (i < feature_count && signature[map[i]] > signature[i]) return false;
+    }
+    return true;
+}
+
 /// The largest signature of the swap&label class: swaps commute with relabelings, and those towards
 /// the earlier feature of a pair make a signature larger.
 constexpr Signature largest_swapped(const Signature& signature) {
@@ -98,7 +110,7 @@ inline void enumerate(Signature& signature, std::size_t index, unsigned rest,
                       Classification& classes) {
     if (rest == 0) {
         ++classes.signatures;
-        if (signature == largest_relabeled(signature)) classes.representatives.push_back(signature);
+        if (represents_label_class(signature)) classes.representatives.push_back(signature);
         return;
     }
     if (index == feature_count) return;

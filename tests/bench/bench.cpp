@@ -1,6 +1,11 @@
 // Speed, each figure beside that of a peer in the same run: the minor of a class in the checker
 // against FLINT's determinant of the same matrix; certifying and checking classes against FLINT's
-// determinant of their whole Jacobians. See degrees.cpp for degrees.
+// determinant of their whole Jacobians; replaying the records of the archive, and numbering the
+// classes, against FLINT's minors. See degrees.cpp for degrees.
+//
+// Two ratios guard the speed of `plcheck certs/classification.plc`: replay_records to flint_minor was
+// 0.67 and number_classes to flint_minor 0.13 when this was written. They had been 0.94 and 0.28,
+// which took a third of the time too much.
 #include "checker/classification/block.h"
 #include "checker/report/report.h"
 #include "prover/classification/classification_file.h"
@@ -106,9 +111,13 @@ void prove_classification(benchmark::State& state) {
     count_items(state, label_classes().size());
 }
 
-void check_classification(benchmark::State& state) {
+std::string archive() {
     std::ifstream stream(CERTS_DIR "/classification.plc", std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void check_classification(benchmark::State& state) {
+    const std::string bytes = archive();
     for (auto _ : state) {
         const checker::Classification classes = checker::classify();
         std::vector<checker::ReplayedFile> files{checker::replay(classes, "archive", bytes)};
@@ -117,8 +126,24 @@ void check_classification(benchmark::State& state) {
     count_items(state, label_classes().size());
 }
 
+void replay_records(benchmark::State& state) {
+    const std::string bytes = archive();
+    const checker::Classification classes = checker::classify();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(checker::replay(classes, "archive", bytes));
+    count_items(state, classes.representatives.size());
+}
+
+void number_classes(benchmark::State& state) {
+    for (auto _ : state)
+        benchmark::DoNotOptimize(checker::classify());
+    count_items(state, label_classes().size());
+}
+
 BENCHMARK(prove_classification)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(check_classification)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(replay_records)->Unit(benchmark::kMillisecond);
+BENCHMARK(number_classes)->Unit(benchmark::kMillisecond);
 BENCHMARK(checker_minor);
 BENCHMARK(flint_minor);
 BENCHMARK(prover_minor);
@@ -138,6 +163,8 @@ public:
         ratio("prover_minor", "flint_whole_jacobian");
         ratio("prove_classification", "flint_whole_jacobian");
         ratio("check_classification", "flint_whole_jacobian");
+        ratio("replay_records", "flint_minor", "record");
+        ratio("number_classes", "flint_minor");
         ratio("track_chicago", "track_chicago_one_lane", "track");
         ratio("track_chicago_wide", "track_chicago", "track");
         ratio("track_chicago_triple", "track_chicago_wide", "track");

@@ -71,6 +71,10 @@ TEST_CASE("residues add, multiply and divide as GMP has it, at the extremes and 
         for (int n = 0; n < 20; ++n) {
             const std::uint64_t y = values[random() % values.size()];
             CHECK((Residue{x} * Residue{y}).value == modulo(integer(x) * integer(y)));
+            const std::uint64_t z = values[random() % values.size()];
+            const std::uint64_t w = values[random() % values.size()];
+            CHECK(Residue::sum_of_products({x}, {y}, {z}, {w}).value ==
+                  modulo(integer(x) * integer(y) + integer(z) * integer(w)));
             CHECK((Residue{x} + Residue{y}).value == modulo(integer(x) + integer(y)));
             CHECK((Residue{x} - Residue{y}).value == modulo(integer(x) - integer(y)));
         }
@@ -82,7 +86,9 @@ TEST_CASE("residues add, multiply and divide as GMP has it, at the extremes and 
         CHECK(Residue{x}.inverse().value == modulo(inverse));
         CHECK(Residue{x} * Residue{x}.inverse() == Residue{1});
     }
-    CHECK(Residue{modulus - 1} * Residue{modulus - 1} == Residue{1});
+    const Residue last{modulus - 1};
+    CHECK(last * last == Residue{1});
+    CHECK(Residue::sum_of_products(last, last, last, last) == Residue{2});
 }
 
 TEST_CASE("a word of any size has its residue") {

@@ -57,8 +57,10 @@ TEST_CASE(
             weight += s[i] * features[i].weight();
         REQUIRE(weight == 11);
         std::set<Signature> orbit;
-        for (const FeatureMap& map : relabelings)
+        for (const FeatureMap& map : relabelings) {
             orbit.insert(permuted(s, map));
+            REQUIRE(represents_label_class(permuted(s, map)) == (permuted(s, map) == s));
+        }
         REQUIRE(6 % orbit.size() == 0);
         REQUIRE(*orbit.rbegin() == s);
         signatures += orbit.size();
