@@ -1,0 +1,63 @@
+"""Section 13: why a problem in general is not minimal: parts and their motions."""
+
+from lines import require
+
+
+def arises(problem, points, lines):
+    """Whether the part of these points and lines arises by leaving out one after the other."""
+    left_points, left_lines = set(range(len(problem.points))), set(range(len(problem.lines)))
+    while True:
+        out = {j for j in left_lines - lines if len(left_points & set(problem.on[j])) <= 2}
+        left_lines -= out
+        point = next((i for i in left_points - points
+                      if sum(i in problem.on[j] for j in left_lines) <= 2), None)
+        if point is None and not out:
+            return left_points == points and left_lines == lines
+        left_points.discard(point)
+
+
+def span(on, points_given, lines_given):
+    """(rank, points in W, lines in W); `on` has the points of each line of the part."""
+    points, lines, rank = set(), set(), 0
+
+    def close():
+        for _ in on:
+            lines.update(j for j in on if len(points & set(on[j])) >= 2)
+            points.update(i for j in lines for i in on[j])
+
+    for i in sorted(points_given):
+        rank += i not in points
+        points.add(i)
+        close()
+    for j in sorted(lines_given):
+        rank += 0 if j in lines else 1 if points & set(on[j]) else 2
+        lines.add(j)
+        close()
+    return rank, points, lines
+
+
+def conditions(problem, part, motion):
+    """How many conditions the images of the part satisfy: Y' - X' - D' + κ."""
+    views, points, lines = (set(numbers) for numbers in part)
+    require(arises(problem, points, lines), "what is left out of the part")
+    space, seen = problem.dimensions(points, lines, views)
+    due = seen - space - problem.camera_dimension(len(views))
+    if motion is None:
+        return due
+    centre, moving, *given = motion
+    moving, star = set(moving), centre is not None
+    require(moving <= views and set(given[0]) <= points and set(given[1]) <= lines and
+            (not star or centre in points), "a motion of other views, points or lines")
+    on = {j: [i for i in problem.on[j] if i in points] for j in lines}
+    rank, points_within, lines_within = span(on, *given)
+    require(rank <= 3 and (problem.projective or star and not any(given)), "no such motion")
+    costing = [j for j in lines - lines_within
+               if problem.lines[j] & moving and centre not in on[j]]
+    counting = {i for i in points if problem.points[i] & moving or any(i in on[j] for j in costing)}
+    require(counting <= points_within | {centre}, "a point that counts is not in W")
+    scale = 3 if not star else 4 - rank if problem.projective else 1
+    gained = {0: 4 if not star else scale, 1: 0 if star else 1}.get(len(views - moving), 0)
+    once = not star or not problem.projective or rank == 3
+    cost = sum((1 if once or points_within & set(on[j]) else 2) *
+               max(0, len(problem.lines[j] & views) - 2) for j in costing)
+    return due + scale * len(moving) - gained - cost
