@@ -72,6 +72,8 @@ static bool has_records(const ReplayedFile& file) {
     if (const auto* content = std::get_if<BoundsFile>(&file.content)) return content->templates > 0;
     if (const auto* content = std::get_if<general::SolutionsFile>(&file.content))
         return !content->counts.empty();
+    if (const auto* content = std::get_if<general::ProblemsFile>(&file.content))
+        return !content->verdicts.empty();
     if (const auto* content = std::get_if<general::AtMostFile>(&file.content))
         return content->bounds.size() > 0;
     return true;

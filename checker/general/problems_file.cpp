@@ -45,7 +45,7 @@ ProblemsFile replay_problems(Reader& reader, const Execution& execution) try {
     const bool has_family = !file.family.empty();
     const Classes classes = has_family ? family(file.family) : Classes{};
     std::set<const Problem*> decided; // classes of the family
-    do {
+    while (!reader.at_end()) {
         const Record record = read_record(reader);
         effort.spend(effort_of(record), record.line);
         const auto& [notation, problem] = record.problem;
@@ -59,7 +59,7 @@ ProblemsFile replay_problems(Reader& reader, const Execution& execution) try {
         } catch (const Refused& refused) {
             file.refusals.add(record.line, say(printable(notation, 200), ": ", refused.reason));
         }
-    } while (!reader.at_end());
+    }
     file.missing = size_of(classes) - decided.size();
     if (file.missing > 0)
         file.refusals.add(reader.line(), say("the family ", file.family, " has ", file.missing,

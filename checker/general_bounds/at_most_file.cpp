@@ -40,7 +40,7 @@ AtMostFile replay_at_most(Reader& reader, const Execution& execution) try {
     AtMostFile file;
     Effort effort(execution.effort);
     Progress progress;
-    do {
+    while (!reader.at_end()) {
         const AtMostRecord record = read_at_most(reader);
         const auto& [notation, problem] = record.problem;
         const auto spend = [&](std::size_t monomials) {
@@ -56,7 +56,7 @@ AtMostFile replay_at_most(Reader& reader, const Execution& execution) try {
         } catch (const Refused& refused) {
             file.refusals.add(record.line, say(printable(notation, 200), ": ", refused.reason));
         }
-    } while (!reader.at_end());
+    }
     return file;
 } catch (const TooMuchEffort& too_much) {
     return {.refusals = too_much.refusals()};
