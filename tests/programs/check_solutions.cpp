@@ -178,10 +178,14 @@ TEST_CASE("an altered file of solutions is refused with status 1 or 2") {
     CHECK(judged("projective: 7*P/P", "projective: 8*P/P").status == 2);
     CHECK(judged("projective: 7*P/P", "projective: 6*P/P").status == 2);
     CHECK(judged("real 5", "pair 5").status == 2);
-    write_file(file, "plcert 2 solutions\n");
-    const Outcome empty = run(plcheck + " " + file);
-    CHECK(empty.status == 1);
-    CHECK(contains(empty.err, "it has no record, so it proves nothing"));
+    for (const std::string kind :
+         {"solutions", "at-most", "problems\nmodulus 2305843009213693951"}) {
+        CAPTURE(kind);
+        write_file(file, "plcert 2 " + kind + "\n");
+        const Outcome empty = run(plcheck + " " + file);
+        CHECK(empty.status == 1);
+        CHECK(contains(empty.err, "it has no record, so it proves nothing"));
+    }
 }
 
 TEST_CASE("--at-least certifies so many solutions, the same bytes each time, or writes nothing") {

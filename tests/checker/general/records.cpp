@@ -171,9 +171,13 @@ TEST_CASE("a part-record is spelled as section 13 says") {
     }
 }
 
-TEST_CASE("a file has a modulus, and a record") {
+TEST_CASE("a file has a modulus; without a record it conforms, and has no verdict") {
     CHECK(outcome_of_problems("").starts_with("syntax, "));
-    CHECK(outcome_of_problems("modulus 2305843009213693951\n").starts_with("syntax, "));
+    const auto empty =
+        checker::replay(all_classes(), "file", "plcert 2 problems\nmodulus 2305843009213693951\n");
+    const auto& content = std::get<checker::general::ProblemsFile>(empty.content);
+    CHECK(content.verdicts.empty());
+    CHECK(content.refusals.count == 0);
     CHECK(outcome_of_problems(five_points).starts_with("syntax, "));
     CHECK(
         outcome_of_problems("modulus 2305843009213693952\n" + five_points).starts_with("syntax, "));
