@@ -2,13 +2,13 @@
 #pragma once
 
 #include "checker/bounds/bounds_file.h"
-#include "checker/classification/classification_file.h"
 #include "checker/degrees/degree_file.h"
 #include "checker/digests/digest_list.h"
-#include "checker/general/problems_file.h"
 #include "checker/general_bounds/at_most_file.h"
 #include "checker/general_degrees/solutions_file.h"
-#include "checker/verdict/problem_file.h"
+#include "checker/minimal/classification_file.h"
+#include "checker/minimal/problem_file.h"
+#include "checker/family/problems_file.h"
 
 #include <variant>
 

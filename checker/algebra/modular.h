@@ -4,9 +4,12 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace checker {
 inline constexpr std::uint64_t modulus = (std::uint64_t{1} << 61) - 1;
@@ -67,6 +70,21 @@ inline Residue residue(const mpz_class& x) {
     return result;
 }
 
+/// A square matrix by rows, 0 at first.
+class SquareMatrix {
+public:
+    explicit SquareMatrix(std::size_t size) : size_(size), entries_(size * size) {}
+
+    std::size_t size() const { return size_; }
+    std::span<Residue> operator[](std::size_t row) {
+        return std::span(entries_).subspan(row * size_, size_);
+    }
+
+private:
+    std::size_t size_;
+    std::vector<Residue> entries_;
+};
+
 /// The determinant of a square matrix, a container of rows.
 template <class Matrix> Residue determinant(Matrix m) {
     Residue product{1};
@@ -76,15 +94,19 @@ template <class Matrix> Residue determinant(Matrix m) {
         while (place < m.size() && m[place][c] == Residue{})
             ++place;
         if (place == m.size()) return {};
-        if (place != c) product = -product;
-        std::swap(m[c], m[place]);
+        if (place != c) {
+            product = -product;
+            std::ranges::swap_ranges(m[c], m[place]);
+        }
         const Residue pivot = m[c][c];
         product = product * pivot;
+        auto&& pivot_row = m[c];
         for (std::size_t r = c + 1; r < m.size(); ++r) {
-            const Residue factor = -m[r][c];
+            auto&& row = m[r];
+            const Residue factor = -row[c];
             if (factor == Residue{}) continue;
             for (std::size_t k = c + 1; k < m.size(); ++k)
-                m[r][k] = Residue::sum_of_products(pivot, m[r][k], factor, m[c][k]);
+                row[k] = Residue::sum_of_products(pivot, row[k], factor, pivot_row[k]);
             scale = scale * pivot;
         }
     }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "checker/bounds/bounds_file.h"
-#include "checker/problem/obstruction.h"
+#include "checker/minimal/obstruction.h"
 
 #include <optional>
 

@@ -14,22 +14,23 @@ static std::string without_blanks(std::string_view notation) {
 
 CanonicalProblem parse_problem(std::string_view notation) {
     const std::string text = without_blanks(notation);
-    Problem problem;
+    unsigned views = 0;
+    Features list;
     for (std::size_t start = 0; start <= text.size();) {
         const std::size_t end = std::min(text.find('+', start), text.size());
         const std::string line = text.substr(start, end - start) + '\n';
         start = end + 1;
         if (line == "\n") throw Malformed{{0, "expected a feature before and after each `+`"}};
         Reader reader(line);
-        const Problem summand = read_problem(reader);
-        if (problem.views == 0) problem.views = summand.views;
-        if (summand.views != problem.views)
+        const Written summand = read_notation(reader, section_1);
+        const auto its_views = static_cast<unsigned>(summand.problem.view_count());
+        if (views == 0) views = its_views;
+        if (its_views != views)
             throw Malformed{{0, "expected all features in the same number of views"}};
-        problem.features.insert(problem.features.end(), summand.features.begin(),
-                                summand.features.end());
-        if (problem.features.size() > 1000) throw Malformed{{0, "expected at most 1000 features"}};
+        list.insert(list.end(), summand.features.begin(), summand.features.end());
+        if (list.size() > 1000) throw Malformed{{0, "expected at most 1000 features"}};
     }
-    return canonical(problem);
+    return canonical(views, list);
 }
 
 /// What is proved of a problem beside its degree.

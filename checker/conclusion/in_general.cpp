@@ -1,11 +1,11 @@
 #include "checker/conclusion/in_general.h"
 
-#include "checker/general/degree_bound.h"
-#include "checker/general/isomorphism.h"
-#include "checker/general/notation.h"
+#include "checker/family/degree_bound.h"
 #include "checker/general_bounds/hilbert.h"
 #include "checker/general_bounds/proved_degrees.h"
 #include "checker/general_bounds/three_views.h"
+#include "checker/problem/isomorphism.h"
+#include "checker/problem/notation.h"
 
 namespace checker {
 general::Problem parse_general_problem(std::string_view notation) {

@@ -2,7 +2,7 @@
 // 6). What the paper claims of them stands elsewhere.
 #pragma once
 
-#include "checker/classification/classification_file.h"
+#include "checker/minimal/classification_file.h"
 
 #include <optional>
 

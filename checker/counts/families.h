@@ -2,7 +2,7 @@
 // proofs/classification.md, section 7).
 #pragma once
 
-#include "checker/problem/obstruction.h"
+#include "checker/minimal/obstruction.h"
 
 namespace checker {
 /// Whether all features are free lines and points without pins.

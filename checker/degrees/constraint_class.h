@@ -11,7 +11,7 @@ inline std::size_t exchanged(std::size_t index) {
     const Feature& feature = features[index];
     const bool one_view = std::popcount(feature.point) == 1;
     if (feature.pins != 2 || !one_view) return index;
-    return index_of(feature.point, {all_views ^ feature.point});
+    return index_of(Feature{.point = feature.point, .pin = {all_views ^ feature.point}, .pins = 1});
 }
 
 /// The signature that stands for a balanced signature's constraint class.

@@ -1,7 +1,7 @@
 #include "checker/degrees/degree_file.h"
 
 #include "checker/degrees/solutions.h"
-#include "checker/problem/obstruction.h"
+#include "checker/minimal/obstruction.h"
 
 namespace checker {
 /// An image line: a feature of the table, and what the views see of it.

@@ -1,7 +1,7 @@
 #include "checker/general_bounds/at_most_file.h"
 
-#include "checker/general/notation.h"
 #include "checker/general_bounds/section.h"
+#include "checker/problem/notation.h"
 
 namespace checker::general {
 struct AtMostRecord {
@@ -42,7 +42,7 @@ AtMostFile replay_at_most(Reader& reader, const Execution& execution) try {
     Progress progress;
     while (!reader.at_end()) {
         const AtMostRecord record = read_at_most(reader);
-        const auto& [notation, problem] = record.problem;
+        const auto& [notation, list, problem] = record.problem;
         const auto spend = [&](std::size_t monomials) {
             effort.spend(effort_of(monomials), record.line);
         };

@@ -4,7 +4,7 @@
 
 #include "checker/effort/execution.h"
 #include "checker/file/reader.h"
-#include "checker/general/problem.h"
+#include "checker/problem/problem.h"
 
 namespace checker::general {
 /// What a record proves: if the problem is minimal, it has at most so many camera solutions.

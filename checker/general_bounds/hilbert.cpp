@@ -86,7 +86,9 @@ mpz_class determinants(const Schur& a, const Schur& b, int n) {
 
 /// Those of a problem of Theorem T, the ones with most pins first; none of another problem.
 std::vector<Feature> features_of(const Problem& problem) {
-    if (!problem.projective || !all_views_see_all(problem) || surplus(problem) != 0) return {};
+    if (problem.cameras != &projective_cameras || !all_views_see_all(problem) ||
+        surplus(problem) != 0)
+        return {};
     std::vector<Feature> features;
     int equations = 0; // of each view
     for (const Point& point : problem.points) {

@@ -2,7 +2,7 @@
 // counting the invariants of GL_4 (proofs/moduli.md, Theorem T).
 #pragma once
 
-#include "checker/general/problem.h"
+#include "checker/problem/problem.h"
 
 #include <gmpxx.h>
 

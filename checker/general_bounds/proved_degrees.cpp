@@ -1,7 +1,7 @@
 #include "checker/general_bounds/proved_degrees.h"
 
-#include "checker/general/isomorphism.h"
-#include "checker/general/notation.h"
+#include "checker/problem/isomorphism.h"
+#include "checker/problem/notation.h"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 // Upper bounds of problems that pages of proofs/ treat one by one.
 #pragma once
 
-#include "checker/general/problem.h"
+#include "checker/problem/problem.h"
 
 #include <string_view>
 

@@ -102,7 +102,7 @@ template <class Make> static void fill(RowSpace& space, const Make& make) {
 
 std::size_t solutions_at_most(const Problem& problem, const std::vector<Numbers>& views,
                               const Powers& powers, const Spend& spend) {
-    if (!problem.projective) throw Refused("its cameras are calibrated");
+    if (problem.cameras != &projective_cameras) throw Refused("its cameras are calibrated");
     const SceneSystem system = scene_system(problem, views);
     const BaseScenes base = base_scenes(problem, system);
     const SceneCoordinates coordinates(system, base.few_depths);

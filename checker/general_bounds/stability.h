@@ -1,7 +1,7 @@
 // Whether general arrangements of points and lines are stable (proofs/moduli.md, section 6).
 #pragma once
 
-#include "checker/general/problem.h"
+#include "checker/problem/problem.h"
 
 namespace checker::general {
 /// Whether they are, for a problem whose views give twelve equations each, where no line has two

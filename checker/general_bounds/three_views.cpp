@@ -215,8 +215,9 @@ static Small integral(const Indices& features) {
 }
 
 std::optional<std::size_t> degree_in_three_views(const Problem& problem) {
-    const bool applies = problem.projective && std::popcount(problem.views) == 3 &&
-                         all_views_see_all(problem) && surplus(problem) == 0;
+    const bool applies = problem.cameras == &projective_cameras &&
+                         std::popcount(problem.views) == 3 && all_views_see_all(problem) &&
+                         surplus(problem) == 0;
     if (!applies) return std::nullopt;
     const std::optional<Indices> features = features_of(problem);
     if (!features) return std::nullopt;

@@ -1,7 +1,7 @@
 // The degrees of problems in three views, as intersection numbers (proofs/moduli.md, Theorem Q).
 #pragma once
 
-#include "checker/general/problem.h"
+#include "checker/problem/problem.h"
 
 namespace checker::general {
 /// How many solutions for its cameras, up to motions of space, the problem has exactly; 0 if it is

@@ -162,7 +162,8 @@ SceneSystem scene_system(const Problem& problem, const std::vector<Numbers>& vie
     if (std::ranges::any_of(problem.points, is_hidden) ||
         std::ranges::any_of(problem.lines, is_hidden))
         throw Refused("some view misses a point or a line");
-    SceneSystem system{.projective = problem.projective, .cameras = views.size() - 1};
+    SceneSystem system{.projective = problem.cameras == &projective_cameras,
+                       .cameras = views.size() - 1};
     add_places(system, problem, picture_of(problem, views[0]));
     for (std::size_t view = 1; view < views.size(); ++view)
         add_incidences(system, problem, picture_of(problem, views[view]), view - 1);

@@ -7,7 +7,7 @@
 
 #include "checker/algebra/vector3.h"
 #include "checker/file/reader.h"
-#include "checker/general/problem.h"
+#include "checker/problem/problem.h"
 
 namespace checker::general {
 /// Of an image point: integers, at most 10^9 in size. Of an image line: at most 2 · 10^18.

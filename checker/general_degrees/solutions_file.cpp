@@ -1,8 +1,8 @@
 #include "checker/general_degrees/solutions_file.h"
 
 #include "checker/degrees/solutions.h"
-#include "checker/general/notation.h"
 #include "checker/general_degrees/scene_certify.h"
+#include "checker/problem/notation.h"
 
 namespace checker::general {
 /// A record up to its solutions.
@@ -27,7 +27,8 @@ static ImagesRecord read_record_of_images(Reader& reader) {
 /// How many coordinates a solution of the problem has.
 static std::size_t coordinates_of(const Problem& problem) {
     const auto views = static_cast<std::size_t>(std::popcount(problem.views));
-    const SceneSystem shape{.projective = problem.projective, .cameras = views - 1};
+    const SceneSystem shape{.projective = problem.cameras == &projective_cameras,
+                            .cameras = views - 1};
     return shape.camera_coordinates() + depths_of(problem);
 }
 

@@ -4,7 +4,7 @@
 
 #include "checker/effort/execution.h"
 #include "checker/file/reader.h"
-#include "checker/general/problem.h"
+#include "checker/problem/problem.h"
 
 namespace checker::general {
 /// What a record proves: the problem is minimal, and has at least so many camera solutions.

@@ -3,7 +3,7 @@
 
 #include "checker/bounds/degree_bounds.h"
 #include "checker/counts/counts.h"
-#include "checker/general/problems_file.h"
+#include "checker/family/problems_file.h"
 
 #include <map>
 

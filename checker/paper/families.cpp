@@ -1,4 +1,4 @@
-#include "checker/general/rows.h"
+#include "checker/family/rows.h"
 #include "checker/paper/claims.h"
 
 namespace checker::paper {

@@ -25,10 +25,11 @@ constexpr FeatureMap relabeling(const std::array<unsigned, 3>& to) {
     };
     FeatureMap map{};
     for (std::size_t i = 0; i < feature_count; ++i) {
-        Pins pin = features[i].pin;
-        for (Views& views : pin)
-            views = relabeled(views);
-        map[index_of(relabeled(features[i].point), pin)] = i;
+        Feature image = features[i];
+        image.point = relabeled(image.point);
+        for (std::size_t pin = 0; pin < image.pins; ++pin)
+            image.pin[pin] = relabeled(image.pin[pin]);
+        map[index_of(image)] = i;
     }
     return map;
 }
@@ -47,7 +48,11 @@ inline constexpr FeatureMap earlier_of_swap = [] {
         const Views pin = features[i].pin[0];
         const Views point_only = point & ~pin, line_only = pin & ~point, both = point & pin;
         const bool has_swap = features[i].pins == 1 && point_only && line_only && both;
-        map[i] = has_swap ? std::min(i, index_of(point, {line_only | point_only})) : i;
+        map[i] = i;
+        if (!has_swap) continue;
+        Feature other = features[i];
+        other.pin[0] = line_only | point_only;
+        map[i] = std::min(i, index_of(other));
     }
     return map;
 }();

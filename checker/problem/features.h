@@ -1,5 +1,5 @@
-// The 27 local features (FORMAT.md, section 1). What each view sees of a feature says everything
-// about it; only the list of names is taken on trust.
+// Local features, and the table of the 27 (FORMAT.md, section 1). What each view sees of a feature
+// says everything about it; only the list of names is taken on trust.
 #pragma once
 
 #include <algorithm>
@@ -16,21 +16,33 @@ using Views = unsigned;
 inline constexpr Views all_views = 0b111;
 inline constexpr std::array<Views, 3> view_pairs{0b011, 0b101, 0b110};
 
-/// Whether the set has this view: 0, 1 or 2.
+/// Whether the set has this view. Views are numbered from 0.
 constexpr bool has_view(Views views, std::size_t view) {
     return (views >> view & 1) != 0;
 }
 
-/// For each pin of a point, the views that see it.
-using Pins = std::array<Views, 26>;
+/// A letter of a notation names a line: `a` to `z`, and `A` to `Z` without `P`, which is a point.
+inline constexpr std::size_t most_letters = 51;
 
-/// A point with pins, or a free line, which is its one pin.
+constexpr bool is_capital(char c) {
+    return c >= 'A' && c <= 'Z' && c != 'P';
+}
+
+constexpr bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || is_capital(c);
+}
+
+/// For each pin of a point, the views that see it.
+using Pins = std::array<Views, most_letters>;
+
+/// A point with pins, the lines through it; or a free line, which is its one pin.
 struct Feature {
     std::string_view notation{};
     bool free_line = false;
     Views point = 0; // that see the point
     Views views = 0; // that see anything of the feature
     Pins pin{};
+    std::array<char, most_letters> letter{}; // of each pin, ascending: capital letters first
     unsigned pins = 0;
     unsigned equations = 0; // degrees of freedom in the images
 
@@ -39,11 +51,14 @@ struct Feature {
     constexpr unsigned weight() const { return equations - unknowns(); }
 };
 
-/// The feature of a notation, whose symbols are assumed to be those of section 1.
+/// The feature of a notation that is spelled as sections 1 and 13 say; of another text, some
+/// feature that is spelled otherwise.
 constexpr Feature observe(std::string_view notation) {
     Feature feature{.notation = notation};
+    for (char c = 'A'; c <= 'z'; ++c)
+        if (is_letter(c) && notation.find(c) != notation.npos) feature.letter[feature.pins++] = c;
     Views view = 0b001;
-    bool has_point = false;
+    bool has_point = feature.pins > 1;
     for (const char symbol : notation) {
         if (symbol == '/') view <<= 1;
         if (symbol == '(') view = 0; // what no view sees follows
@@ -51,10 +66,11 @@ constexpr Feature observe(std::string_view notation) {
             has_point = true;
             feature.point |= view;
             if (view != 0) feature.equations += 2;
-        } else if (symbol >= 'a' && symbol <= 'z') {
-            const auto pin = static_cast<unsigned>(symbol - 'a');
+        } else if (is_letter(symbol)) {
+            std::size_t pin = 0;
+            while (feature.letter[pin] != symbol)
+                ++pin;
             const bool through_seen_point = (feature.point & view) != 0;
-            feature.pins = std::max(feature.pins, pin + 1);
             feature.pin[pin] |= view;
             if (view != 0) feature.equations += through_seen_point ? 1 : 2;
         } else {
@@ -64,6 +80,12 @@ constexpr Feature observe(std::string_view notation) {
     }
     feature.free_line = !has_point && feature.pins == 1;
     return feature;
+}
+
+/// Whether two features look the same, up to the names and the order of their pins.
+constexpr bool look_alike(const Feature& a, const Feature& b) {
+    return a.free_line == b.free_line && a.point == b.point && a.pins == b.pins &&
+           std::is_permutation(a.pin.begin(), a.pin.begin() + a.pins, b.pin.begin());
 }
 
 inline constexpr std::array<Feature, feature_count> features = [] {
@@ -84,15 +106,11 @@ inline constexpr std::array<Feature, feature_count> features = [] {
     return all;
 }();
 
-/// The index of the feature that looks the same, up to the names of pins; feature_count if none
-/// does.
-constexpr std::size_t index_of(Views point, const Pins& pin) {
+/// The index of the feature that looks like this one; feature_count if none does.
+constexpr std::size_t index_of(const Feature& feature) {
     std::size_t i = 0;
-    for (; i < feature_count; ++i) {
-        const Feature& feature = features[i];
-        const bool same_pins = std::is_permutation(pin.begin(), pin.end(), feature.pin.begin());
-        if (feature.point == point && same_pins) break;
-    }
+    while (i < feature_count && !look_alike(features[i], feature))
+        ++i;
     return i;
 }
 

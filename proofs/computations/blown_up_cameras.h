@@ -3,8 +3,8 @@
 // q = 2^61 - 1.
 #pragma once
 
+#include "checker/minimal/obstruction.h"
 #include "checker/problem/classes.h"
-#include "checker/problem/obstruction.h"
 #include "proofs/computations/blown_up_moduli.h"
 #include "proofs/computations/incident_lines.h"
 

@@ -2,7 +2,7 @@
 // proofs/relations.md, section 10), and problems of the same degree (Theorem X, section 11).
 #pragma once
 
-#include "checker/problem/obstruction.h"
+#include "checker/minimal/obstruction.h"
 #include "proofs/computations/feature_classes.h"
 
 #include <algorithm>

@@ -3,10 +3,10 @@
 // determinant of their whole Jacobians; replaying the records of the archive, and numbering the
 // classes, against FLINT's minors. See degrees.cpp for degrees.
 //
-// Two ratios guard the speed of `plcheck certs/classification.plc`: replay_records to flint_minor was
-// 0.67 and number_classes to flint_minor 0.13 when this was written. They had been 0.94 and 0.28,
-// which took a third of the time too much.
-#include "checker/classification/block.h"
+// Two ratios guard the speed of `plcheck certs/classification.plc`: replay_records to flint_minor
+// was 0.67 and number_classes to flint_minor 0.13 when this was written. They had been 0.94 and
+// 0.28, which took a third of the time too much.
+#include "checker/minimal/block.h"
 #include "checker/report/report.h"
 #include "prover/classification/classification_file.h"
 
@@ -68,7 +68,7 @@ void count_items(benchmark::State& state, std::size_t items) {
 }
 
 void checker_minor(benchmark::State& state) {
-    using Matrix = std::array<checker::ResidueRow, camera_dimension>;
+    using Matrix = std::array<std::array<checker::Residue, camera_dimension>, camera_dimension>;
     std::vector<Matrix> matrices;
     for (const ResidueMatrix& stack : sample().stacks) {
         Matrix& matrix = matrices.emplace_back();

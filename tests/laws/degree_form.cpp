@@ -1,6 +1,6 @@
 #include "tests/laws/degree_form.h"
 
-#include "checker/problem/obstruction.h"
+#include "checker/minimal/obstruction.h"
 
 #include <fstream>
 #include <sstream>

@@ -1,5 +1,5 @@
 // Wrong degrees, planted in the committed table, and found by the laws.
-#include "checker/problem/obstruction.h"
+#include "checker/minimal/obstruction.h"
 #include "tests/laws/hodge.h"
 #include "tests/laws/ranks.h"
 #include "tests/laws/verdict.h"

@@ -1,14 +1,14 @@
 // Points of the joint camera map at which tests build Jacobians: cameras, and random features.
 #pragma once
 
-#include "checker/classification/pool.h"
+#include "checker/minimal/pool.h"
 
 #include <random>
 
-/// Three cameras in general position.
-inline const checker::Cameras& three_cameras() {
-    static const checker::Cameras cameras = checker::cameras_of(
-        {checker::Numbers{1, 2, -1, 3, 5, -2, 4}, checker::Numbers{2, -3, 1, 1, -4, 7, 3}});
+/// Cameras 2 and 3 of three in general position.
+inline const std::vector<checker::Numbers>& three_cameras() {
+    static const std::vector<checker::Numbers> cameras{{1, 2, -1, 3, 5, -2, 4},
+                                                       {2, -3, 1, 1, -4, 7, 3}};
     return cameras;
 }
 
@@ -22,12 +22,19 @@ private:
 };
 
 /// A random point of the domain. Third coordinates are not 0.
-inline checker::Placement random_placement(const checker::Feature& feature,
-                                           RandomIntegers& random) {
+inline checker::Numbers random_placement(const checker::Feature& feature, RandomIntegers& random) {
     checker::Numbers numbers;
     for (std::size_t i = 0; i < 3 * (feature.pins + 1); ++i)
         numbers.push_back(random(9999));
     for (std::size_t i = 2; i < numbers.size(); i += 3)
         if (numbers[i] == 0) numbers[i] = 1;
-    return checker::placement_of(numbers);
+    return numbers;
+}
+
+/// The contribution of a feature at such a point.
+inline checker::Contribution random_contribution(const checker::Feature& feature,
+                                                 RandomIntegers& random) {
+    const checker::Numbers placement = random_placement(feature, random);
+    return checker::contribution_of(
+        feature.unknowns(), checker::rows_of(feature, 3, {three_cameras(), placement}).rows);
 }

@@ -1,5 +1,6 @@
 // Minors of problems from the blocks of their features, against exact determinants of all of J.
-#include "checker/classification/block.h"
+#include "checker/minimal/record.h"
+#include "checker/problem/notation.h"
 #include "tests/support/all_classes.h"
 #include "tests/support/exact_determinant.h"
 #include "tests/support/jacobian_points.h"
@@ -8,41 +9,49 @@ using namespace checker;
 
 namespace {
 
+using IntegerRow = std::vector<mpz_class>;
+using IntegerRows = Rows<mpz_class>;
+
 std::uint64_t modulo(const mpz_class& x) {
     return mpz_fdiv_ui(x.get_mpz_t(), modulus);
 }
 
-/// The blocks of a class at a random point.
-std::vector<Block> random_blocks(const Signature& signature, RandomIntegers& random) {
-    std::vector<Block> blocks;
+/// The contributions of a class at a random point.
+std::vector<Contribution> random_contributions(const Signature& signature, RandomIntegers& random) {
+    std::vector<Contribution> contributions;
     for (std::size_t i = 0; i < feature_count; ++i)
-        for (unsigned k = 0; k < signature[i]; ++k) {
-            const Placement placement = random_placement(features[i], random);
-            blocks.push_back(eliminate(features[i].unknowns(),
-                                       jacobian_rows(features[i], placement, three_cameras())));
-        }
+        for (unsigned k = 0; k < signature[i]; ++k)
+            contributions.push_back(random_contribution(features[i], random));
+    return contributions;
+}
+
+std::vector<const Block*> blocks_of(const std::vector<Contribution>& contributions) {
+    std::vector<const Block*> blocks;
+    for (const Contribution& contribution : contributions)
+        blocks.push_back(&contribution.block);
     return blocks;
 }
 
-std::size_t own_unknowns(const std::vector<Block>& blocks) {
+std::size_t own_unknowns(const std::vector<Contribution>& contributions) {
     std::size_t own = 0;
-    for (const Block& block : blocks)
-        own += block.unknowns;
+    for (const Contribution& contribution : contributions)
+        own += contribution.unknowns;
     return own;
 }
 
 /// All of J: the features' own unknowns one after the other, then those of the cameras.
-IntegerRows whole_jacobian(const std::vector<Block>& blocks) {
-    const std::size_t own = own_unknowns(blocks);
+IntegerRows whole_jacobian(const std::vector<Contribution>& contributions) {
+    const std::size_t own = own_unknowns(contributions);
     IntegerRows whole;
     std::size_t first = 0;
-    for (const Block& block : blocks) {
-        for (const IntegerRow& row : block.rows) {
+    for (const Contribution& contribution : contributions) {
+        for (const IntegerRow& row : contribution.rows) {
             IntegerRow& full = whole.emplace_back(own + camera_unknowns);
             for (std::size_t c = 0; c < row.size(); ++c)
-                full[c < block.unknowns ? first + c : own + c - block.unknowns] = row[c];
+                full[c < contribution.unknowns ? first + c : own + c - contribution.unknowns] =
+                    row[c];
         }
-        first += block.unknowns;
+        first += contribution.unknowns;
     }
     return whole;
 }
@@ -69,19 +78,23 @@ TEST_CASE(
     "minors agree with the exact determinant of the whole of J, rows and columns deleted or not") {
     RandomIntegers random;
     for (std::size_t n = 100; n < all_classes().representatives.size(); n += 7001) {
-        const std::vector<Block> blocks = random_blocks(all_classes().representatives[n], random);
-        std::vector<const Block*> pointers;
-        for (const Block& block : blocks)
-            pointers.push_back(&block);
-        const IntegerRows whole = whole_jacobian(blocks);
-        REQUIRE(whole.size() == own_unknowns(blocks) + camera_unknowns);
-        CHECK(minor_of(pointers, {}, {}).value == modulo(exact_determinant(whole)));
+        const std::vector<Contribution> contributions =
+            random_contributions(all_classes().representatives[n], random);
+        std::vector<const Contribution*> pointers;
+        for (const Contribution& contribution : contributions)
+            pointers.push_back(&contribution);
+        const IntegerRows whole = whole_jacobian(contributions);
+        REQUIRE(whole.size() == own_unknowns(contributions) + camera_unknowns);
+        CHECK(minor_of(blocks_of(contributions), camera_unknowns).value ==
+              modulo(exact_determinant(whole)));
 
         const auto size = static_cast<int>(whole.size());
         const auto shift = static_cast<int>(n % 3);
-        const Numbers rows{1 + shift, size / 2, size - shift}, columns{2, 3, 9};
-        CHECK(minor_of(pointers, rows, columns).value ==
-              modulo(exact_determinant(without(whole, rows, columns))));
+        const Record record{.deleted_rows = {1 + shift, size / 2, size - shift},
+                            .deleted_columns = {2, 3, 9}};
+        CHECK(
+            minor_without(record, pointers, camera_unknowns).value ==
+            modulo(exact_determinant(without(whole, record.deleted_rows, record.deleted_columns))));
     }
 }
 
@@ -89,34 +102,65 @@ TEST_CASE("a minor is 0 where the blocks leave more conditions than there are ca
     RandomIntegers random;
     Signature signature{};
     signature[index_of("P/P/P")] = 4; // which weigh 12
-    const std::vector<Block> blocks = random_blocks(signature, random);
-    std::vector<const Block*> pointers;
-    for (const Block& block : blocks)
-        pointers.push_back(&block);
-    CHECK(minor_of(pointers, {}, {}) == Residue{});
-    pointers.pop_back();
-    CHECK(minor_of(pointers, {}, {10, 11}) != Residue{});
+    const std::vector<Contribution> contributions = random_contributions(signature, random);
+    std::vector<const Block*> blocks = blocks_of(contributions);
+    CHECK(minor_of(blocks, camera_unknowns) == Residue{});
+    blocks.pop_back();
+    CHECK(minor_of(blocks, camera_unknowns, {10, 11}) != Residue{});
+    CHECK(minor_of(blocks, camera_unknowns, {11}) == Residue{}); // not square
 }
 
 TEST_CASE("elimination leaves as many conditions as a feature weighs, modulo q the same, scaled") {
     RandomIntegers random;
     for (const Feature& feature : features) {
-        const Placement placement = random_placement(feature, random);
-        const IntegerRows rows = jacobian_rows(feature, placement, three_cameras());
-        const Block block = eliminate(feature.unknowns(), rows);
-        CHECK(block.unknowns == feature.unknowns());
-        CHECK(block.rows == rows);
-        REQUIRE(block.conditions.size() == feature.weight());
-        REQUIRE(block.residues.size() == feature.weight());
-        const CameraMotion& exact = block.conditions[0];
-        const ResidueRow& scaled = block.residues[0];
+        const Contribution contribution = random_contribution(feature, random);
+        CHECK(contribution.unknowns == feature.unknowns());
+        CHECK(contribution.rows.size() == feature.equations);
+        CHECK(contribution.block.rows() == feature.equations);
+        REQUIRE(contribution.conditions.size() == feature.weight());
+        REQUIRE(contribution.block.left.size() == feature.weight());
+        const IntegerRow& exact = contribution.conditions[0];
+        const std::vector<Residue>& scaled = contribution.block.left[0];
         std::size_t column = 0; // in which the first condition has an entry
         while (column < camera_unknowns - 1 && scaled[column] == Residue{})
             ++column;
         REQUIRE(!(scaled[column] == Residue{}));
-        for (std::size_t i = 0; i < block.conditions.size(); ++i)
+        for (std::size_t i = 0; i < contribution.conditions.size(); ++i)
             for (std::size_t c = 0; c < camera_unknowns; ++c)
-                CHECK(block.residues[i][c] * residue(exact[column]) ==
-                      residue(block.conditions[i][c]) * scaled[column]);
+                CHECK(contribution.block.left[i][c] * residue(exact[column]) ==
+                      residue(contribution.conditions[i][c]) * scaled[column]);
     }
+}
+
+TEST_CASE("det J by components is the determinant of the whole of J, in its order") {
+    RandomIntegers random;
+    std::size_t not_zero = 0;
+    for (const char* notation :
+         {"5*P/P", "2*Pa/Pa/Pa + P/P/P", "a/a/a + 3*P/P/P", "P/P/P + a/a/a + Pa/Pa/Pa + Pb/Pb/Pb",
+          "3*PL/PL/PL + 2*P/P/P", "PL/PL/PL + PM/PM/PM + PLM/PLM/PLM + a/a/a + P/P/P",
+          "projective: 7*P/P", "projective: 3*PL/PL/PL + 5*P/P/P + a/a/a + Pa/Pa/Pa",
+          "projective: 2*PLab/PLab/PLab/PLab + PLabcd/PLabcd/PLabcd/PLabcd"}) {
+        CAPTURE(notation);
+        const std::string line = std::string(notation) + '\n';
+        Reader reader(line);
+        const Problem problem = read_notation(reader).problem;
+        Placement placement;
+        for (std::size_t i = 0; i < scene_size(problem); ++i)
+            placement.scene.push_back(random(999));
+        for (int view = 1; view < problem.view_count(); ++view) {
+            Numbers& camera = placement.cameras.emplace_back();
+            for (std::size_t i = 0; i < problem.cameras->numbers; ++i)
+                camera.push_back(random(999));
+        }
+        const Jacobian<mpz_class> j = jacobian<mpz_class>(problem, placement);
+        CHECK(modulo_q(j.rows) == jacobian<Residue>(problem, placement).rows);
+        if (j.rows.size() != j.rows[0].size()) {
+            CHECK(surplus(problem) != 0);
+            continue;
+        }
+        const Residue minor = jacobian_determinant(problem, placement);
+        CHECK(minor.value == modulo(exact_determinant(j.rows)));
+        not_zero += minor == Residue{} ? 0 : 1;
+    }
+    CHECK(not_zero >= 4);
 }

@@ -1,6 +1,6 @@
 // Families of problems: laws over all classes, and second methods.
 #include "checker/counts/families.h"
-#include "checker/verdict/notation.h"
+#include "checker/problem/notation.h"
 #include "tests/support/all_classes.h"
 
 #include <set>

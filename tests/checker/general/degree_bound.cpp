@@ -1,5 +1,5 @@
 // Theorem 16 of proofs/families.md: each item at its border, and all degrees that monodromy found.
-#include "checker/general/degree_bound.h"
+#include "checker/family/degree_bound.h"
 
 #include "checker/conclusion/in_general.h"
 #include "checker/general_bounds/hilbert.h"

@@ -1,7 +1,7 @@
 // The families of problems, counted by a second method: all ways to place lines on numbered points,
 // and the orbits of their renamings by Burnside's lemma. And what a file of a family must have.
-#include "checker/general/family.h"
-#include "checker/general/rows.h"
+#include "checker/family/family.h"
+#include "checker/family/rows.h"
 #include "tests/checker/general/outcome.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "tests/checker/general/image_rank.h"
 
-#include "checker/general/notation.h"
+#include "checker/problem/notation.h"
 
 #include <algorithm>
 #include <array>
@@ -144,7 +144,7 @@ std::vector<ulong> changes_of(const Problem& problem, Coordinates& coordinates) 
     }
     std::vector<ulong> changes;
     for (unsigned view = 0; has_view(problem.views, view); ++view) {
-        const Matrix camera = coordinates.camera(problem.projective);
+        const Matrix camera = coordinates.camera(problem.cameras == &checker::projective_cameras);
         for (std::size_t p = 0; p < points.size(); ++p)
             if (has_view(problem.points[p].seen_by, view)) add_ratios(changes, camera * points[p]);
         for (std::size_t n = 0; n < lines.size(); ++n)
@@ -245,7 +245,8 @@ std::size_t image_dimension(const Problem& problem) {
 
 std::size_t scene_dimension(const Problem& problem) {
     const auto views = static_cast<std::size_t>(std::popcount(problem.views));
-    std::size_t dimension = problem.projective ? 11 * views - 15 : 6 * views - 7;
+    std::size_t dimension =
+        problem.cameras == &checker::projective_cameras ? 11 * views - 15 : 6 * views - 7;
     for (std::size_t p = 0; p < problem.points.size(); ++p)
         dimension += is_dependent(problem, p) ? 1 : 3;
     for (const Line& line : problem.lines)
@@ -254,7 +255,8 @@ std::size_t scene_dimension(const Problem& problem) {
 }
 
 Problem random_problem(Dice& dice, bool all_visible) {
-    Problem problem{.projective = dice.one_in(2)};
+    Problem problem{.cameras = dice.one_in(2) ? &checker::projective_cameras
+                                              : &checker::calibrated_cameras};
     const int views = dice.from_to(2, 6);
     problem.views = (1U << views) - 1;
     for (int points = dice.from_to(0, 7); points > 0; --points)

@@ -2,7 +2,7 @@
 // coordinates of scene and cameras, of all cameras, without a choice of equations or of unknowns.
 #pragma once
 
-#include "checker/general/problem.h"
+#include "checker/problem/problem.h"
 
 #include <random>
 

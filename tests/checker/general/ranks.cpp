@@ -1,7 +1,7 @@
 // Problems in general, by a second method: minors, verdicts and reasons against ranks that FLINT
 // computes of another Jacobian; and the label classes of three calibrated views.
-#include "checker/general/jacobian.h"
-#include "checker/general/part.h"
+#include "checker/minimal/jacobian.h"
+#include "checker/minimal/part.h"
 #include "checker/replay.h"
 #include "tests/checker/general/image_rank.h"
 #include "tests/support/all_classes.h"
@@ -24,8 +24,9 @@ Placement random_placement(const Problem& problem, Dice& dice) {
     };
     placement.scene = coordinates(scene_size(problem));
     for (int view = 1; view < std::popcount(problem.views); ++view)
-        placement.cameras.push_back(coordinates(problem.projective ? 12 : 7));
-    if (problem.projective)
+        placement.cameras.push_back(
+            coordinates(problem.cameras == &checker::projective_cameras ? 12 : 7));
+    if (problem.cameras == &checker::projective_cameras)
         std::ranges::copy(checker::Numbers{0, 0, 0, 1}, placement.cameras[0].begin());
     return placement;
 }
@@ -46,7 +47,7 @@ Motion random_motion(const Problem& problem, const Selection& part, Dice& dice) 
     motion.moved.views = part.views & static_cast<Views>(dice.below(problem.views + 1));
     if (dice.one_in(2)) motion.moved.views = part.views;
     if (motion.moved.views == 0) motion.moved.views = part.views;
-    if (!problem.projective) return motion;
+    if (problem.cameras != &checker::projective_cameras) return motion;
     for (const std::size_t p : part.points)
         if (dice.one_in(3)) motion.moved.points.push_back(p);
     for (const std::size_t n : part.lines)

@@ -1,13 +1,14 @@
 // Problems for projective cameras in which all views see everything, for tests.
 #pragma once
 
-#include "checker/general/problem.h"
+#include "checker/problem/problem.h"
 
 /// One in so many views, with free lines, and for each of these numbers a point with so many pins.
 inline checker::general::Problem
 visible_problem(unsigned views, const std::vector<std::size_t>& pins, std::size_t free_lines) {
     const checker::general::Views all = (1U << views) - 1;
-    checker::general::Problem problem{.projective = true, .views = all, .points = {}, .lines = {}};
+    checker::general::Problem problem{
+        .cameras = &checker::projective_cameras, .views = all, .points = {}, .lines = {}};
     for (const std::size_t of_point : pins) {
         checker::general::Point& point = problem.points.emplace_back();
         point.seen_by = all;

@@ -105,7 +105,7 @@ KnownScene instance_of(const std::string& notation, unsigned seed) {
     const general::Problem& problem = instance.problem;
     instance.cameras.push_back({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
     for (int view = 1; view < std::popcount(problem.views); ++view) {
-        const auto make = problem.projective ? projective : calibrated;
+        const auto make = problem.cameras == &checker::projective_cameras ? projective : calibrated;
         instance.cameras.push_back(make(view == 1, dice, instance.coordinates));
     }
     const Places places = random_places(problem, dice);

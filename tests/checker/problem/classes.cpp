@@ -109,11 +109,14 @@ TEST_CASE("weights, relabelings and swaps are those of the paper's table") {
 TEST_CASE("a feature is found by its notation, and by what the views see of it") {
     for (std::size_t i = 0; i < feature_count; ++i) {
         CHECK(index_of(features[i].notation) == i);
-        CHECK(index_of(features[i].point, features[i].pin) == i);
+        CHECK(index_of(features[i]) == i);
     }
     CHECK(index_of("Pb/P/P") == feature_count);
     CHECK(index_of("Pab/a/b") == feature_count); // it is Pab/b/a with other names
-    CHECK(index_of(0b001, {0b011, 0b101}) == index_of("Pab/b/a"));
-    CHECK(index_of(0b001, {0b101, 0b011}) == index_of("Pab/b/a"));
-    CHECK(index_of(0b001, {0b111}) == feature_count);
+    CHECK(index_of(observe("Pab/a/b")) == index_of("Pab/b/a"));
+    CHECK(index_of(Feature{.point = 0b001, .pin = {0b011, 0b101}, .pins = 2}) ==
+          index_of("Pab/b/a"));
+    CHECK(index_of(observe("PXq/q/X")) == index_of("Pab/b/a"));
+    CHECK(index_of(observe("Pa/a/a")) == feature_count);
+    CHECK(index_of(observe("a/a/a(P)")) == feature_count); // not the free line
 }

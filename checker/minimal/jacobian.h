@@ -1,0 +1,36 @@
+// The Jacobian J of the joint camera map of a problem, at the cameras and the scene of a record
+// (FORMAT.md, sections 2, 3 and 13): over the integers, or modulo q.
+#pragma once
+
+#include "checker/file/reader.h"
+#include "checker/problem/problem.h"
+
+namespace checker {
+/// Where a record places cameras and scene: its numbers as written.
+struct Placement {
+    std::vector<Numbers> cameras{}; // from the second
+    Numbers scene{};
+};
+
+template <class T> using Rows = std::vector<std::vector<T>>;
+
+/// The columns are those of the scene, points before lines, and then those of the cameras; the
+/// rows are those of the views in order, and in a view those of points before those of lines.
+template <class T> struct Jacobian {
+    std::size_t own = 0; // columns of the scene
+    Rows<T> rows{};
+    /// The number of the point of each row and each column of the scene, or the number of its line
+    /// after those of all points.
+    Indices thing_of_row{};
+    Indices thing_of_column{};
+};
+
+/// How many numbers place the scene.
+std::size_t scene_size(const Problem& problem);
+
+/// T is mpz_class or Residue.
+template <class T> Jacobian<T> jacobian(const Problem& problem, const Placement& placement);
+
+/// Throws Refused if the requirements of section 2 are violated. Cameras must be calibrated.
+void require_section_2(const Problem& problem, const Placement& placement);
+} // namespace checker

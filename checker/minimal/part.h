@@ -1,0 +1,49 @@
+// Why a problem is not minimal: the images of a part of it satisfy a condition (FORMAT.md, section
+// 13). Each claim is checked by counting on the incidences; there are no coordinates.
+#pragma once
+
+#include "checker/file/reader.h"
+#include "checker/problem/problem.h"
+
+namespace checker {
+/// Views, points and lines of a problem.
+struct Selection {
+    Views views = 0;
+    Indices points{};
+    Indices lines{};
+};
+
+/// A motion of cameras that keeps the images of a part.
+struct Motion {
+    enum class Kind { none, plane, star };
+    Kind kind = Kind::none;
+    std::size_t centre = 0; // O, a point: of a star
+    Selection moved{};      // the moving views, and the generators
+};
+
+/// What a part-record claims: the images of this part satisfy so many conditions.
+struct PartClaim {
+    int excess = 0;
+    Selection part{};
+    Motion motion{};
+};
+
+/// The subspace that some points and lines of a problem span: what is known to lie in it.
+struct Span {
+    int rank = 0;
+    std::vector<bool> points{};
+    std::vector<bool> lines{};
+};
+
+Span span_of(const Problem& problem, const Indices& points, const Indices& lines);
+
+/// How many conditions the images satisfy by such a part and motion, whatever is claimed; perhaps
+/// none. Throws Refused if it is no part, or if the motion does not keep the images.
+int excess_of(const Problem& problem, const Selection& part, const Motion& motion);
+
+/// Throws Refused unless the claim holds.
+void check_part(const Problem& problem, const PartClaim& claim);
+
+/// Throws Refused unless the four points lie on one line, and both views see them.
+void check_collinear(const Problem& problem, const Indices& points, Views views);
+} // namespace checker
