@@ -4,14 +4,6 @@
 #include <utility>
 
 namespace checker {
-/// What a feature becomes; none if it goes.
-using Result = std::optional<Feature>;
-
-/// Whether two features differ at most by their spelling.
-static bool same(const Feature& a, const Feature& b) {
-    return a.free_line == b.free_line && a.pins == b.pins && a.point == b.point && a.pin == b.pin;
-}
-
 static Feature without_pin(Feature feature, unsigned pin) {
     std::rotate(feature.pin.begin() + pin, feature.pin.begin() + pin + 1, feature.pin.end());
     feature.pin.back() = 0;
@@ -19,81 +11,105 @@ static Feature without_pin(Feature feature, unsigned pin) {
     return feature;
 }
 
-/// A pin's place among the views that see its point.
-struct PinLook {
-    int views = 0;           // how many see the pin
-    bool with_point = false; // whether all these see its point, too
+/// The only pin as a free line, seen alike.
+static Feature as_line(const Feature& feature) {
+    return {.free_line = true, .pin = feature.pin, .pins = 1};
+}
+
+/// Whether so many views see the pin, and see its point, too.
+static bool is_forgotten(const Feature& point, Views pin, int views) {
+    return std::popcount(pin) == views && (pin & ~point.point) == 0;
+}
+
+static bool no_view_sees_point_but_all_pins(const Feature& point) {
+    const auto end = point.pin.begin() + point.pins;
+    return point.point == 0 && std::find(point.pin.begin(), end, 0U) == end;
+}
+
+/// Whether a view that does not see the point sees each pin.
+static bool each_pin_is_seen_alone(const Feature& point) {
+    return std::all_of(point.pin.begin(), point.pin.begin() + point.pins,
+                       [&](Views pin) { return (pin & ~point.point) != 0; });
+}
+
+enum class Of { line, point };                 // what a rule is about
+enum class Leaves { nothing, the_line, rest }; // rest: the point without the pin
+
+/// A rule of section 7.
+struct Rule {
+    std::string_view name;
+    unsigned views; // in which it holds; 0 in two and in three
+    Of of;
+    /// Whether it applies to the feature and, if it leaves the rest, to this pin of it.
+    bool (*applies)(const Feature& feature, Views pin);
+    Leaves leaves;
 };
 
-static PinLook look_of(const Feature& feature, unsigned pin) {
-    const Views seen = feature.pin[pin];
-    return {std::popcount(seen), (seen & ~feature.point) == 0};
+/// The table of section 7.
+constexpr std::array<Rule, 11> rules{
+    {{"unseen-line", 0, Of::line, [](auto&, Views line) { return line == 0; }, Leaves::nothing},
+     {"unseen-line", 0, Of::point, [](auto&, Views pin) { return pin == 0; }, Leaves::rest},
+     {"free-line", 0, Of::line,
+      [](auto&, Views line) { return line != 0 && std::popcount(line) <= 2; }, Leaves::nothing},
+     {"pin-seen-once", 0, Of::point,
+      [](auto& point, Views pin) { return is_forgotten(point, pin, 1); }, Leaves::rest},
+     {"pin-seen-twice", 0, Of::point,
+      [](auto& point, Views pin) { return is_forgotten(point, pin, 2); }, Leaves::rest},
+     {"unseen-point", 0, Of::point,
+      [](auto& point, Views) { return point.pins == 1 && no_view_sees_point_but_all_pins(point); },
+      Leaves::the_line},
+     {"unseen-point", 0, Of::point,
+      [](auto& point, Views) { return point.pins > 1 && no_view_sees_point_but_all_pins(point); },
+      Leaves::nothing},
+     {"bare-point", 0, Of::point,
+      [](auto& point, Views) { return point.pins == 0 && std::popcount(point.point) <= 1; },
+      Leaves::nothing},
+     {"point-on-line", 3, Of::point,
+      [](auto& point, Views pin) {
+          return point.pins == 1 && std::popcount(point.point) == 1 && pin == all_views;
+      },
+      Leaves::the_line},
+     {"point-and-pin", 3, Of::point,
+      [](auto& point, Views pin) {
+          return point.pins == 1 && std::popcount(point.point) == 1 &&
+                 std::popcount(pin & ~point.point) == 1;
+      },
+      Leaves::nothing},
+     {"point-and-pin", 2, Of::point,
+      [](auto& point, Views) {
+          return point.point != 0 && point.pins > 0 && each_pin_is_seen_alone(point);
+      },
+      Leaves::nothing}}};
+
+/// What a feature becomes; none if it goes.
+using Result = std::optional<Feature>;
+
+/// Whether two features differ at most by the names of their pins.
+static bool same(const Feature& a, const Result& b) {
+    return b && a.free_line == b->free_line && a.point == b->point && a.pins == b->pins &&
+           a.pin == b->pin;
 }
 
-/// The pin rules: a pin that so many views see, all of which see its point, is forgotten.
-static bool forgets_pin(const Feature& feature, const Result& result, int views) {
-    if (!result || feature.free_line) return false;
-    for (unsigned pin = 0; pin < feature.pins; ++pin) {
-        const PinLook look = look_of(feature, pin);
-        const bool fits = look.views == views && look.with_point;
-        if (fits && same(without_pin(feature, pin), *result)) return true;
+/// Whether the rule turns the feature into the result.
+static bool turns(const Rule& rule, const Feature& feature, const Result& result) {
+    if (rule.leaves != Leaves::rest) {
+        if (!rule.applies(feature, feature.pin[0])) return false;
+        return rule.leaves == Leaves::nothing ? !result : same(as_line(feature), result);
     }
-    return false;
-}
-
-/// Whether the result is the feature's only pin as a free line, seen alike.
-static bool leaves_line(const Feature& feature, const Result& result) {
-    const Feature line{.free_line = true, .pin = feature.pin, .pins = 1};
-    return feature.pins == 1 && result && same(line, *result);
-}
-
-static bool unseen_point(const Feature& feature, const Result& result) {
-    if (feature.point != 0 || feature.pins == 0) return false;
     for (unsigned pin = 0; pin < feature.pins; ++pin)
-        if (feature.pin[pin] == 0) return false;
-    return feature.pins == 1 ? leaves_line(feature, result) : !result;
-}
-
-static bool point_and_pin_in_three_views(const Feature& feature) {
-    const Views without_point = feature.pin[0] & ~feature.point;
-    return std::popcount(feature.point) == 1 && feature.pins == 1 &&
-           std::popcount(without_point) == 1;
-}
-
-/// A point, seen by some view, one of whose pins is seen by a view that does not see the point, if
-/// no pin is unseen or can be forgotten.
-static bool point_and_pin_in_two_views(const Feature& feature) {
-    if (feature.point == 0) return false;
-    bool found = false;
-    for (unsigned pin = 0; pin < feature.pins; ++pin) {
-        const PinLook look = look_of(feature, pin);
-        if (look.with_point) return false; // unseen, or seen once or twice with the point
-        found = true;
-    }
-    return found;
-}
-
-/// Whether the rule turns the feature into the result: the table of section 7.
-static bool applies(std::string_view rule, const Feature& feature, const Result& result,
-                    unsigned views) {
-    const int points = std::popcount(feature.point);
-    const int lines = std::popcount(feature.pin[0]);
-    if (feature.free_line) {
-        if (result) return false;
-        return (rule == "unseen-line" && lines == 0) ||
-               (rule == "free-line" && (lines == 1 || lines == 2));
-    }
-    if (rule == "unseen-line") return forgets_pin(feature, result, 0);
-    if (rule == "pin-seen-once") return forgets_pin(feature, result, 1);
-    if (rule == "pin-seen-twice") return forgets_pin(feature, result, 2);
-    if (rule == "unseen-point") return unseen_point(feature, result);
-    if (rule == "bare-point") return !result && feature.pins == 0 && points <= 1;
-    if (rule == "point-on-line")
-        return views == 3 && points == 1 && lines == 3 && leaves_line(feature, result);
-    if (rule == "point-and-pin")
-        return !result && (views == 3 ? point_and_pin_in_three_views(feature)
-                                      : point_and_pin_in_two_views(feature));
+        if (rule.applies(feature, feature.pin[pin]) && same(without_pin(feature, pin), result))
+            return true;
     return false;
+}
+
+/// Whether a rule of this name turns the feature into the result.
+static bool applies(std::string_view name, const Feature& feature, const Result& result,
+                    unsigned views) {
+    const Of of = feature.free_line ? Of::line : Of::point;
+    return std::ranges::any_of(rules, [&](const Rule& rule) {
+        return rule.name == name && rule.of == of && (rule.views == 0 || rule.views == views) &&
+               turns(rule, feature, result);
+    });
 }
 
 Features reduce(Reader& reader, Features list, unsigned views) {
