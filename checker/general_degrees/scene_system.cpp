@@ -157,6 +157,8 @@ static void add_incidences(SceneSystem& system, const Problem& problem, const Pi
 }
 
 SceneSystem scene_system(const Problem& problem, const std::vector<Numbers>& views) {
+    static_assert(camera_models.size() == 2, "scene_at.h has equations for two kinds of cameras; "
+                                             "add those of the third, or refuse it here");
     if (surplus(problem) != 0) throw Refused("it is not balanced, so it has no degree");
     const auto is_hidden = [&](const auto& seen) { return seen.seen_by != problem.views; };
     if (std::ranges::any_of(problem.points, is_hidden) ||
