@@ -77,7 +77,7 @@ at least n solutions  file, algebra, problem, degrees; Arb (FLINT);
                       proofs/classification.md, problems.md and degrees.md
 ... in general        file, algebra, problem, degrees, general, general_degrees; Arb (FLINT);
                       proofs/degrees.md and families.md
-at most n solutions   all of the classification, degrees and bounds; proofs/upper_bounds.md
+at most n solutions   all of the classification, degrees and bounds; proofs/templates.md
 ... by theorem        the page of the theorem that plcheck --why names, and what
                       proofs/computations/common_centres.cpp or points_with_many_pins.cpp
                       prints

@@ -1,4 +1,4 @@
-// Upper bounds by Theorem C (proofs/common_centres.md), those below 3,392: a bound, and the numbers
+// Upper bounds by Theorem C (proofs/three_views, 4), those below 3,392: a bound, and the numbers
 // of label classes (FORMAT.md, section 1), one for each constraint class that has it. Classes in
 // which two views share five points are left out: files of upper bounds are for these. The program
 // proofs/computations/common_centres.cpp computes all.

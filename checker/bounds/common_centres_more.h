@@ -1,4 +1,4 @@
-// Upper bounds by Theorem C (proofs/common_centres.md), those from 3,392 on, as in
+// Upper bounds by Theorem C (proofs/three_views/4_classes.md), those from 3,392 on, as in
 // checker/bounds/common_centres.h.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Upper bounds by Theorem K (proofs/points_with_many_pins.md), in the form of blown_up_cameras.h.
+// Upper bounds by Theorem K (proofs/three_views/5_many_pins.md), in the form of common_centres.h.
 // Classes are left out whose degree is exact by another theorem or certificate. The program
 // proofs/computations/points_with_many_pins.cpp computes all.
 #pragma once

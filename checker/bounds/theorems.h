@@ -1,8 +1,8 @@
 // Upper bounds that are theorems: how many camera solutions the problems of a constraint class have
 // at most, if they are minimal. Texts of their own have those of Theorem C, for problems with at
-// most three pins at each point (proofs/common_centres.md), and those of Theorem K, for 65 others
-// (proofs/points_with_many_pins.md). The first table has the rest: rows of Theorems U8, U11
-// (proofs/upper_bounds.md) and Y (proofs/calibrated_moduli.md).
+// most three pins at each point (proofs/three_views, chapter 4), and those of Theorem K, for 65
+// others (chapter 5). The first table has the rest: rows of Theorems U8, U11 (chapter 6) and Y
+// (chapter 5).
 #pragma once
 
 #include "checker/bounds/common_centres.h"

@@ -173,7 +173,7 @@ static std::string missing(const DegreeBounds& bounds, const ExpectedDegree& exp
 
 /// The bounds of the number of relative poses of two views, which a camera-minimal problem in two
 /// views has as its degree: exact if some class attains a product of which it is a factor
-/// (proofs/upper_bounds.md, section 6).
+/// (proofs/templates.md, section 6).
 static DegreeBounds bounds_of_poses(const Findings& findings) {
     DegreeBounds bounds;
     const auto poses = findings.registrations.find(relative_pose);

@@ -188,7 +188,7 @@ static std::string_view argument_for(const ReplayedFile& file) {
     if (std::holds_alternative<DegreeFile>(file.content))
         return "each solution has a box of its own that holds one zero: proofs/degrees.md";
     if (std::holds_alternative<BoundsFile>(file.content))
-        return "each minor leaves only the basis: proofs/upper_bounds.md";
+        return "each minor leaves only the basis: proofs/templates.md";
     if (std::holds_alternative<general::ProblemsFile>(file.content))
         return "each record has a minor that is not 0, or conditions on images: proofs/families.md";
     if (std::holds_alternative<general::SolutionsFile>(file.content))

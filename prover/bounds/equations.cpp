@@ -134,7 +134,7 @@ private:
     }
 
     /// A multiple of the determinant of the conditions of two lines and two rays, made smaller in
-    /// degree by a multiple of the second line's other equation (proofs/upper_bounds.md, Lemma U4).
+    /// degree by a multiple of the second line's other equation (proofs/templates.md, Lemma U4).
     void add_reduced_minor() {
         const auto times = [&](const Polynomial& a, const Polynomial& b) {
             return ring_.product(a, b);
@@ -183,7 +183,7 @@ private:
             rays += conditions_[i].is_ray ? 1 : 0;
             axis |= conditions_[i].is_axis;
         }
-        // Less than one for each ray: see proofs/upper_bounds.md, Lemma U5.
+        // Less than one for each ray: see proofs/templates.md, Lemma U5.
         const int all = rays - (rays == 3 ? 1 : 0);
         minor.degree = {(all - (rays == 2 && axis ? 1 : 0)) * ring_.unit()[0],
                         all * ring_.unit()[1]};

@@ -1,6 +1,6 @@
 // Elimination templates: multiples of the equations of a registration problem that express all
 // monomials up to a degree by those of a basis. The number of solutions is at most the number of
-// elements of the basis (proofs/upper_bounds.md, section 5).
+// elements of the basis (proofs/templates.md, section 5).
 #pragma once
 
 #include "prover/bounds/equations.h"

@@ -1,4 +1,4 @@
-// How large a template of a trifocal problem would have to be (proofs/upper_bounds.md, section 13):
+// How large a template of a trifocal problem would have to be (templates: proofs/templates.md, section 8):
 // ranks of the multiples of the equations of 3*P/P/P + a/a/a, modulo a small prime. Proves nothing;
 // tells where to look for an upper bound, and where not.
 //   trifocal_rank K L     for degree K in the rotation of the second camera, L in that of the third

@@ -1,7 +1,7 @@
 // The Hodge index of the degrees. Features of weight 9 leave a surface of cameras. On it each
 // further feature of weight 1, and each further pin of one of its points that all views see, is a
 // divisor; the degree of a product of two is their intersection number. So the matrix of these
-// numbers has at most one positive eigenvalue (proofs/hodge.md).
+// numbers has at most one positive eigenvalue (proofs/results/hodge.md).
 #pragma once
 
 #include "tests/laws/degree_form.h"

@@ -155,10 +155,10 @@ TEST_CASE("plcheck says by which theorem of which page a degree is certified") {
         std::string problem, degree, theorem, page;
     };
     const std::vector<Example> examples{
-        {"2*P/P/P + a/P/Pa + P/a/Pa + -/P/P", "416", "C", "common_centres.md"},
-        {"Pabcde/Pabcde/Pabcde + a/P/Pa + P/a/a", "304", "K", "points_with_many_pins.md"},
-        {"Pabcd/Pabcd/Pabcd + Pa/Pa/Pa", "240", "U11", "upper_bounds.md"},
-        {"Pabcd/Pabcd/Pabcd + 2*a/a/a", "480", "Y", "calibrated_moduli.md"}};
+        {"2*P/P/P + a/P/Pa + P/a/Pa + -/P/P", "416", "C", "three_views/4_classes.md"},
+        {"Pabcde/Pabcde/Pabcde + a/P/Pa + P/a/a", "304", "K", "three_views/5_many_pins.md"},
+        {"Pabcd/Pabcd/Pabcd + Pa/Pa/Pa", "240", "U11", "three_views/6_lines_through_a_point.md"},
+        {"Pabcd/Pabcd/Pabcd + 2*a/a/a", "480", "Y", "three_views/5_many_pins.md"}};
     const TemporaryFolder folder;
     const std::string degrees = (folder / "degrees.plc").string();
     for (const auto& [problem, degree, theorem, page] : examples) {

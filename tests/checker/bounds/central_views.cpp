@@ -136,35 +136,6 @@ TEST_CASE("on M alone the product of classes is the degree only by chance where 
     CHECK(smaller == 102);
 }
 
-TEST_CASE("the tables of Lemma R7 are those of the program") {
-    std::ifstream file(SOURCE_DIR "/proofs/relations.md");
-    std::set<std::string> printed; // rows without the cells that are empty
-    for (std::string line; std::getline(file, line);) {
-        for (std::size_t gap; (gap = line.find("| | ")) != std::string::npos;)
-            line.erase(gap, 2);
-        if (line.ends_with("| |")) line.erase(line.size() - 2);
-        printed.insert(line);
-    }
-    std::size_t compared = 0;
-    for (const proofs::Stratum& stratum : proofs::boundary_strata) {
-        const std::size_t spaces = stratum.dimensions[4] == 0 ? 4 : 6;
-        std::map<std::string_view, std::string> cells;
-        for (const proofs::Way& way : stratum.ways) {
-            for (std::size_t i = 0; i < spaces; ++i)
-                cells[way.feature] += (i == 0 ? " | " : " ") + std::to_string(way.conditions[i]);
-        }
-        for (const auto& [feature, row] : cells) {
-            std::string name(feature);
-            if (feature == "P/a/Pa") name = "Pa/a/P";
-            if (feature == "P/Pa/a") name = "Pa/P/a";
-            CAPTURE(name);
-            CHECK(printed.contains("| `" + name + "`" + row + " |"));
-            ++compared;
-        }
-    }
-    CHECK(compared == 40);
-}
-
 TEST_CASE("with one line or pin, products exceed degrees by points of the stratum (ii)") {
     // On the surface of all (u_2, u_3), x^2 = y^2 = 0 and xy = 4. For each pair of points P/P/P
     // there are two tangents. The other features have classes x, y and the hyperplane class z of a

@@ -1,5 +1,5 @@
 // The bounds that are theorems: the tables against the statements of the theorems of
-// proofs/upper_bounds.md, and against the table there. Theorem C has rows for what Theorems U15,
+// proofs/three_views, chapter 6, as the checker has them. Theorem C has rows for what Theorems U15,
 // U17 and Y state, too, but for one of these.
 #include "checker/bounds/theorems.h"
 #include "tests/checker/bounds/templates.h"
@@ -193,28 +193,6 @@ TEST_CASE("the theorem of equal degrees comes first, and has one bound") {
         begins = begins && equal;
         CHECK(equal == (row.bound == 64));
     }
-}
-
-TEST_CASE("the proof prints the first table, with rows of Theorems U15, U17 and Y besides") {
-    std::ifstream page(SOURCE_DIR "/proofs/upper_bounds.md");
-    // A theorem may be named with its part, as in U11(a).
-    const std::regex row(R"(\| (U[0-9]+|Y)(\([a-z]\))? \| `([^`]*)` \| ([0-9]+) \|)");
-    std::vector<std::array<std::string, 3>> first, expected;
-    std::size_t printed = 0;
-    for (std::string line; std::getline(page, line);) {
-        std::smatch match;
-        if (!std::regex_match(line, match, row)) continue;
-        const std::size_t number = class_of(match[3].str());
-        CAPTURE(line);
-        CHECK(bound_of(table_by_theorem(), number) == std::stoul(match[4]));
-        if (in_first_table(number)) first.push_back({match[1], match[3], match[4]});
-        ++printed;
-    }
-    for (const TheoremBound& bound : theorem_bounds)
-        expected.push_back(
-            {std::string(bound.theorem), std::string(bound.problem), std::to_string(bound.bound)});
-    CHECK(first == expected);
-    CHECK(printed == 39);
 }
 
 TEST_CASE("terminal problems bounded by theorem") {

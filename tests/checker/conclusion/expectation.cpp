@@ -216,7 +216,7 @@ TEST_CASE("the files that are named are those that prove it") {
     CHECK(report.judgement.files == std::vector<std::string>{"problem.plc", "degrees.plc"});
     CHECK(conclusion(report) == "VERIFIED: 2*Pa/Pa/Pa + P/P/P is minimal, and has exactly 312 "
                                 "camera solutions (problem.plc, degrees.plc)\n");
-    CHECK(contains(why(report), "by Theorem C of proofs/common_centres.md"));
+    CHECK(contains(why(report), "by Theorem C of proofs/three_views/4_classes.md"));
 }
 
 TEST_CASE("the whole classification is verified if no class lacks its record") {
