@@ -22,12 +22,9 @@ static constexpr std::string_view help = R"(usage: plcheck [OPTION]... [--] FILE
     plcheck certs/plmp.plc             replay the verdicts on a family of problems, and count them
     plcheck degrees.plc                certify that classes have at least so many solutions
     plcheck certs/solutions/plmp.plc   the same, of problems in general
+    plcheck --table classification.plc derive the degree of each minimal class by theorem, too
     plcheck classification.plc degrees.plc
-                                       the same; add upper bounds by theorem
-    plcheck classification.plc bounds.plc degrees.plc
-                                       the same; add the upper bounds that templates certify
-    plcheck certs/classification.plc certs/SHA256SUMS
-                                       compare the file with its digest in a list, too
+                                       compare the solutions in a file with the theorem
 
 What do you expect? Status 0 then says that the files prove just that:
     --expect PROBLEM     a problem like '2*Pa/Pa/Pa + P/P/P' or 'projective: 7*P/P'; add one of the
@@ -77,13 +74,10 @@ at least n solutions  file, algebra, problem, degrees; Arb (FLINT);
                       proofs/classification.md, problems.md and degrees.md
 ... in general        file, algebra, problem, degrees, general, general_degrees; Arb (FLINT);
                       proofs/degrees.md and families.md
+exactly n solutions   all of the classification, and exactly; proofs/three_views/
 at most n solutions   all of the classification, degrees and bounds; proofs/templates.md
-... by theorem        the page of the theorem that plcheck --why names, and what
-                      proofs/computations/common_centres.cpp or points_with_many_pins.cpp
-                      prints
 ... in general        general and general_bounds; proofs/families.md, moduli.md, fixed_forms.md,
                       and the page of the theorem that plcheck --why names, with its program
-a digest              digests
 what you expect       also conclusion, which finds what the files prove of it
 
 Not trusted: certificate files, the programs that wrote them, the numbers of the paper (paper).
@@ -176,7 +170,8 @@ int main(int count, char** values) try {
     const std::span arguments(values, static_cast<std::size_t>(count));
     const Options options = parse_options(arguments.subspan(1));
     const Classification classes = classify();
-    const Report report = summarize(classes, replay_all(classes, options), options.expectation);
+    const Report report = summarize(classes, replay_all(classes, options), options.expectation,
+                                    options.table);
     std::cerr << objections(report);
     return write(rest_of(report, options), report.status);
 } catch (const WrongUsage& usage) {

@@ -1,6 +1,6 @@
 #include "checker/replay.h"
 
-#include "checker/digests/sha256.h"
+#include "checker/file/sha256.h"
 
 namespace checker {
 /// Takes the first line, and replays the rest as its kind of file. Throws Malformed.
@@ -30,7 +30,6 @@ static FileContent replay_content(const Classification& classes, std::string_vie
                                   const Execution& execution) {
     if (bytes.size() > largest_file) return Malformed{{0, "the file is larger than 64 MiB"}};
     try {
-        if (is_digest_list(bytes)) return read_digest_list(bytes);
         return replay_certificates(classes, bytes, execution);
     } catch (const Malformed& malformed) {
         return malformed;

@@ -3,7 +3,6 @@
 
 #include "checker/bounds/bounds_file.h"
 #include "checker/degrees/degree_file.h"
-#include "checker/digests/digest_list.h"
 #include "checker/general_bounds/at_most_file.h"
 #include "checker/general_degrees/solutions_file.h"
 #include "checker/minimal/classification_file.h"
@@ -20,12 +19,12 @@ struct Unreadable {
 
 /// What a file proves. Malformed: it does not conform to FORMAT.md, and proves nothing.
 using FileContent =
-    std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile, DigestList,
+    std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile,
                  general::ProblemsFile, general::SolutionsFile, general::AtMostFile, Unreadable>;
 
 struct ReplayedFile {
-    std::string name{}; // printable
-    std::string sha256{};
+    std::string name{};   // printable
+    std::string sha256{}; // the digest of its bytes: which ones a report is about
     FileContent content{};
 };
 

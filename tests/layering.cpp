@@ -30,12 +30,12 @@ const std::map<std::string, Folders> other_claims{
     {"degrees", {"effort"}},
     {"bounds", {"effort", "degrees"}},
     {"counts", {}},
-    {"digests", {}},
+    {"exactly", {"degrees"}},
     {"family", {"effort"}},
     {"general_degrees", {"effort", "family", "degrees"}},
     {"general_bounds", {"effort", "family", "general_degrees"}},
     {"conclusion",
-     {"degrees", "bounds", "counts", "digests", "family", "general_degrees", "general_bounds",
+     {"degrees", "bounds", "counts", "exactly", "family", "general_degrees", "general_bounds",
       ""}}};
 
 /// The folders of prover/, from the bottom to the top.

@@ -1,4 +1,4 @@
-// What a user expects the files of a run to prove, and whether they do.
+// What a user expects the files of a run to prove.
 #pragma once
 
 #include "checker/conclusion/in_general.h"
@@ -42,17 +42,5 @@ CanonicalProblem parse_problem(std::string_view notation);
 
 /// The expectation as a statement; empty if there is none.
 std::string in_words(const Expectation& expectation);
-
-/// What the files prove of an expectation.
-struct Judgement {
-    bool verified = false;
-    std::string statement{};          // what is verified, or what is missing
-    std::vector<std::string> files{}; // that prove it
-    std::vector<std::string> why{};   // the steps, in words
-};
-
-Judgement judge(const Classification& classes, const Findings& findings,
-                const ExpectedProblem& expected);
-Judgement judge(const Classification& classes, const Findings& findings, WholeClassification);
-Judgement judge(const Findings& findings, const WholeFamily& expected);
+std::string in_words(const ExpectedProblem& expected);
 } // namespace checker

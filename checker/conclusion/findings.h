@@ -1,36 +1,33 @@
 // What the files of a run prove together: which of them count, the verdicts on classes, and what
-// is known of degrees (FORMAT.md, sections 6, 10 and 11).
+// is known of degrees (FORMAT.md, sections 6 and 10).
 #pragma once
 
-#include "checker/bounds/degree_bounds.h"
+#include "checker/conclusion/degree_bounds.h"
 #include "checker/counts/counts.h"
 #include "checker/replay.h"
 
 namespace checker {
-/// What the comparison of a file with the others adds.
-struct Comparison {
-    std::string digest{};             // what a list says of the file's digest; empty if none does
-    std::size_t listed = 0;           // of a list: the files given that it lists
-    std::size_t listed_not_given = 0; // of a list: the names that no file given has
-    std::vector<std::string> not_given{};  // the first of these names
-    std::vector<std::string> objections{}; // why the file is refused, whatever it proves alone
-};
-
 struct Findings {
     std::vector<ReplayedFile> files{};
-    std::vector<Comparison> comparisons{}; // of the files, in the same order
+    /// Of each file, why it is refused, whatever it proves alone.
+    std::vector<std::vector<std::string>> objections{};
     Verdicts verdicts{};
     RegistrationBounds registrations{}; // upper bounds by templates
-    bool has_lower_bounds = false;
     DegreeTable degrees{};
     int status = 0; // 0 every file holds, 1 one or a record is refused, 2 one is no certificate
 
     /// Whether what a file proves counts.
-    bool counts(std::size_t file) const { return comparisons[file].objections.empty(); }
+    bool counts(std::size_t file) const { return objections[file].empty(); }
 };
 
-/// Puts together what the files prove.
+/// Files that contradict others or a theorem, and why: of each the first reason that is found.
+using Contradictions = std::map<std::size_t, std::string>;
+
+/// What the files prove, but for degrees.
 Findings find(const Classification& classes, std::vector<ReplayedFile> files);
+
+/// Adds what follows of degrees, and refuses files whose bounds contradict each other or a theorem.
+void add_degrees(Findings& findings, const Classification& classes, const AskedDegrees& asked);
 
 /// The refusals of a file's records; none if it has no records, or does not conform.
 const Refusals& refusals_of(const ReplayedFile& file);

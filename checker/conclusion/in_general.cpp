@@ -1,5 +1,6 @@
 #include "checker/conclusion/in_general.h"
 
+#include "checker/conclusion/pages_of_theorems.h"
 #include "checker/family/degree_bound.h"
 #include "checker/general_bounds/hilbert.h"
 #include "checker/general_bounds/proved_degrees.h"
@@ -87,6 +88,11 @@ static UpperBounds upper_bounds_of(const Findings& findings) {
     return by_invariant(findings, &general::AtMostFile::bounds);
 }
 
+UpperBound upper_bound(const BoundedInGeneral& bound) {
+    if (bound.file.empty()) return {bound.at_most, ByTheorem{bound.theorem}};
+    return {bound.at_most, ByForms{}};
+}
+
 static std::optional<BoundedInGeneral> bound_by_theorem(const general::Problem& problem) {
     std::optional<BoundedInGeneral> least;
     const auto consider = [&](std::optional<std::size_t> at_most, std::string_view theorem) {
@@ -112,6 +118,25 @@ static std::optional<BoundedInGeneral> least_bound(const UpperBounds& bounds,
 std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
                                                  const general::Problem& problem) {
     return least_bound(upper_bounds_of(findings), problem);
+}
+
+Contradictions contradictions_in_general(const Findings& findings) {
+    const UpperBounds bounds = upper_bounds_of(findings);
+    Contradictions found;
+    for (std::size_t i = 0; i < findings.files.size(); ++i) {
+        const auto* file = std::get_if<general::SolutionsFile>(&findings.files[i].content);
+        if (!file || !findings.counts(i)) continue;
+        for (const general::SolutionCount& count : file->counts) {
+            const auto bound = least_bound(bounds, count.problem);
+            if (!bound || count.solutions <= bound->at_most) continue;
+            const auto reason = contradiction(count.solutions, upper_bound(*bound));
+            found.emplace(i, say(count.notation, " has ", *reason));
+            for (std::size_t j = 0; j < findings.files.size() && !bound->file.empty(); ++j)
+                if (findings.files[j].name == bound->file)
+                    found.emplace(j, say(count.notation, " has ", *reason));
+        }
+    }
+    return found;
 }
 
 DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems) {

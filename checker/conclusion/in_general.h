@@ -27,12 +27,6 @@ struct CountedInGeneral {
 /// The most that any record counts; 0 if none is about the problem.
 CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem);
 
-/// Theorems on degrees of problems in general: of proofs/families.md, and two of proofs/moduli.md.
-/// Others have a table, checker/general_bounds/proved_degrees.h.
-inline constexpr std::string_view theorem_of_points_and_lines = "16";
-inline constexpr std::string_view theorem_of_cameras = "Q";
-inline constexpr std::string_view theorem_of_arrangements = "T";
-
 /// So many solutions a minimal problem has at most. A theorem proves it, or else a file.
 struct BoundedInGeneral {
     std::size_t at_most = 0;
@@ -40,9 +34,15 @@ struct BoundedInGeneral {
     std::string file{};
 };
 
+UpperBound upper_bound(const BoundedInGeneral& bound);
+
 /// The least that the theorems or any record say; none if they do not speak of the problem.
 std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
                                                  const general::Problem& problem);
+
+/// Files of solutions that count more than a theorem or a file of upper bounds allows, and these
+/// files of upper bounds. (A problem whose solutions are counted is minimal.)
+Contradictions contradictions_in_general(const Findings& findings);
 
 /// What is known of the degrees of the minimal problems of a file.
 struct DegreesInGeneral {

@@ -14,7 +14,6 @@ struct FeatureLine {
 struct DegreeRecord {
     std::size_t line = 0;
     std::size_t number = 0;
-    bool complete = false; // by evidence
     std::vector<FeatureLine> features{};
 };
 
@@ -57,12 +56,11 @@ static FeatureLine read_feature_line(Reader& reader) {
     return {index, read_images(reader, features[index])};
 }
 
-/// Takes what follows `evidence`: whether it says that there are no more solutions. At least one
-/// edge, or a trace, has to say so.
-static bool read_evidence(Reader& reader) {
+/// Takes what follows `evidence`, which proves nothing.
+static void read_evidence(Reader& reader) {
     if (reader.comes("none")) {
         reader.take("none $");
-        return false;
+        return;
     }
     reader.take("complete edges");
     const int edges = reader.small_integer(0, 99);
@@ -75,13 +73,12 @@ static bool read_evidence(Reader& reader) {
     else
         reader.fail("none", "the exponent of a trace, as there are 0 edges");
     reader.end_line();
-    return true;
 }
 
 static DegreeRecord read_record(Reader& reader) {
     DegreeRecord record{.line = reader.line()};
     record.number = static_cast<std::size_t>(reader.take("degree # evidence")[0]);
-    record.complete = read_evidence(reader);
+    read_evidence(reader);
     do {
         if (record.features.size() == camera_unknowns) reader.fail("image", "at most 11 features");
         record.features.push_back(read_feature_line(reader));
@@ -126,7 +123,7 @@ DegreeFile replay_degrees(Reader& reader, const Classification& classes,
             };
         };
         const auto count = solutions.run({camera_unknowns, "degree"}, record.line, about, prepare);
-        if (count) file.bounds.push_back({record.number, *count, record.complete});
+        if (count) file.bounds.push_back({record.number, *count});
     }
     return file;
 } catch (const TooMuchEffort& too_much) {

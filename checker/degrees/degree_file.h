@@ -10,7 +10,6 @@ namespace checker {
 struct LowerBound {
     std::size_t number = 0; // of the label class
     std::size_t solutions = 0;
-    bool complete = false; // by evidence, there are no more
 };
 
 /// What a degree file proves.

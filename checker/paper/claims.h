@@ -1,13 +1,16 @@
 // What the paper claims beside what is certified, and how these compare.
 #pragma once
 
-#include "checker/bounds/degree_bounds.h"
+#include "checker/conclusion/degree_bounds.h"
 #include "checker/counts/counts.h"
 #include "checker/family/problems_file.h"
 
 #include <map>
 
 namespace checker::paper {
+/// The verdict where certificates do not decide whether a number differs from the paper's.
+inline constexpr std::string_view not_covered = "not covered by these files";
+
 /// A line of the table: a count of classes, or the verdict on a problem that has a name.
 struct Claim {
     std::string claim{};
@@ -22,10 +25,8 @@ struct Claim {
 struct DegreeClaim {
     std::string claim{};
     std::string claimed{};
-    std::string at_least{};   // certified
-    std::string exact{};      // certified: a lower and an upper bound meet
-    std::string by_theorem{}; // those of the exact ones whose upper bound is a theorem
-    std::string known{};      // certified exactly, or exact by evidence
+    std::string at_least{}; // certified
+    std::string exact{};    // certified
     std::string verdict{};
     std::string witness{}; // a problem that is counted
 };

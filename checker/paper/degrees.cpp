@@ -11,24 +11,18 @@ DegreeBounds bounds_of(const KnownDegrees& known, std::size_t number) {
 }
 
 /// How bounds of a number compare with a claim on it.
-static std::string verdict_on(const DegreeBounds& bounds, std::size_t claimed) {
-    if (bounds.at_least == 0) return "not covered by these files";
-    const std::string_view grounds =
-        bounds.at_least > claimed || bounds.exact() ? "certified" : "by evidence";
-    if (bounds.at_least > claimed) return say("differs, ", grounds);
-    if (!bounds.exact() && !bounds.complete) return "open";
-    return say(bounds.at_least == claimed ? "agrees, " : "differs, ", grounds);
+static std::string_view verdict_on(const DegreeBounds& bounds, std::size_t claimed) {
+    if (bounds.at_least > claimed) return "differs";
+    if (!bounds.exact()) return not_covered;
+    return bounds.at_least == claimed ? "agrees" : "differs";
 }
 
 /// A line on the degree of one problem.
 static DegreeClaim line_on(const std::string& problem, const DegreeBounds& bounds,
                            std::optional<std::size_t> claimed) {
-    DegreeClaim line{
-        .claim = problem, .claimed = "-", .exact = "-", .by_theorem = "-", .known = "-"};
-    line.at_least = say(bounds.at_least);
+    DegreeClaim line{.claim = problem, .claimed = "-", .at_least = "-", .exact = "-"};
+    if (bounds.at_least > 0) line.at_least = say(bounds.at_least);
     if (bounds.exact()) line.exact = line.at_least;
-    if (bounds.exact() && bounds.at_most->by_theorem()) line.by_theorem = line.at_least;
-    if (bounds.exact() || bounds.complete) line.known = line.at_least;
     line.verdict = claimed ? verdict_on(bounds, *claimed) : "no claim in the paper";
     if (claimed) line.claimed = say(*claimed);
     return line;

@@ -31,8 +31,7 @@ static std::string in_words(const ProblemFile& file) {
 
 static std::string in_words(const LowerBound& bound) {
     return say("\n- class ", bound.number, ": certified to have at least ",
-               counted(bound.solutions, "solution"),
-               "; evidence that there are no more: ", bound.complete ? "yes" : "none");
+               counted(bound.solutions, "solution"));
 }
 
 static std::string in_words(const general::SolutionCount& count) {
@@ -65,10 +64,6 @@ static std::string in_words(const BoundsFile& file) {
 
 static std::string in_words(const general::Verdict& verdict) {
     return say(verdict.notation, verdict.minimal ? " is minimal" : " is not minimal");
-}
-
-static std::string in_words(const DigestList& list) {
-    return "a list of " + counted(list.files.size(), "digest");
 }
 
 static std::string in_words(const general::ProblemsFile& file) {

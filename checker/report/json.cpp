@@ -43,7 +43,7 @@ static std::string complaint(std::size_t line, const std::string& reason) {
 
 /// What is wrong with a file: the violation of the grammar, the first refusals, the objections.
 static std::vector<std::string> complaints_of(const ReplayedFile& file,
-                                              const Comparison& comparison) {
+                                              const std::vector<std::string>& objections) {
     std::vector<std::string> items;
     if (const auto* malformed = std::get_if<Malformed>(&file.content))
         items.push_back(complaint(malformed->complaint.line, malformed->complaint.reason));
@@ -51,7 +51,7 @@ static std::vector<std::string> complaints_of(const ReplayedFile& file,
         items.push_back(complaint(0, "cannot be read: " + unreadable->reason));
     for (const auto& [line, reason] : refusals_of(file).first)
         items.push_back(complaint(line, reason));
-    for (const std::string& objection : comparison.objections)
+    for (const std::string& objection : objections)
         items.push_back(complaint(0, objection));
     return items;
 }
@@ -78,9 +78,8 @@ static std::string members(const ProblemFile& file) {
 
 static std::string members(const DegreeFile& file) {
     std::vector<std::string> items;
-    for (const auto& [number, solutions, complete] : file.bounds)
-        items.push_back(say("{\"class\": ", number, ", \"certified_at_least\": ", solutions,
-                            ", \"evidence_complete\": ", truth(complete), "}"));
+    for (const auto& [number, solutions] : file.bounds)
+        items.push_back(say("{\"class\": ", number, ", \"certified_at_least\": ", solutions, "}"));
     return ", \"degrees\": " + array_of(items);
 }
 
@@ -113,19 +112,13 @@ static std::string members(const general::AtMostFile& file) {
     return ", \"upper_bounds\": " + array_of(items);
 }
 
-static std::string members(const DigestList& list) {
-    return say(", \"digests\": ", list.files.size());
-}
-
-static std::string item(const ReplayedFile& file, const Comparison& comparison) {
+static std::string item(const ReplayedFile& file, const std::vector<std::string>& objections) {
     const auto own = [](const auto& content) { return members(content); };
     return say("{\"file\": ", json_string(file.name), ", \"kind\": ", json_string(kind_of(file)),
                ", \"conforms\": ", truth(!kind_of(file).empty()),
-               ", \"sha256\": ", json_string(file.sha256),
-               ", \"digest\": ", json_string(comparison.digest), std::visit(own, file.content),
-               ", \"refused\": ", refusals_of(file).count + comparison.objections.size(),
-               ", \"complaints\": ", array_of(complaints_of(file, comparison)),
-               ", \"not_verified\": ", array_of(quoted(comparison.not_given)), "}");
+               ", \"sha256\": ", json_string(file.sha256), std::visit(own, file.content),
+               ", \"refused\": ", refusals_of(file).count + objections.size(),
+               ", \"complaints\": ", array_of(complaints_of(file, objections)), "}");
 }
 
 static std::string item(const paper::Claim& c) {
@@ -157,16 +150,10 @@ static std::string item(const paper::FamilyTable& table) {
 }
 
 static std::string item(const paper::DegreeClaim& c) {
-    return say("{\"claim\": ", json_string(c.claim), ", \"claimed_exactly\": ", cell(c.claimed),
-               ", \"certified_at_least\": ", cell(c.at_least),
-               ", \"certified_exactly\": ", cell(c.exact), ", \"by_theorem\": ", cell(c.by_theorem),
-               ", \"known_exactly\": ", cell(c.known), ", \"verdict\": ", json_string(c.verdict),
-               ", \"witness\": ", json_string(c.witness), "}");
-}
-
-static std::string item(const UpperBoundCount& count) {
-    return say("{\"at_most\": ", count.solutions, ", \"by_templates\": ", count.by_templates,
-               ", \"by_theorem\": ", count.by_theorem, "}");
+    return say(
+        "{\"claim\": ", json_string(c.claim), ", \"claimed_exactly\": ", cell(c.claimed),
+        ", \"certified_at_least\": ", cell(c.at_least), ", \"certified_exactly\": ", cell(c.exact),
+        ", \"verdict\": ", json_string(c.verdict), ", \"witness\": ", json_string(c.witness), "}");
 }
 
 static std::string item(const ExactDegree& exact) {
@@ -191,12 +178,11 @@ std::string json(const Report& report) {
     const Findings& findings = report.findings;
     std::vector<std::string> files;
     for (std::size_t i = 0; i < findings.files.size(); ++i)
-        files.push_back(item(findings.files[i], findings.comparisons[i]));
+        files.push_back(item(findings.files[i], findings.objections[i]));
     return say("{\"format\": 2, \"status\": ", report.status,
                ",\n\"conclusion\": ", item(report.judgement), ",\n\"files\": ", array_of(files),
                ",\n\"claims\": ", array_of(report.claims),
                ",\n\"families\": ", array_of(report.families),
-               ",\n\"terminal_problems\": ", array_of(report.upper_bounds),
                ",\n\"degree_claims\": ", array_of(report.degrees),
                ",\n\"certified_exactly\": ", array_of(report.exact), "}\n");
 }

@@ -1,30 +1,15 @@
 #include "checker/report/report.h"
 
 #include "checker/conclusion/in_general.h"
+#include "checker/conclusion/known_degree.h"
 
 namespace checker {
 std::string_view kind_of(const ReplayedFile& file) {
-    constexpr std::array<std::string_view, 10> kinds{
-        "",        "classification", "problem",   "degrees", "bounds",
-        "digests", "problems",       "solutions", "at-most", ""};
+    constexpr std::array<std::string_view, 9> kinds{"",          "classification", "problem",
+                                                    "degrees",   "bounds",         "problems",
+                                                    "solutions", "at-most",        ""};
     static_assert(kinds.size() == std::variant_size_v<FileContent>);
     return kinds[file.content.index()];
-}
-
-static std::vector<UpperBoundCount> count_upper_bounds(const paper::KnownDegrees& known) {
-    std::map<std::size_t, UpperBoundCount> counts;
-    for (std::size_t n = 0; n < known.verdicts.size(); ++n) {
-        if (!is_minimal(known.verdicts, n) || !known.classes.represents_swap_class(n)) continue;
-        const DegreeBounds bounds = paper::bounds_of(known, n);
-        if (!bounds.at_most) continue;
-        UpperBoundCount& count = counts[bounds.at_most->solutions];
-        count.solutions = bounds.at_most->solutions;
-        ++(bounds.at_most->by_theorem() ? count.by_theorem : count.by_templates);
-    }
-    std::vector<UpperBoundCount> ascending;
-    for (const auto& [solutions, count] : counts)
-        ascending.push_back(count);
-    return ascending;
 }
 
 static std::vector<ExactDegree> exact_degrees(const paper::KnownDegrees& known) {
@@ -33,19 +18,17 @@ static std::vector<ExactDegree> exact_degrees(const paper::KnownDegrees& known) 
         if (!is_minimal(known.verdicts, n)) continue;
         const DegreeBounds bounds = paper::bounds_of(known, n);
         if (bounds.exact())
-            exact.push_back({n, bounds.at_least, bounds.at_most->by_theorem(),
-                             notation(known.classes.representatives[n])});
+            exact.push_back({n, bounds.at_least, notation(known.classes.representatives[n])});
     }
     return exact;
 }
 
-static void add_degrees(Report& report, const Classification& classes) {
+static void add_exact_degrees(Report& report, const Classification& classes) {
     const Findings& findings = report.findings;
     const auto poses = findings.registrations.find(relative_pose);
     const std::size_t relative_poses = poses == findings.registrations.end() ? 0 : poses->second;
     const paper::KnownDegrees known{classes, findings.verdicts, findings.degrees, relative_poses};
-    if (!findings.registrations.empty()) report.upper_bounds = count_upper_bounds(known);
-    if (!findings.has_lower_bounds) return;
+    if (findings.degrees.empty()) return;
     report.degrees = paper::compare_degrees(known);
     report.exact = exact_degrees(known);
 }
@@ -134,7 +117,7 @@ static Proofs proofs_of(const Findings& findings) {
             proofs.bounds.insert(proofs.bounds.end(), file->bounds.begin(), file->bounds.end());
         if (const auto* file = std::get_if<BoundsFile>(&content))
             proofs.templates += file->templates;
-        if (!std::holds_alternative<DigestList>(content)) proofs.files.push_back(name);
+        proofs.files.push_back(name);
     }
     return proofs;
 }
@@ -193,9 +176,7 @@ static std::string_view argument_for(const ReplayedFile& file) {
         return "each record has a minor that is not 0, or conditions on images: proofs/families.md";
     if (std::holds_alternative<general::SolutionsFile>(file.content))
         return "each solution has a box of its own that holds one zero: proofs/families.md";
-    if (std::holds_alternative<general::AtMostFile>(file.content))
-        return "forms that vanish at all solutions leave few dimensions: proofs/fixed_forms.md";
-    return "its digests are those of the files given";
+    return "forms that vanish at all solutions leave few dimensions: proofs/fixed_forms.md";
 }
 
 /// Judges a run in which nothing in particular is expected: every file has to hold, and some file
@@ -207,9 +188,8 @@ static Judgement judge_all(const Report& report) {
         const Proofs proofs = proofs_of(findings);
         judgement.verified = !proofs.files.empty();
         judgement.files = proofs.files;
-        judgement.statement = judgement.verified
-                                  ? statement_of(report, proofs)
-                                  : "no certificate among these files; give one, too";
+        judgement.statement =
+            judgement.verified ? statement_of(report, proofs) : "there is no file; give one";
         for (const ReplayedFile& file : findings.files)
             judgement.why.push_back(say(file.name, ": ", argument_for(file)));
     }
@@ -230,13 +210,24 @@ static Judgement judge_refused(const Findings& findings, const Expectation& expe
     return judgement;
 }
 
+/// What the run asks of theorems on degrees.
+static AskedDegrees asked_degrees(const Classification& classes, const Findings& findings,
+                                  const Expectation& expectation, bool all) {
+    AskedDegrees asked{.all = all};
+    if (const auto* problem = std::get_if<ExpectedProblem>(&expectation))
+        asked.minimal_class = class_asked(classes, findings, *problem);
+    return asked;
+}
+
 Report summarize(const Classification& classes, std::vector<ReplayedFile> files,
-                 const Expectation& expectation) {
+                 const Expectation& expectation, bool all_degrees) {
     Report report{.findings = find(classes, std::move(files))};
     const Findings& findings = report.findings;
+    add_degrees(report.findings, classes,
+                asked_degrees(classes, findings, expectation, all_degrees));
     report.claims = paper::compare_counts(classes, findings.verdicts);
     add_families(report);
-    add_degrees(report, classes);
+    add_exact_degrees(report, classes);
     if (findings.status > 0) {
         withhold_verdicts(report);
         report.judgement = judge_refused(findings, expectation);

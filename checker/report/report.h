@@ -2,42 +2,34 @@
 // trust a single certificate.
 #pragma once
 
-#include "checker/conclusion/expectation.h"
+#include "checker/conclusion/judgement.h"
 #include "checker/paper/claims.h"
 
 namespace checker {
-/// How many terminal problems have an upper bound.
-struct UpperBoundCount {
-    std::size_t solutions = 0; // at most
-    std::size_t by_templates = 0;
-    std::size_t by_theorem = 0;
-};
-
 /// A label class whose degree is certified exactly.
 struct ExactDegree {
     std::size_t number = 0;
     std::size_t degree = 0;
-    bool by_theorem = false; // its upper bound
-    std::string problem{};   // that represents the class
+    std::string problem{}; // that represents the class
 };
 
 struct Report {
     Findings findings{};
     Judgement judgement{}; // of what was expected, or of all files
     std::vector<paper::Claim> claims{};
-    std::vector<paper::FamilyTable> families{};  // none without a file of a family
-    std::vector<UpperBoundCount> upper_bounds{}; // none without a file of upper bounds
-    std::vector<paper::DegreeClaim> degrees{};   // none without a degree file
+    std::vector<paper::FamilyTable> families{}; // none without a file of a family
+    std::vector<paper::DegreeClaim> degrees{};  // none unless degrees are asked for or bounded
     std::vector<ExactDegree> exact{};
     /// Of the command: that of the findings, and at least 1 if what was expected is not verified.
     int status = 0;
 };
 
 /// Puts together what the files prove, and judges whether they prove what is expected.
+/// `all_degrees`: also computes the degree of each class that is proved minimal, in ten seconds.
 Report summarize(const Classification& classes, std::vector<ReplayedFile> files,
-                 const Expectation& expectation = {});
+                 const Expectation& expectation = {}, bool all_degrees = false);
 
-/// The file's kind as in its first line, or `digests`; empty if it is no certificate.
+/// The file's kind as in its first line; empty if it is no certificate.
 std::string_view kind_of(const ReplayedFile& file);
 
 // A report in parts, each of whole lines. The first two are told as soon as a file is replayed.

@@ -27,7 +27,7 @@ std::string complaints(const ReplayedFile& file) {
 std::string objections(const Report& report) {
     std::string result;
     for (std::size_t i = 0; i < report.findings.files.size(); ++i)
-        for (const std::string& objection : report.findings.comparisons[i].objections)
+        for (const std::string& objection : report.findings.objections[i])
             result += say(report.findings.files[i].name, ":0: refused: ", objection, '\n');
     return result;
 }
@@ -37,19 +37,6 @@ static std::string summary_line(std::string_view about, const std::string& text)
     std::ostringstream line;
     line << std::left << std::setw(10) << about << text << '\n';
     return line.str();
-}
-
-static std::string summary_of_digests(const Findings& findings) {
-    std::string result;
-    for (std::size_t i = 0; i < findings.files.size(); ++i) {
-        if (!std::holds_alternative<DigestList>(findings.files[i].content)) continue;
-        const Comparison& list = findings.comparisons[i];
-        const std::string rest =
-            list.listed_not_given == 0 ? "" : say("; ", list.listed_not_given, " not given");
-        result += summary_line("digests", say(findings.files[i].name, " lists ",
-                                              counted(list.listed, "given file"), rest));
-    }
-    return result;
 }
 
 static std::string summary_of_classes(const Report& report) {
@@ -64,26 +51,15 @@ static std::string summary_of_classes(const Report& report) {
                                        certified - minimal, " not minimal"));
 }
 
-static std::string summary_of_upper_bounds(const Report& report) {
-    std::size_t problems = 0, by_theorem = 0;
-    for (const UpperBoundCount& count : report.upper_bounds) {
-        problems += count.by_templates + count.by_theorem;
-        by_theorem += count.by_theorem;
-    }
-    return summary_line("at most", say("upper bounds of ", counted(problems, "terminal problem"),
-                                       ", ", by_theorem, " of them by theorem"));
-}
-
 static std::string in_words(const ExactDegree& exact) {
-    return say(exact.degree, " solutions", exact.by_theorem ? " (by theorem)" : "", ": class ",
-               exact.number, ", ", exact.problem);
+    return say(exact.degree, " solutions: class ", exact.number, ", ", exact.problem);
 }
 
 static std::string summary_of_exact(const Report& report) {
     constexpr std::size_t most_lines = 4;
     const auto is_proved = [](const auto& verdict) { return verdict.has_value(); };
     if (std::ranges::none_of(report.findings.verdicts, is_proved))
-        return summary_line("exactly", "no degree: upper bounds are for classes certified minimal; "
+        return summary_line("exactly", "no degree: theorems are for classes certified minimal; "
                                        "add classification.plc");
     if (report.exact.empty()) return summary_line("exactly", "no degree: no bounds meet");
     std::string result;
@@ -99,16 +75,14 @@ static std::string summary_of_degrees(const Report& report) {
     for (const ReplayedFile& file : report.findings.files)
         if (const auto* degrees = std::get_if<DegreeFile>(&file.content))
             records += degrees->bounds.size();
-    std::string result =
-        summary_line("at least", say("lower bounds by ", counted(records, "degree record")));
+    std::string result;
+    if (records > 0)
+        result =
+            summary_line("at least", say("lower bounds by ", counted(records, "degree record")));
     result += summary_of_exact(report);
     for (const paper::DegreeClaim& row : report.degrees)
-        if (row.claim == "terminal, of any degree") {
-            result += summary_line("", say(row.exact, " of ", row.claimed, " terminal problems, ",
-                                           row.by_theorem, " by theorem"));
-            result += summary_line("evidence", say(std::stoul(row.known) - std::stoul(row.exact),
-                                                   " more terminal problems"));
-        }
+        if (row.claim == "terminal, of any degree")
+            result += summary_line("", say(row.exact, " of ", row.claimed, " terminal problems"));
     return result;
 }
 
@@ -124,8 +98,7 @@ static std::string summary_of_paper(const Report& report) {
                            rows_that(report.claims, "differs"), " differ");
     if (!report.degrees.empty())
         text += say("; degrees: ", rows_that(report.degrees, "agrees"), " rows agree, ",
-                    rows_that(report.degrees, "differs"), " differ, ",
-                    rows_that(report.degrees, "open"), " open");
+                    rows_that(report.degrees, "differs"), " differ");
     return summary_line("paper", text + " (see --errata)");
 }
 
@@ -223,31 +196,18 @@ std::string summary(const Report& report) {
     bool has_classification = false;
     for (const ReplayedFile& file : report.findings.files)
         has_classification |= std::holds_alternative<ClassificationFile>(file.content);
-    std::string result = summary_of_digests(report.findings);
+    std::string result;
     if (has_classification) result += summary_of_classes(report);
-    if (!report.upper_bounds.empty()) result += summary_of_upper_bounds(report);
-    if (report.findings.has_lower_bounds) result += summary_of_degrees(report);
+    if (!report.findings.degrees.empty()) result += summary_of_degrees(report);
     if (has_classification && report.findings.status == 0) result += summary_of_paper(report);
     return result + tables_of_families(report);
 }
 
-static std::string table_of_upper_bounds(const Report& report) {
-    std::string text;
-    for (const auto& [solutions, by_templates, by_theorem] : report.upper_bounds) {
-        text += say("certified: ", by_templates + by_theorem, " terminal problems have at most ",
-                    solutions, " solutions");
-        if (by_theorem > 0) text += say(", ", by_theorem, " of them by theorem");
-        text += '\n';
-    }
-    return text;
-}
-
 static std::string table_of_degrees(const Report& report) {
-    std::vector<Row> rows{
-        {"camera-degrees", "claimed", "certified", "certified", "of these", "known", ""},
-        {"", "exactly", "at least", "exactly", "by theorem", "exactly", "verdict"}};
+    std::vector<Row> rows{{"camera-degrees", "claimed", "certified", "certified", ""},
+                          {"", "exactly", "at least", "exactly", "verdict"}};
     for (const paper::DegreeClaim& c : report.degrees)
-        rows.push_back({c.claim, c.claimed, c.at_least, c.exact, c.by_theorem, c.known, c.verdict});
+        rows.push_back({c.claim, c.claimed, c.at_least, c.exact, c.verdict});
     return aligned(rows);
 }
 
@@ -257,7 +217,6 @@ std::string table(const Report& report) {
         const std::string bounds = lower_bounds(file);
         if (!bounds.empty()) result += '\n' + file.name + ':' + bounds + '\n';
     }
-    if (!report.upper_bounds.empty()) result += '\n' + table_of_upper_bounds(report);
     result += '\n' + table_of_counts(report.claims);
     if (!report.degrees.empty()) result += '\n' + table_of_degrees(report);
     return result + '\n';
@@ -274,8 +233,7 @@ std::string errata(const Report& report) {
     for (const paper::DegreeClaim& c : report.degrees) {
         if (!c.verdict.starts_with("differs")) continue;
         result += say('\n', c.claim, "\n  Paper: ", c.claimed, "; certified at least: ", c.at_least,
-                      "; certified exactly: ", c.exact, "; known exactly: ", c.known, "; ",
-                      c.verdict, ".\n");
+                      "; certified exactly: ", c.exact, "; ", c.verdict, ".\n");
         if (!c.witness.empty()) result += say("  Witness: ", c.witness, "\n");
     }
     if (result.empty()) return "no count that these files cover differs from the paper\n";

@@ -1,6 +1,6 @@
 #include "tests/mutation/degree_trial.h"
 
-#include "checker/bounds/degree_bounds.h"
+#include "checker/conclusion/degree_bounds.h"
 #include "tests/mutation/degree_referee.h"
 #include "tests/mutation/mutants.h"
 #include "tests/mutation/replayed.h"
@@ -231,7 +231,7 @@ int try_degree_files(const checker::Classification& all, std::size_t mutants, st
                                const std::string& text) -> std::optional<std::string> {
         const referee::Text lines = referee::split(text);
         for (const checker::LowerBound& bound : proved_by<checker::DegreeFile>(file).bounds) {
-            const auto& [number, solutions, complete] = bound;
+            const auto& [number, solutions] = bound;
             if (known.contains(number) && solutions > known[number])
                 return "more solutions than there are";
             const std::size_t line = referee::line_of_record(lines, number);
@@ -257,7 +257,7 @@ int try_bounds(const checker::Classification& all, std::size_t mutants, std::uin
     const auto objection = [&](const checker::ReplayedFile& file,
                                const std::string&) -> std::optional<std::string> {
         const checker::DegreeTable table =
-            checker::combine(all, minimal, {}, proved_by<checker::BoundsFile>(file).bounds);
+            checker::bounds_by_files(all, minimal, {}, proved_by<checker::BoundsFile>(file).bounds);
         for (const auto& [number, degree] : degrees) {
             const auto known = checker::bounds_of(table, all.representatives[number]).at_most;
             if (known && known->solutions < degree)

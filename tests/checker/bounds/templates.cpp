@@ -77,7 +77,7 @@ DegreeTable table_of(const RegistrationBounds& upper, const std::vector<LowerBou
             found.push_back(is_minimal_class(n));
         return found;
     }();
-    return combine(all_classes(), minimal, lower, upper);
+    return bounds_by_files(all_classes(), minimal, lower, upper);
 }
 
 std::size_t bound_of(const DegreeTable& table, std::size_t number) {

@@ -2,7 +2,7 @@
 // of them.
 #pragma once
 
-#include "checker/bounds/degree_bounds.h"
+#include "checker/conclusion/degree_bounds.h"
 #include "checker/degrees/constraint_class.h"
 #include "checker/replay.h"
 #include "tests/support/minimal_classes.h"

@@ -17,7 +17,7 @@ ExpectedProblem expect(const std::string& problem, const std::string& verdict,
     return {problem, parse_problem(problem), verdict, degree};
 }
 
-constexpr ExpectedDegree exactly(std::size_t solutions) {
+constexpr ExpectedDegree exact_degree(std::size_t solutions) {
     return {.exactly = true, .solutions = solutions};
 }
 
@@ -140,32 +140,51 @@ TEST_CASE("a record of a classification speaks of all problems of its class") {
     CHECK_FALSE(verified(files, expect(chicago + " + a/a/-", "camera-minimal")));
 }
 
-TEST_CASE("degrees, exact and at least, as lower and upper bounds certify them") {
+TEST_CASE("degrees, exact by theorem for what is proved minimal, and at least by records") {
     const ReplayedFile all = whole_classification();
-    const ReplayedFile degrees = degree_file({{2394, 312, false}});
-    const ReplayedFile fewer = degree_file({{2394, 311, true}});
-    CHECK(verified({all, degrees}, expect(chicago, "minimal", exactly(312))));
-    CHECK(verified({all, degrees}, expect(chicago, "", at_least(312))));
+    const ReplayedFile degrees = degree_file({{2394, 311}});
+    for (const std::vector<ReplayedFile>& files :
+         {std::vector{all}, std::vector{certificate_of(chicago)}, std::vector{all, degrees}}) {
+        CHECK(verified(files, expect(chicago, "minimal", exact_degree(312))));
+        CHECK(verified(files, expect(chicago, "", at_least(312))));
+        for (const std::size_t wrong : {311U, 313U})
+            CHECK_FALSE(verified(files, expect(chicago, "minimal", exact_degree(wrong))));
+        CHECK_FALSE(verified(files, expect(chicago, "", at_least(313))));
+        CHECK_FALSE(verified(files, expect(chicago, "obstructed", exact_degree(312))));
+    }
     CHECK(verified({degrees}, expect(chicago, "", at_least(300))));
-    CHECK(verified({certificate_of(chicago), degrees}, expect(chicago, "minimal", exactly(312))));
-    for (const std::size_t wrong : {311U, 313U})
-        CHECK_FALSE(verified({all, degrees}, expect(chicago, "minimal", exactly(wrong))));
-    CHECK_FALSE(verified({all, degrees}, expect(chicago, "", at_least(313))));
-    CHECK_FALSE(verified({all, degrees}, expect(chicago, "obstructed", exactly(312))));
-    CHECK_FALSE(verified({degrees}, expect(chicago, "", exactly(312)))); // not proved minimal
-    CHECK_FALSE(verified({degrees}, expect(chicago, "minimal", at_least(312))));
-    // Evidence is no certificate.
-    CHECK_FALSE(verified({all, fewer}, expect(chicago, "", exactly(311))));
-    CHECK_FALSE(verified({all, degrees}, expect("3*P/P/P + a/a/a", "", at_least(1))));
+    CHECK_FALSE(verified({degrees}, expect(chicago, "", at_least(312)))); // not proved minimal
+    CHECK_FALSE(verified({degrees}, expect(chicago, "minimal", at_least(311))));
+    CHECK_FALSE(verified({degrees}, expect("3*P/P/P + a/a/a", "", at_least(1))));
+    // The proof that another class is minimal is none for this one.
+    CHECK_FALSE(
+        verified({certificate_of("3*P/P/P + a/a/a")}, expect(chicago, "", exact_degree(312))));
+    Verdicts others = all_verdicts();
+    others[2394].reset();
+    CHECK_FALSE(verified({classification_with(others)}, expect(chicago, "", exact_degree(312))));
+    const std::string obstructed = "Pabcdef/Pabcdef/Pabcdef + a/a/a";
+    CHECK_FALSE(verified({all}, expect(obstructed, "", at_least(1))));
+}
+
+TEST_CASE("a record that counts more solutions than the theorem refuses its file") {
+    const ReplayedFile more = degree_file({{6722, 200}, {2394, 313}});
+    const Report report =
+        report_on({whole_classification(), more}, expect(chicago, "", exact_degree(312)));
+    CHECK(report.status == 1);
+    CHECK(complaints(report) ==
+          "degrees.plc:0: refused: bounds contradict each other: class 2394 has at least 313 "
+          "solutions, and at most 312, by Theorem C of proofs/three_views/4_classes.md\n");
+    CHECK(conclusion(report).starts_with("NOT VERIFIED: "));
+    CHECK(verified({more}, expect(chicago, "", at_least(313)))); // without a proof of minimality
 }
 
 TEST_CASE("the degree of a problem that reduces to a class needs a proof of the reduction") {
     const std::string problem = "P/P/a + 3*P/P/P + a/-/-"; // to class 6723, of degree 272
     const ReplayedFile all = whole_classification();
-    const ReplayedFile degrees = degree_file({{6723, 272, false}});
-    CHECK(verified({degrees, certificate_of(problem)},
-                   expect(problem, "camera-minimal", exactly(272))));
-    CHECK(verified({degrees, certificate_of(problem)}, expect(problem, "", at_least(272))));
+    CHECK(
+        verified({certificate_of(problem)}, expect(problem, "camera-minimal", exact_degree(272))));
+    CHECK(verified({certificate_of(problem)}, expect(problem, "", at_least(272))));
+    const ReplayedFile degrees = degree_file({{6723, 272}});
     const Report without = report_on({all, degrees}, expect(problem, "", at_least(1)));
     CHECK_FALSE(without.judgement.verified);
     CHECK(contains(conclusion(without), "these files do not say to which class it reduces"));
@@ -175,47 +194,43 @@ TEST_CASE("the degree of a problem that reduces to a class needs a proof of the 
 }
 
 TEST_CASE("a constraint class shares its degree: swaps, exchanges and other orders of the views") {
-    const std::vector files{whole_classification(), degree_file({{6726, 464, false}})};
+    const std::vector files{whole_classification()};
     CHECK(notation(all_classes().representatives[6726]) == "3*P/P/P + -/P/P + P/a/a");
-    CHECK(verified(files, expect("3*P/P/P + -/P/P + P/a/a", "minimal", exactly(464))));
-    CHECK(verified(files, expect("3*P/P/P + -/P/P + Pab/b/a", "minimal", exactly(464))));
-    CHECK(verified(files, expect("3*P/P/P + P/-/P + a/P/a", "minimal", exactly(464))));
+    CHECK(verified(files, expect("3*P/P/P + -/P/P + P/a/a", "minimal", exact_degree(464))));
+    CHECK(verified(files, expect("3*P/P/P + -/P/P + Pab/b/a", "minimal", exact_degree(464))));
+    CHECK(verified(files, expect("3*P/P/P + P/-/P + a/P/a", "minimal", exact_degree(464))));
 }
 
-TEST_CASE("in two views the degree is the number of relative poses, if a class attains its bound") {
+TEST_CASE(
+    "in two views the degree is the number of relative poses, if a class attains the product") {
     const Signature extension = all_classes().representatives[6779]; // of degree 80 = 20 * 4
     const Registration type = registration(extension, 0b110);
     CHECK(shared_points(extension, 0b110) == 5);
     const ReplayedFile all = whole_classification();
     const ReplayedFile bounds = bounds_file({{relative_pose, 20}, {type, 4}});
-    const ReplayedFile attained = degree_file({{6779, 80, false}});
-    const ReplayedFile fewer = degree_file({{6779, 76, true}});
+    const ReplayedFile loose = bounds_file({{relative_pose, 20}, {type, 5}});
     for (const std::string problem : {"5*P/P", "4*P/P + Pa/P + P/- + a/a"}) {
         const ReplayedFile own = certificate_of(problem);
-        CHECK(verified({all, bounds, attained, own}, expect(problem, "", exactly(20))));
-        CHECK(verified({all, bounds, attained, own}, expect(problem, "", at_least(20))));
-        CHECK_FALSE(verified({all, bounds, attained, own}, expect(problem, "", exactly(10))));
-        CHECK_FALSE(verified({all, bounds, fewer, own}, expect(problem, "", exactly(20))));
-        CHECK_FALSE(verified({all, bounds, fewer, own}, expect(problem, "", at_least(1))));
-        CHECK_FALSE(verified({bounds, attained, own}, expect(problem, "", exactly(20))));
-        CHECK_FALSE(verified({all, bounds, attained}, expect(problem, "", exactly(20))));
-        // Bounds by theorem say nothing of relative poses.
-        CHECK_FALSE(verified({all, bounds, degree_file({{2394, 312, false}}), own},
-                             expect(problem, "", at_least(1))));
+        CHECK(verified({all, bounds, own}, expect(problem, "", exact_degree(20))));
+        CHECK(verified({all, bounds, own}, expect(problem, "", at_least(20))));
+        CHECK_FALSE(verified({all, bounds, own}, expect(problem, "", exact_degree(10))));
+        CHECK_FALSE(verified({all, loose, own}, expect(problem, "", exact_degree(20))));
+        CHECK_FALSE(verified({all, loose, own}, expect(problem, "", at_least(1))));
+        CHECK_FALSE(verified({bounds, own}, expect(problem, "", exact_degree(20))));
+        CHECK_FALSE(verified({all, bounds}, expect(problem, "", exact_degree(20))));
     }
     const ReplayedFile six = certificate_of("6*P/P");
-    CHECK_FALSE(verified({all, bounds, attained, six}, expect("6*P/P", "", at_least(1))));
+    CHECK_FALSE(verified({all, bounds, six}, expect("6*P/P", "", at_least(1))));
 }
 
 TEST_CASE("the files that are named are those that prove it") {
     ReplayedFile other = certificate_of("3*P/P/P + a/a/a");
     other.name = "other.plc";
-    const Report report =
-        report_on({other, certificate_of(chicago), degree_file({{2394, 312, false}})},
-                  expect(chicago, "minimal", exactly(312)));
-    CHECK(report.judgement.files == std::vector<std::string>{"problem.plc", "degrees.plc"});
+    const Report report = report_on({other, certificate_of(chicago), degree_file({{2394, 311}})},
+                                    expect(chicago, "minimal", exact_degree(312)));
+    CHECK(report.judgement.files == std::vector<std::string>{"problem.plc"});
     CHECK(conclusion(report) == "VERIFIED: 2*Pa/Pa/Pa + P/P/P is minimal, and has exactly 312 "
-                                "camera solutions (problem.plc, degrees.plc)\n");
+                                "camera solutions (problem.plc)\n");
     CHECK(contains(why(report), "by Theorem C of proofs/three_views/4_classes.md"));
 }
 
@@ -230,7 +245,7 @@ TEST_CASE("the whole classification is verified if no class lacks its record") {
 }
 
 TEST_CASE("nothing is verified in a run in which a file is refused") {
-    ReplayedFile refused = degree_file({{6722, 216, false}});
+    ReplayedFile refused = degree_file({{6722, 216}});
     std::get<DegreeFile>(refused.content).refusals.add(3, "a reason");
     for (const ReplayedFile& bad :
          {refused, ReplayedFile{.name = "x", .content = Malformed{{1, "a reason"}}},

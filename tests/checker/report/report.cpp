@@ -102,7 +102,7 @@ TEST_CASE("without certificates only the enumeration is certified, and nothing i
     for (std::size_t i = 0; i < report.claims.size(); ++i)
         CHECK(report.claims[i].verdict == (i < 3 ? "confirmed" : "not covered by these files"));
     CHECK(summary(report).empty());
-    CHECK(conclusion(report) == "NOT VERIFIED: no certificate among these files; give one, too\n");
+    CHECK(conclusion(report) == "NOT VERIFIED: there is no file; give one\n");
     CHECK(complaints(report).empty());
 }
 
@@ -144,8 +144,8 @@ TEST_CASE("the status is that of the worst file") {
 
 TEST_CASE("in a run with a file that is refused, no row of a table confirms anything") {
     const ReplayedFile malformed{.name = "text", .content = Malformed{{1, "a reason"}}};
-    const Report report = summarize(
-        all_classes(), {whole_classification(), degree_file({{2394, 312, false}}), malformed});
+    const Report report =
+        summarize(all_classes(), {whole_classification(), degree_file({{2394, 312}}), malformed});
     CHECK(report.status == 2);
     CHECK(report.claims.size() > 30);
     for (const paper::Claim& claim : report.claims)
@@ -156,26 +156,6 @@ TEST_CASE("in a run with a file that is refused, no row of a table confirms anyt
     CHECK(detailed(report).find("confirmed") == std::string::npos);
     CHECK(errata(report) == "no count that these files cover differs from the paper\n");
     CHECK(conclusion(report) == "NOT VERIFIED: 1 of 3 files is refused (text)\n");
-}
-
-TEST_CASE("what a file with another digest proves does not count") {
-    ReplayedFile problem = problem_of_class(2394), degrees = degree_file({{2394, 312, false}});
-    ReplayedFile bounds = bounds_file({{relative_pose, 20}});
-    problem.sha256 = degrees.sha256 = bounds.sha256 = "one";
-    const auto findings_with = [&](const std::string& digest) {
-        const DigestList list{
-            {{digest, problem.name}, {digest, degrees.name}, {digest, bounds.name}}};
-        return summarize(all_classes(), {problem, degrees, bounds, {"SUMS", "three", list}})
-            .findings;
-    };
-    const Findings same = findings_with("one"), other = findings_with("two");
-    CHECK(same.verdicts[2394]);
-    CHECK(same.has_lower_bounds);
-    CHECK(same.registrations.size() == 1);
-    CHECK_FALSE(other.verdicts[2394]);
-    CHECK_FALSE(other.has_lower_bounds);
-    CHECK(other.registrations.empty());
-    CHECK(other.degrees.empty());
 }
 
 TEST_CASE("a degree file or a file of upper bounds without a record is refused") {

@@ -1,0 +1,77 @@
+#include "checker/conclusion/degree_bounds.h"
+
+#include "checker/conclusion/pages_of_theorems.h"
+#include "checker/degrees/constraint_class.h"
+
+#include <set>
+
+namespace checker {
+static void add_upper(DegreeBounds& known, const UpperBound& bound) {
+    if (!known.at_most || bound.solutions < known.at_most->solutions) known.at_most = bound;
+}
+
+DegreeTable bounds_by_files(const Classification& classes, const std::vector<bool>& minimal,
+                            const std::vector<LowerBound>& lower, const RegistrationBounds& upper) {
+    DegreeTable table;
+    for (const LowerBound& bound : lower) {
+        DegreeBounds& known = table[constraint_class(classes.representatives[bound.number])];
+        known.counted = known.at_least = std::max(known.counted, bound.solutions);
+    }
+    for (std::size_t n = 0; n < minimal.size() && !upper.empty(); ++n) {
+        if (!minimal[n]) continue;
+        const Signature& signature = classes.representatives[n];
+        const auto found = bound_by_registration(signature, upper);
+        if (found) add_upper(table[constraint_class(signature)], {found->bound, found->type});
+    }
+    return table;
+}
+
+/// The constraint classes of which a theorem is asked.
+static std::set<Signature> asked_classes(const DegreeTable& table, const Classification& classes,
+                                         const std::vector<bool>& minimal,
+                                         const AskedDegrees& asked) {
+    std::set<Signature> keys;
+    if (asked.minimal_class)
+        keys.insert(constraint_class(classes.representatives[*asked.minimal_class]));
+    for (std::size_t n = 0; n < minimal.size(); ++n) {
+        if (!minimal[n] || (table.empty() && !asked.all)) continue;
+        const Signature key = constraint_class(classes.representatives[n]);
+        if (asked.all || table.contains(key)) keys.insert(key);
+    }
+    return keys;
+}
+
+void add_theorems(DegreeTable& table, const Classification& classes,
+                  const std::vector<bool>& minimal, const AskedDegrees& asked) {
+    exactly::Degrees degrees;
+    for (const Signature& key : asked_classes(table, classes, minimal, asked)) {
+        const auto degree = degrees.of(key);
+        if (!degree) continue;
+        DegreeBounds& known = table[key];
+        known.theorem = degree;
+        known.at_least = std::max(known.at_least, degree->solutions);
+        if (!known.at_most || degree->solutions <= known.at_most->solutions)
+            known.at_most = UpperBound{degree->solutions, ByTheorem{degree->theorem}};
+    }
+}
+
+DegreeBounds bounds_of(const DegreeTable& table, const Signature& signature) {
+    const auto place = table.find(constraint_class(signature));
+    return place == table.end() ? DegreeBounds{} : place->second;
+}
+
+std::optional<std::string> contradiction(std::size_t counted,
+                                         const std::optional<UpperBound>& at_most) {
+    if (!at_most || counted <= at_most->solutions) return std::nullopt;
+    return say("at least ", counted, " solutions, and ", in_words(*at_most));
+}
+
+std::string in_words(const UpperBound& bound) {
+    const std::string at_most = say("at most ", bound.solutions, ", by ");
+    if (std::holds_alternative<ByForms>(bound.by))
+        return at_most + "forms that vanish at all solutions: proofs/fixed_forms.md";
+    if (const auto* by = std::get_if<ByTheorem>(&bound.by))
+        return say(at_most, "Theorem ", by->theorem, " of proofs/", page_of(by->theorem));
+    return at_most + "templates of relative pose and registration";
+}
+} // namespace checker

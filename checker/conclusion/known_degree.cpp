@@ -1,0 +1,114 @@
+#include "checker/conclusion/known_degree.h"
+
+#include "checker/degrees/constraint_class.h"
+
+namespace checker {
+/// The degree files with a record of the constraint class.
+static std::vector<std::string> degree_files(const Classification& classes,
+                                             const Findings& findings, const Signature& key) {
+    const auto is_own = [&](std::size_t number) {
+        return constraint_class(classes.representatives[number]) == key;
+    };
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < findings.files.size(); ++i)
+        if (const auto* file = std::get_if<DegreeFile>(&findings.files[i].content))
+            if (findings.counts(i) &&
+                std::ranges::any_of(file->bounds, is_own, &LowerBound::number))
+                names.push_back(findings.files[i].name);
+    return names;
+}
+
+static std::vector<std::string> template_files(const Findings& findings) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < findings.files.size(); ++i)
+        if (std::holds_alternative<BoundsFile>(findings.files[i].content) && findings.counts(i))
+            names.push_back(findings.files[i].name);
+    return names;
+}
+
+/// Those of a class that a file proves minimal. A theorem needs no more than this file.
+static BoundFiles files_of_bounds(const Classification& classes, const Findings& findings,
+                                  const Proved& proved, const Signature& signature,
+                                  const DegreeBounds& bounds) {
+    BoundFiles files;
+    if (!proved.file.empty()) files.upper = {proved.file};
+    if (bounds.at_most && std::holds_alternative<Registration>(bounds.at_most->by))
+        for (const std::string& name : template_files(findings))
+            files.upper.push_back(name);
+    files.lower =
+        bounds.theorem ? files.upper : degree_files(classes, findings, constraint_class(signature));
+    return files;
+}
+
+/// The bounds of the number of relative poses of two views, which a camera-minimal problem in two
+/// views has as its degree: exact if the degree of some class is a product of which it is a factor
+/// (proofs/templates.md, section 6).
+static DegreeBounds bounds_of_poses(const Classification& classes, const Findings& findings) {
+    DegreeBounds bounds;
+    const auto poses = findings.registrations.find(relative_pose);
+    if (poses == findings.registrations.end()) return bounds;
+    bounds.at_most = UpperBound{poses->second, relative_pose};
+    for (std::size_t n = 0; n < findings.verdicts.size(); ++n) {
+        if (!is_minimal(findings.verdicts, n)) continue;
+        const Signature& signature = classes.representatives[n];
+        const auto product = bound_by_registration(signature, findings.registrations);
+        if (product && product->bound == bounds_of(findings.degrees, signature).at_least)
+            bounds.at_least = poses->second;
+    }
+    return bounds;
+}
+
+/// What class or relative poses say of the degree.
+static KnownDegree degree_of_class(const Classification& classes, const Findings& findings,
+                                   const Proved& proved, unsigned views) {
+    if (views == 2 && implies(proved.verdict, "camera-minimal")) {
+        std::vector<std::string> files{proved.file};
+        for (std::size_t i = 0; i < findings.files.size(); ++i)
+            if (std::holds_alternative<ClassificationFile>(findings.files[i].content))
+                files.push_back(findings.files[i].name);
+        for (const std::string& name : template_files(findings))
+            files.push_back(name);
+        return {bounds_of_poses(classes, findings),
+                {files, files},
+                "its degree is the number of relative poses of two views"};
+    }
+    if (!proved.number) return {};
+    const Signature& signature = classes.representatives[*proved.number];
+    const DegreeBounds bounds = bounds_of(findings.degrees, signature);
+    return {bounds, files_of_bounds(classes, findings, proved, signature, bounds),
+            say("its degree is that of label class ", *proved.number, ", ", notation(signature))};
+}
+
+// With what a file of solutions counts, if that is more; of a problem in general also with what
+// theorems say.
+KnownDegree degree_of(const Classification& classes, const Findings& findings, const Proved& proved,
+                      const ExpectedProblem& expected) {
+    KnownDegree known = degree_of_class(classes, findings, proved, expected.problem.views);
+    if (!expected.in_general) return known;
+    const CountedInGeneral counted = count_in_general(findings, *expected.in_general);
+    if (counted.solutions > known.bounds.at_least) {
+        known.bounds.at_least = counted.solutions;
+        known.files.lower = {counted.file};
+        if (known.source.empty()) known.source = "its solutions are counted by " + counted.file;
+    }
+    if (proved.verdict != "minimal" || known.bounds.exact()) return known;
+    const auto bound = bound_in_general(findings, *expected.in_general);
+    if (!bound) return known;
+    known.files.upper = {proved.file};
+    known.bounds.at_most = upper_bound(*bound);
+    if (!bound->file.empty()) known.files.upper.push_back(bound->file);
+    if (known.bounds.at_least == 0) {
+        known.bounds.at_least = 1;
+        known.files.lower = {proved.file};
+        known.source = "a minimal problem has a solution";
+    }
+    return known;
+}
+
+std::optional<std::size_t> class_asked(const Classification& classes, const Findings& findings,
+                                       const ExpectedProblem& expected) {
+    if (!expected.degree) return std::nullopt;
+    const Proved proved = prove(classes, findings, expected);
+    return implies(proved.verdict, "camera-minimal") ? proved.number : std::nullopt;
+}
+} // namespace checker

@@ -1,0 +1,28 @@
+// What the files of a run, and theorems, say of the degree of a problem that a user asks about.
+#pragma once
+
+#include "checker/conclusion/proved.h"
+
+namespace checker {
+/// The files that bound a degree.
+struct BoundFiles {
+    std::vector<std::string> lower{};
+    std::vector<std::string> upper{};
+};
+
+/// What is known of a degree, and by which files.
+struct KnownDegree {
+    DegreeBounds bounds{};
+    BoundFiles files{};
+    std::string source{}; // in words, whose degree it is; empty if the files do not say
+};
+
+/// The label class that has the degree of the problem, if its degree is expected and a file proves
+/// that the class is minimal.
+std::optional<std::size_t> class_asked(const Classification& classes, const Findings& findings,
+                                       const ExpectedProblem& expected);
+
+/// What is known of the degree of a problem of which so much is proved.
+KnownDegree degree_of(const Classification& classes, const Findings& findings, const Proved& proved,
+                      const ExpectedProblem& expected);
+} // namespace checker
