@@ -9,3 +9,12 @@ function(embed_lines file variable)
   string(REGEX REPLACE "([^\n]*)\n" "        R\"csv(\\1)csv\"sv,\n" lines "${lines}")
   set(${variable} "${lines}" PARENT_SCOPE)
 endfunction()
+
+# embed_rows(FILE VARIABLE BEGINNING): the same with each line as a row of an array: `4,64` is {4,64}.
+function(embed_rows file variable beginning)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  file(READ ${file} lines)
+  string(REGEX REPLACE "(${beginning})[^\n]*\n" "" lines "${lines}")
+  string(REGEX REPLACE "([^\n]*)\n" "        {\\1},\n" lines "${lines}")
+  set(${variable} "${lines}" PARENT_SCOPE)
+endfunction()

@@ -1,6 +1,6 @@
 // The problems of a family (docs/notation.md, Families): what the program lists, and the records of
 // the archive. Each file is loaded once, when it is wanted.
-import type { Degree } from "./prover.js";
+import type { GeneralDegree } from "./prover.js";
 
 export type Family = "plmp" | "projective";
 
@@ -16,7 +16,7 @@ export interface Member {
     minimal: boolean;
     /** Why it is not minimal. */
     reason: string;
-    degree: Pick<Degree, "value" | "bound" | "status"> | null;
+    degree: Pick<GeneralDegree, "value" | "bound" | "status"> | null;
 }
 
 const texts = new Map<string, Promise<string>>();

@@ -1,7 +1,7 @@
 // How a problem, a class and a degree look in a list.
 import { make, withCommas, type Child } from "./elements.js";
 import { picture } from "./picture.js";
-import type { Degree, Row } from "./prover.js";
+import type { GeneralDegree, Row } from "./prover.js";
 
 export function problemAddress(spec: string | number): string {
     const encoded = encodeURIComponent(String(spec));
@@ -17,7 +17,7 @@ export function statusMark(status: string): HTMLElement {
     return make("span", { class: `status ${status}` }, status);
 }
 
-export function degreeInWords(degree: Pick<Degree, "value" | "bound">): string {
+export function degreeInWords(degree: Pick<GeneralDegree, "value" | "bound">): string {
     const number = withCommas(degree.value);
     return degree.bound === "exact" ? number : `at least ${number}`;
 }
@@ -26,8 +26,7 @@ export function degreeInWords(degree: Pick<Degree, "value" | "bound">): string {
 export function card(row: Row): HTMLElement {
     const verdict = row.minimal ? "minimal" : `not minimal: ${row.obstruction}`;
     const facts = make("p", { class: "facts" }, verdict);
-    if (row.degree)
-        facts.append(" · degree ", row.degree.words, " ", statusMark(row.degree.status));
+    if (row.degree) facts.append(` · degree ${withCommas(row.degree)}`);
     return make(
         "li",
         { class: "card" },
@@ -56,6 +55,6 @@ export function line(row: Row): HTMLElement {
         ),
         row.minimal ? "" : ` (not minimal: ${row.obstruction})`,
     );
-    if (row.degree) item.append(`, degree ${row.degree.words} `, statusMark(row.degree.status));
+    if (row.degree) item.append(`, degree ${withCommas(row.degree)}`);
     return item;
 }

@@ -1,12 +1,18 @@
 // Asks the prover's code, which runs in a worker. The types are those of the answers in
 // atlas/wasm/answers.h, and of `plprove problem --json`.
 
+/** Of a problem in three views or two. */
 export interface Degree {
     value: number;
+    status: "certified";
+}
+
+/** Of a problem in general. */
+export interface GeneralDegree {
+    value: number;
     bound: "exact" | "at-least";
-    status: "certified" | "evidence" | "claimed";
+    status: "certified" | "evidence";
     source: string;
-    number: number;
 }
 
 export interface Hint {
@@ -47,7 +53,6 @@ export interface Report {
     constraint_class?: number;
     families?: Families;
     degree?: Degree;
-    degrees?: Degree[];
     hints?: Hint[];
 }
 
@@ -84,7 +89,7 @@ export interface GeneralReport {
     dimensions: { scene: number; cameras: number; images: number };
     minimal: boolean;
     reason: string;
-    degree?: Pick<Degree, "value" | "bound" | "status" | "source">;
+    degree?: GeneralDegree;
 }
 
 export interface GeneralAnswer {
@@ -99,7 +104,7 @@ export interface Row {
     obstruction: string;
     points: number;
     lines: number;
-    degree?: { words: string; status: Degree["status"] };
+    degree?: number;
     picture?: string;
     dropped?: string;
     added?: string;

@@ -1,6 +1,6 @@
 // What the program decides of a problem, for people: the verdict, why, and what follows.
-import { make, type Child } from "./elements.js";
-import { degreeInWords, problemLink, statusMark } from "./problem_links.js";
+import { make, withCommas, type Child } from "./elements.js";
+import { problemLink, statusMark } from "./problem_links.js";
 import type { Degree, Families, Hint, ProblemAnswer, Report } from "./prover.js";
 
 const verdicts: Readonly<Record<string, string>> = {
@@ -45,15 +45,14 @@ export function familyNames(families: Families): string[] {
     return names.filter(([member]) => member).map(([, name]) => name);
 }
 
-/** A degree, how sure it is, and what it rests on. */
+/** A degree, and how sure it is. */
 export function degreeView(degree: Degree): HTMLElement {
     return make(
         "span",
         {},
-        make("strong", {}, degreeInWords(degree)),
+        make("strong", {}, withCommas(degree.value)),
         " ",
         statusMark(degree.status),
-        ` ${degree.source} (#${degree.number})`,
     );
 }
 
@@ -74,7 +73,6 @@ export function factRows(answer: ProblemAnswer): [string, Child[]][] {
     }
     if (answer.names.length > 0) rows.push(["name", [answer.names.join(", ")]]);
     if (report.degree) rows.push(["degree", [degreeView(report.degree)]]);
-    else if (report.camera_minimal) rows.push(["degree", ["none on file"]]);
     rows.push(["dimensions", [dimensionsInWords(report)]]);
     if (report.reduction.length > 0) {
         const steps = report.reduction.map((step, index) =>
@@ -121,8 +119,7 @@ export function hintsView(hints: Hint[]): HTMLElement {
             `: ${hint.verdict}`,
             hint.number === undefined ? "" : `, #${hint.number}`,
         );
-        if (hint.degree)
-            item.append(`, degree ${degreeInWords(hint.degree)} `, statusMark(hint.degree.status));
+        if (hint.degree) item.append(`, degree ${withCommas(hint.degree.value)}`);
         return item;
     });
     return make("ul", { class: "plain columns" }, ...items);

@@ -13,9 +13,10 @@ using namespace plprove;
 
 namespace {
 
-/// The columns by which a search may be sorted. A class without a degree on file comes last.
+/// The columns by which a search may be sorted. A class without a degree, which is not minimal,
+/// comes last.
 int sort_key(const Entry& entry, const std::string& column) {
-    if (column == "degree") return entry.degree ? entry.degree->degree : 0;
+    if (column == "degree") return entry.degree.value_or(0);
     if (column == "points") return entry.counts.points;
     if (column == "lines") return entry.counts.lines();
     return static_cast<int>(entry.number);
@@ -83,7 +84,7 @@ Json exchanges(const std::vector<Entry>& all, const Entry& entry) {
 } // namespace
 
 const std::vector<Entry>& Library::classes() {
-    if (classes_.empty()) classes_ = catalogue(parse_degrees(degree_lines()));
+    if (classes_.empty()) classes_ = catalogue();
     return classes_;
 }
 
@@ -92,9 +93,7 @@ Json row_of(const Entry& entry) {
         {"number", entry.number},        {"notation", notation(entry.signature)},
         {"minimal", entry.minimal()},    {"obstruction", obstruction_name(entry.obstruction)},
         {"points", entry.counts.points}, {"lines", entry.counts.lines()}};
-    if (entry.degree)
-        row["degree"] = {{"words", in_words(*entry.degree)},
-                         {"status", name(entry.degree->status)}};
+    if (entry.degree) row["degree"] = *entry.degree;
     return row;
 }
 

@@ -17,15 +17,7 @@ void add(Counts& sum, const Feature& feature) {
     }
 }
 
-void add_degrees(Entry& entry, const std::vector<DegreeRecord>& degrees) {
-    if (!degrees.empty()) entry.degree = degrees.front();
-    for (const DegreeRecord& record : degrees)
-        if (record.status == DegreeStatus::certified)
-            entry.certified_degree = std::max(entry.certified_degree.value_or(0), record.degree);
-}
-
-Entry entry_of(std::size_t number, const std::vector<Signature>& classes,
-               const DegreeTable& degrees) {
+Entry entry_of(std::size_t number, const std::vector<Signature>& classes) {
     Entry entry;
     entry.number = number;
     entry.signature = classes[number];
@@ -34,7 +26,7 @@ Entry entry_of(std::size_t number, const std::vector<Signature>& classes,
     entry.constraint_class = class_number(classes, constraint_representative(entry.signature));
     entry.counts = counts(entry.signature);
     entry.families = families_of(entry.signature, entry.minimal());
-    if (entry.minimal()) add_degrees(entry, degrees.find(number, entry.constraint_class));
+    entry.degree = degree_on_file(entry.constraint_class);
     return entry;
 }
 
@@ -58,13 +50,12 @@ std::string_view obstruction_name(const Obstruction& obstruction) {
     return epipolar ? "epipolar" : "none";
 }
 
-std::vector<Entry> catalogue(const std::vector<DegreeRecord>& degrees) {
+std::vector<Entry> catalogue() {
     const std::vector<Signature> classes = label_classes();
-    const DegreeTable table(degrees, classes);
     std::vector<Entry> entries;
     entries.reserve(classes.size());
     for (std::size_t number = 0; number < classes.size(); ++number)
-        entries.push_back(entry_of(number, classes, table));
+        entries.push_back(entry_of(number, classes));
     return entries;
 }
 

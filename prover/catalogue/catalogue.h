@@ -38,9 +38,7 @@ struct Entry {
     /// Of a class that is not minimal only pl0p and at_most_one_pin: the other families consist of
     /// minimal problems.
     Families families;
-    /// Of a minimal class, the most telling record; it may be of another class.
-    std::optional<DegreeRecord> degree;
-    std::optional<int> certified_degree; ///< a lower bound; likewise
+    std::optional<int> degree; ///< of a minimal class
 
     bool minimal() const { return obstruction.deficiency() == 0; }
     int rank() const { return camera_dimension - obstruction.deficiency(); }
@@ -51,7 +49,7 @@ struct Entry {
 /// Why a class is not minimal: `none`, `epipolar`, `star` or `epipolar and star`.
 std::string_view obstruction_name(const Obstruction& obstruction);
 
-/// All label classes, ascending, with the degrees on file.
-std::vector<Entry> catalogue(const std::vector<DegreeRecord>& degrees);
+/// All label classes, ascending.
+std::vector<Entry> catalogue();
 
 } // namespace plprove

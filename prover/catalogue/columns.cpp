@@ -25,13 +25,6 @@ std::string signature_text(const Signature& signature) {
     return result;
 }
 
-/// A member of the degree on file, if there is one.
-template <class Member>
-Value of_degree(const Entry& entry, Member member) {
-    if (!entry.degree) return std::monostate{};
-    return member(*entry.degree);
-}
-
 const Column table[] = {
     {"number", integer, false, "the authors' number of the label class, 0 to 143493",
      [](const Entry& e) { return number_value(e.number); }},
@@ -121,34 +114,10 @@ const Column table[] = {
     {"trifocal", flag, false,
      "minimal, and its terminal problem is one of the 66 linear in the trifocal tensor",
      [](const Entry& e) { return flag_value(e.families.trifocal_linear); }},
-    {"degree", integer, true, "the degree on file, or the lower bound, whatever its status",
-     [](const Entry& e) {
-         return of_degree(e, [](const DegreeRecord& d) -> Value { return d.degree; });
-     }},
-    {"degree_bound", text, true, "exact, or at-least for a lower bound",
-     [](const Entry& e) {
-         return of_degree(
-             e, [](const DegreeRecord& d) -> Value { return std::string(name(d.bound)); });
-     }},
-    {"degree_status", text, true, "certified, evidence or claimed",
-     [](const Entry& e) {
-         return of_degree(
-             e, [](const DegreeRecord& d) -> Value { return std::string(name(d.status)); });
-     }},
-    {"degree_of", integer, true,
-     "the class that the degree is on file for, of the same constraint class as this one",
-     [](const Entry& e) {
-         return of_degree(e, [](const DegreeRecord& d) { return number_value(d.number); });
-     }},
-    {"degree_source", text, true, "where that degree comes from",
-     [](const Entry& e) {
-         return of_degree(e, [](const DegreeRecord& d) -> Value { return d.source; });
-     }},
-    {"degree_certified", integer, true,
-     "how many solutions certificates show at least, whatever the degree above",
+    {"degree", integer, true, "the number of solutions for the cameras, of a minimal class",
      [](const Entry& e) -> Value {
-         if (!e.certified_degree) return std::monostate{};
-         return *e.certified_degree;
+         if (!e.degree) return std::monostate{};
+         return *e.degree;
      }},
 };
 
@@ -161,11 +130,7 @@ constexpr Remark about[] = {
                  "certs/classification.plc holds a certificate for each class: check it with "
                  "plcheck certs/classification.plc"},
     {"families", "plmp, five_point, registration and trifocal hold for minimal classes only"},
-    {"degree: exact, at-least", "a degree, or a lower bound on it"},
-    {"degree: certified", "follows from certificates that plcheck replays"},
-    {"degree: evidence", "computed by this project; completeness is not proved"},
-    {"degree: claimed", "stated by others; neither computed nor proved here"},
-    {"degree: none", "no degree is on file; nothing is said about it"},
+    {"degrees", "Each is certified exactly: plcheck --table certs/classification.plc computes it"},
 };
 
 } // namespace

@@ -13,8 +13,7 @@ std::string to_csv(std::span<const Entry> entries);
 /// is null.
 std::string to_json(std::span<const Entry> entries);
 
-/// The image of an SQLite database: the catalogue, with `degrees` as a table of their own. Throws
-/// std::runtime_error with SQLite's message.
-std::string to_sqlite(std::span<const Entry> entries, std::span<const DegreeRecord> degrees);
+/// The image of an SQLite database. Throws std::runtime_error with SQLite's message.
+std::string to_sqlite(std::span<const Entry> entries);
 
 } // namespace plprove

@@ -132,29 +132,24 @@ void insert_remarks(Database& database) {
     describe(description, views());
 }
 
-void insert_all(Database& database, std::span<const Entry> entries,
-                std::span<const DegreeRecord> degrees) {
+void insert_all(Database& database, std::span<const Entry> entries) {
     Insert classes(database, "classes", columns().size());
     for (const Entry& entry : entries)
         classes.row(entry);
     insert_features(database);
     insert_class_features(database, entries);
-    Insert degree(database, "degrees", 5);
-    for (const DegreeRecord& record : degrees)
-        degree.row(static_cast<int>(record.number), record.degree, name(record.bound),
-                   name(record.status), record.source);
     insert_remarks(database);
 }
 
 } // namespace
 
-std::string to_sqlite(std::span<const Entry> entries, std::span<const DegreeRecord> degrees) {
+std::string to_sqlite(std::span<const Entry> entries) {
     Database database;
     // "PLPC": what kind of file this is, for file(1); and the version of this schema.
-    database.execute("PRAGMA application_id = 1347178563; PRAGMA user_version = 2; BEGIN");
+    database.execute("PRAGMA application_id = 1347178563; PRAGMA user_version = 3; BEGIN");
     for (const Relation& table : tables())
         database.execute(create_table(table));
-    insert_all(database, entries, degrees);
+    insert_all(database, entries);
     for (const char* index : indexes())
         database.execute(index);
     for (const Relation& view : views())

@@ -70,19 +70,8 @@ bool matches_obstruction(const std::optional<ObstructionFilter>& wanted,
     return false;
 }
 
-/// Whether a degree on file is surely in the range: a lower bound is in a range without end only.
-bool surely_in(const Range& range, const DegreeRecord& degree) {
-    return range.contains(degree.degree) &&
-           (degree.bound == DegreeBound::exact || range.most == Range{}.most);
-}
-
-bool matches_degree(const Filter& filter, const Entry& entry) {
-    const std::optional<DegreeRecord>& degree = entry.degree;
-    if (filter.degree && !(degree && surely_in(*filter.degree, *degree))) return false;
-    if (filter.degree_status && !(degree && degree->status == *filter.degree_status)) return false;
-    if (filter.degree_bound && !(degree && degree->bound == *filter.degree_bound)) return false;
-    return !filter.certified_degree ||
-           (entry.certified_degree && filter.certified_degree->contains(*entry.certified_degree));
+bool matches_degree(const std::optional<Range>& wanted, const std::optional<int>& degree) {
+    return !wanted || (degree && wanted->contains(*degree));
 }
 
 bool matches_parts(const Filter& filter, const Signature& signature) {
@@ -127,7 +116,7 @@ std::optional<Views> parse_views(std::string_view text) {
 bool matches(const Filter& filter, const Entry& entry) {
     return matches_flags(filter, entry) && matches_counts(filter, entry) &&
            matches_obstruction(filter.obstruction, entry.obstruction) &&
-           matches_degree(filter, entry) && matches_parts(filter, entry.signature);
+           matches_degree(filter.degree, entry.degree) && matches_parts(filter, entry.signature);
 }
 
 } // namespace plprove

@@ -40,14 +40,10 @@ struct Filter {
     bool five_point = false;
     bool registration = false;
     bool trifocal = false;
-    std::optional<Range> points, lines, pins, free_lines, most_pins, complete_views, rank;
-    std::optional<Range> degree; ///< on file: one that is surely in the range
-    std::optional<Range> certified_degree;
+    std::optional<Range> points, lines, pins, free_lines, most_pins, complete_views, rank, degree;
     std::optional<Views> points_in_views, lines_in_views;
     std::optional<ObstructionFilter> obstruction;
-    std::optional<DegreeStatus> degree_status;
-    std::optional<DegreeBound> degree_bound;
-    /// Features, in all orders of the views, that a class has; and of which it consists.
+    /// Features, in all orders of the views: a class has those, and no others than these.
     std::optional<std::vector<Part>> contains, contained_in;
 };
 

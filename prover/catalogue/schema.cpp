@@ -42,14 +42,6 @@ constexpr Member class_feature_members[] = {
     {"multiplicity", "INTEGER NOT NULL", "how often, at least 1"},
 };
 
-constexpr Member degree_members[] = {
-    {"number", "INTEGER NOT NULL REFERENCES classes", "the class that the source speaks of"},
-    {"degree", "INTEGER NOT NULL", "its degree, or a lower bound"},
-    {"bound", "TEXT NOT NULL", "exact, or at-least for a lower bound"},
-    {"status", "TEXT NOT NULL", "certified, evidence or claimed"},
-    {"source", "TEXT NOT NULL", "where the degree comes from"},
-};
-
 constexpr Member about_members[] = {
     {"topic", "TEXT NOT NULL", "what the remark is about"},
     {"remark", "TEXT NOT NULL", "what holds for the catalogue as a whole"},
@@ -74,9 +66,7 @@ constexpr Member constraint_members[] = {
     {"classes", "", "how many label classes it has"},
     {"terminal_problems", "", "how many terminal problems share its camera equations"},
     {"minimal", "", "whether its classes are minimal"},
-    {"degree", "", "the degree on file of the first class, or the lower bound"},
-    {"degree_bound", "", "exact, or at-least for a lower bound"},
-    {"degree_status", "", "certified, evidence or claimed"},
+    {"degree", "", "the degree of its classes, NULL if not minimal"},
 };
 
 constexpr Member count_members[] = {
@@ -91,8 +81,7 @@ FROM (SELECT swap_class, count(*) AS classes FROM classes GROUP BY swap_class) A
 JOIN classes AS c ON c.number = m.swap_class)";
 
 constexpr const char* constraint_query = R"(
-SELECT c.number, m.classes, m.terminal_problems, c.minimal, c.degree,
-       c.degree_bound, c.degree_status
+SELECT c.number, m.classes, m.terminal_problems, c.minimal, c.degree
 FROM (SELECT constraint_class, count(*) AS classes, sum(terminal) AS terminal_problems
       FROM classes GROUP BY constraint_class) AS m
 JOIN classes AS c ON c.number = m.constraint_class)";
@@ -122,7 +111,7 @@ constexpr const char* index_list[] = {
     "CREATE INDEX by_swap_class ON classes(swap_class)",
     "CREATE INDEX by_constraint_class ON classes(constraint_class, terminal)",
     "CREATE INDEX by_points_and_lines ON classes(points, lines)",
-    "CREATE INDEX by_degree ON classes(degree, degree_status) WHERE degree IS NOT NULL",
+    "CREATE INDEX by_degree ON classes(degree) WHERE degree IS NOT NULL",
 };
 
 } // namespace
@@ -134,8 +123,6 @@ std::span<const Relation> tables() {
         {"features", "the 27 local features", feature_members, ""},
         {"class_features", "the signatures, feature by feature", class_feature_members,
          "PRIMARY KEY (number, feature)"},
-        {"degrees", "the degrees on file, as certs/degrees.csv has them", degree_members,
-         "PRIMARY KEY (number, status)"},
         {"about", "what holds for the catalogue as a whole", about_members, ""},
         {"description", "the meaning of every table, view and column", description_members, ""},
     };

@@ -52,7 +52,7 @@ constexpr const char* export_examples =
     "  sqlite3 catalogue.db 'SELECT * FROM counts'  ask it (certs/CATALOGUE.md)\n";
 
 std::string list(const ListRequest& request) {
-    std::vector<Entry> chosen = catalogue(parse_degrees(degree_lines()));
+    std::vector<Entry> chosen = catalogue();
     std::erase_if(chosen, [&](const Entry& entry) { return !matches(request.filter, entry); });
     if (request.count) return std::to_string(chosen.size()) + '\n';
     if (request.format == "csv") return to_csv(chosen);
@@ -88,9 +88,8 @@ void refuse_other_filters(const CLI::App& command) {
 
 void export_files(const ExportRequest& request, const Deliver& deliver) {
     if (!request.database && !request.csv && !request.json) return;
-    const std::vector<DegreeRecord> degrees = parse_degrees(degree_lines());
-    const std::vector<Entry> entries = catalogue(degrees);
-    if (request.database) deliver(*request.database, to_sqlite(entries, degrees));
+    const std::vector<Entry> entries = catalogue();
+    if (request.database) deliver(*request.database, to_sqlite(entries));
     if (request.csv) deliver(*request.csv, to_csv(entries));
     if (request.json) deliver(*request.json, to_json(entries));
 }

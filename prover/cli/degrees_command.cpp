@@ -39,7 +39,7 @@ constexpr const char* degrees_examples =
     "  plprove degrees --collect --below 300 --also pl0p -o sweep\n"
     "                                               write the files again, with fewer "
     "certificates\n"
-    "  plcheck --json certs/classification.plc certs/bounds.plc sweep/degrees*.plc >report\n"
+    "  plcheck --json sweep/degrees*.plc >report\n"
     "                                               replay every certificate\n"
     "  plprove degrees --collect --checked report -o sweep\n"
     "                                               call certified what plcheck accepted\n";
@@ -182,7 +182,7 @@ bool write_collection(const SweepFolder& folder, const DegreesRequest& request) 
             "cannot write to standard output: is it closed, or the disk full?");
     if (selection.checked && selection.checked->refused_something())
         std::cerr << "plprove: plcheck refused something in " << request.checked
-                  << ": no degree is called exact\n";
+                  << ": its class has nothing certified in degrees.csv\n";
     return none_damaged(collected.damaged);
 }
 

@@ -48,9 +48,7 @@ constexpr RangeOption ranges[] = {
     {"--most-pins", &Filter::most_pins, "largest number of pins of a point"},
     {"--complete-views", &Filter::complete_views, "number of views that see everything"},
     {"--rank", &Filter::rank, "generic rank, 11 where minimal"},
-    {"--degree", &Filter::degree,
-     "degree on file, whatever its status; lower bounds, too, where the range has no end"},
-    {"--degree-certified", &Filter::certified_degree, "how many solutions certificates show"},
+    {"--degree", &Filter::degree, "degree, of a minimal class"},
 };
 
 constexpr ViewsOption view_options[] = {
@@ -74,13 +72,6 @@ const std::map<std::string, ObstructionFilter> obstructions{
     {"epipolar", ObstructionFilter::epipolar},
     {"star", ObstructionFilter::star},
     {"any", ObstructionFilter::any}};
-
-const std::map<std::string, DegreeStatus> statuses{{"certified", DegreeStatus::certified},
-                                                   {"evidence", DegreeStatus::evidence},
-                                                   {"claimed", DegreeStatus::claimed}};
-
-const std::map<std::string, DegreeBound> bounds{{"exact", DegreeBound::exact},
-                                                {"at-least", DegreeBound::at_least}};
 
 /// Adds an option whose text `parse` turns into a value, or into nothing where it is malformed.
 template <class Value, class Parse>
@@ -167,10 +158,6 @@ void add_filters(CLI::App& command, Filter& filter) {
         add_part(command, part.name, filter.*part.member, part.help);
     add_choice(command, "--obstruction", filter.obstruction, obstructions, "none|epipolar|star|any",
                "why it is not minimal: points shared by two views, or a star");
-    add_choice(command, "--degree-status", filter.degree_status, statuses,
-               "certified|evidence|claimed", "status of the degree on file");
-    add_choice(command, "--degree-bound", filter.degree_bound, bounds, "exact|at-least",
-               "a degree on file, or a lower bound");
 }
 
 ClassFilter parse_class_filter(const std::string& text) {

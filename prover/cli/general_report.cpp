@@ -37,23 +37,13 @@ struct Known {
     int certified = 0; ///< at least so many; 0: none
 };
 
-/// The largest lower bound that is certified; 0 if none is.
-int most_certified(std::span<const DegreeRecord> records) {
-    int most = 0;
-    for (const DegreeRecord& record : records)
-        if (record.status == DegreeStatus::certified) most = std::max(most, record.degree);
-    return most;
-}
-
-/// Of a problem that has a reduction to label classes what certs/degrees.csv says, which may be
-/// certified exactly; else what certs/family-degrees.csv says; nothing if neither has it.
-std::optional<Known> degree_of(const Certificate& certificate) {
+/// Of a problem that has a reduction to label classes the degree of these, which is certified; else
+/// what certs/family-degrees.csv says; nothing if neither has it.
+std::optional<Known> known_degree(const Certificate& certificate) {
     const std::string notation = general::notation(certificate.problem);
     if (general::is_minimal(certificate) && !general::parse_spec(notation)) {
-        const std::vector<DegreeRecord> records = report_on(parse_spec(notation)).degrees;
-        if (!records.empty())
-            return Known{records.front().degree, records.front().bound == DegreeBound::exact,
-                         std::string(name(records.front().status)), most_certified(records)};
+        if (const auto degree = degree_of(decide(parse_spec(notation))))
+            return Known{*degree, true, "certified", *degree};
     }
     const auto found = multiview::degree_on_file(notation);
     if (!found) return std::nullopt;
@@ -69,7 +59,7 @@ std::string csv_line(const Certificate& certificate) {
                              counts.free_lines, counts.adjacent_lines})
         line += std::to_string(number) + ',';
     line += general::is_minimal(certificate) ? "1," : "0,";
-    const std::optional<Known> degree = degree_of(certificate);
+    const std::optional<Known> degree = known_degree(certificate);
     if (degree) line += std::to_string(degree->degree);
     line += ',';
     line += general::name(problem) + ',' + general::notation(problem) + ',';

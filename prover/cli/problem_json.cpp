@@ -28,12 +28,10 @@ Json json_features(const Decision& decision) {
     return features;
 }
 
-Json json_degree(const DegreeRecord& degree) {
-    return {{"value", degree.degree},
-            {"bound", name(degree.bound)},
-            {"status", name(degree.status)},
-            {"source", degree.source},
-            {"number", degree.number}};
+/// Adds the degree, if there is one.
+void add_degree(Json& json, const Decision& decision) {
+    if (const std::optional<int> degree = degree_of(decision))
+        json["degree"] = {{"value", *degree}, {"status", "certified"}};
 }
 
 Json json_families(const Families& families) {
@@ -45,15 +43,15 @@ Json json_families(const Families& families) {
             {"trifocal_linear", families.trifocal_linear}};
 }
 
-Json json_hints(const std::vector<HintWithDegrees>& hints) {
+Json json_hints(const std::vector<Hint>& hints) {
     Json list = Json::array();
-    for (const auto& [hint, degrees] : hints) {
+    for (const Hint& hint : hints) {
         Json item = {{"add", hint.added ? Json(notation(*hint.added)) : Json()},
                      {"drop", hint.dropped ? Json(notation(*hint.dropped)) : Json()},
                      {"problem", notation(hint.decision.problem)},
                      {"verdict", name(hint.decision.verdict)}};
         if (hint.decision.classes) item["number"] = hint.decision.classes->label;
-        if (!degrees.empty()) item["degree"] = json_degree(degrees.front());
+        add_degree(item, hint.decision);
         list.push_back(item);
     }
     return list;
@@ -71,7 +69,7 @@ void add_classes(Json& report, const Decision& decision) {
 } // namespace
 
 std::string json_report(const ProblemReport& full_report) {
-    const auto& [decision, degrees, hints] = full_report;
+    const auto& [decision, hints] = full_report;
     Json report = {
         {"problem", notation(decision.problem)},
         {"views", decision.problem.front().views()},
@@ -93,11 +91,7 @@ std::string json_report(const ProblemReport& full_report) {
     };
     if (is_camera_minimal(decision)) report["terminal"] = notation(decision.terminal);
     if (decision.classes) add_classes(report, decision);
-    if (!degrees.empty() && is_camera_minimal(decision)) {
-        report["degree"] = json_degree(degrees.front());
-        for (const DegreeRecord& degree : degrees)
-            report["degrees"].push_back(json_degree(degree));
-    }
+    add_degree(report, decision);
     if (!hints.empty()) report["hints"] = json_hints(hints);
     return report.dump(2) + "\n";
 }

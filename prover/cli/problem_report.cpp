@@ -101,14 +101,9 @@ void write_verdict(std::ostream& out, const Decision& decision) {
     }
 }
 
-void write_degrees(std::ostream& out, const std::vector<DegreeRecord>& degrees) {
-    section(out, "degree");
-    if (degrees.empty()) out << "none on file\n";
-    for (const DegreeRecord& degree : degrees) {
-        if (&degree != &degrees.front()) continue_section(out);
-        out << in_words(degree) << ' ' << name(degree.status) << ": " << degree.source << " (#"
-            << degree.number << ")\n";
-    }
+void write_degree(std::ostream& out, const Decision& decision) {
+    if (const std::optional<int> degree = degree_of(decision))
+        section(out, "degree") << *degree << " certified\n";
 }
 
 /// The number of the class; of a problem that is none of its members, with a member.
@@ -138,15 +133,12 @@ void write_number(std::ostream& out, const Decision& decision) {
         << ", constraint class #" << decision.classes->constraint << '\n';
 }
 
-void write_classes(std::ostream& out, const Decision& decision,
-                   const std::vector<DegreeRecord>& degrees) {
+void write_classes(std::ostream& out, const Decision& decision) {
     if (is_camera_minimal(decision) && decision.problem.front().views() == 3) {
         section(out, "terminal");
         out << or_nothing(decision.terminal) << '\n';
     }
-    const bool two_views = decision.problem.front().views() == 2;
-    if (two_views && is_camera_minimal(decision)) write_degrees(out, degrees);
-    if (!decision.classes) return;
+    if (!decision.classes) return write_degree(out, decision);
     write_number(out, decision);
     section(out, "families");
     const std::vector<std::string> names = family_names(*decision.families);
@@ -155,26 +147,25 @@ void write_classes(std::ostream& out, const Decision& decision,
         if (i > 0) continue_section(out);
         out << names[i] << '\n';
     }
-    if (is_camera_minimal(decision)) write_degrees(out, degrees);
+    write_degree(out, decision);
 }
 
-/// `add -/P/P: minimal, #825, degree 160 (certified)`
-std::string in_words(const HintWithDegrees& hint) {
-    const Decision& decision = hint.hint.decision;
-    std::string text = in_words(hint.hint) + ": " + std::string(name(decision.verdict));
+/// `add -/P/P: minimal, #825, degree 160`
+std::string with_verdict(const Hint& hint) {
+    const Decision& decision = hint.decision;
+    std::string text = in_words(hint) + ": " + std::string(name(decision.verdict));
     if (decision.classes) text += ", #" + std::to_string(decision.classes->label);
-    if (hint.degrees.empty()) return text;
-    const DegreeRecord& degree = hint.degrees.front();
-    return text + ", degree " + in_words(degree) + " (" + std::string(name(degree.status)) + ")";
+    if (const auto degree = degree_of(decision)) text += ", degree " + std::to_string(*degree);
+    return text;
 }
 
-void write_hints(std::ostream& out, const std::vector<HintWithDegrees>& hints) {
+void write_hints(std::ostream& out, const std::vector<Hint>& hints) {
     constexpr std::size_t most = 8;
     if (hints.empty()) return;
     section(out, "hint");
     for (std::size_t i = 0; i < std::min(most, hints.size()); ++i) {
         if (i > 0) continue_section(out);
-        out << in_words(hints[i]) << '\n';
+        out << with_verdict(hints[i]) << '\n';
     }
     if (hints.size() <= most) return;
     continue_section(out);
@@ -183,31 +174,16 @@ void write_hints(std::ostream& out, const std::vector<HintWithDegrees>& hints) {
 
 } // namespace
 
+std::optional<int> degree_of(const Decision& decision) {
+    if (!is_camera_minimal(decision)) return std::nullopt;
+    if (decision.classes) return degree_on_file(decision.classes->constraint);
+    return degree_in_two_views;
+}
+
 ProblemReport report_on(const Problem& problem) {
-    ProblemReport report{decide(problem), {}, {}};
-    std::vector<std::size_t> constraint_classes;
-    const auto want = [&](const Decision& decision) {
-        if (decision.classes) constraint_classes.push_back(decision.classes->constraint);
-    };
-    want(report.decision);
-    for (Hint& hint : hints(report.decision)) {
-        want(hint.decision);
-        report.hints.push_back({std::move(hint), {}});
-    }
-    const bool two_views = problem.front().views() == 2;
-    if (constraint_classes.empty() && !two_views) return report;
-    const std::vector<DegreeRecord> records = parse_degrees(degree_lines());
-    const DegreeTable table = degrees_of_classes(records, label_classes(), constraint_classes);
-    const auto on_file = [&](const Decision& decision) -> std::vector<DegreeRecord> {
-        if (decision.classes)
-            return table.find(decision.classes->label, decision.classes->constraint);
-        if (two_views && is_camera_minimal(decision)) return degrees_in_two_views(records);
-        return {};
-    };
-    report.degrees = on_file(report.decision);
-    for (auto& [hint, degrees] : report.hints)
-        degrees = on_file(hint.decision);
-    return report;
+    Decision decision = decide(problem);
+    std::vector<Hint> changes = hints(decision);
+    return {std::move(decision), std::move(changes)};
 }
 
 std::string text_report(const ProblemReport& report) {
@@ -218,7 +194,7 @@ std::string text_report(const ProblemReport& report) {
     write_dimensions(out, decision);
     write_reduction(out, decision);
     write_verdict(out, decision);
-    write_classes(out, decision, report.degrees);
+    write_classes(out, decision);
     write_hints(out, report.hints);
     return out.str();
 }

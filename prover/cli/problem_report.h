@@ -9,21 +9,17 @@
 
 namespace plprove {
 
-/// A change that makes a problem minimal, with the degrees on file of what comes out.
-struct HintWithDegrees {
-    Hint hint;
-    std::vector<DegreeRecord> degrees;
-};
-
-/// What is known of a problem. `degrees` is what is on file for its constraint class, the most
-/// telling first.
+/// What `plprove problem` knows of a problem. A problem that fixes its cameras has a degree, which
+/// is certified.
 struct ProblemReport {
     Decision decision;
-    std::vector<DegreeRecord> degrees;
-    std::vector<HintWithDegrees> hints;
+    std::vector<Hint> hints; ///< changes that make it minimal
 };
 
-/// Decides, and looks up what is on file.
+/// The degree of a problem that was decided; nothing if it does not fix its cameras.
+std::optional<int> degree_of(const Decision& decision);
+
+/// Decides, and looks for hints.
 ProblemReport report_on(const Problem& problem);
 
 /// The decision in words, one fact a paragraph.

@@ -47,19 +47,6 @@ void require_checked(const std::string& content, const Json& item, const fs::pat
                                  " is about: run plcheck --json again");
 }
 
-/// The same for the files that have no records of degrees.
-void require_other_files(const Json& files, const fs::path& report) {
-    for (const Json& item : files) {
-        const fs::path path = item.at("file").get<std::string>();
-        if (item.at("kind") == "degrees") continue;
-        if (!fs::is_regular_file(path))
-            throw std::runtime_error(path.string() + ", which " + report.string() +
-                                     " names, is not here: run this in the folder in which you "
-                                     "ran plcheck --json");
-        require_checked(read(path), item, path, report);
-    }
-}
-
 /// Adds the digests of the records in a file of the folder that plcheck accepted.
 void add_accepted(const Json& item, const fs::path& folder, const fs::path& report,
                   std::map<std::size_t, std::string>& digests) {
@@ -91,14 +78,8 @@ Checked::Checked(const fs::path& report, const fs::path& folder) {
     try {
         const Json json = Json::parse(text);
         refused_something_ = status_of(json, report) != 0;
-        const Json& files = json.at("files");
-        for (const Json& item : files)
+        for (const Json& item : json.at("files"))
             add_accepted(item, folder, report, digests_);
-        const auto exact =
-            json.at("certified_exactly").get<std::vector<std::pair<std::size_t, int>>>();
-        if (refused_something_ || exact.empty()) return;
-        require_other_files(files, report);
-        exact_ = {exact.begin(), exact.end()};
     } catch (const Json::exception&) {
         throw std::runtime_error(report.string() +
                                  " is no report of plcheck --json on degrees: write one with "
@@ -113,13 +94,6 @@ Checked::Checked(const fs::path& report, const fs::path& folder) {
 bool Checked::accepts(const ClassResult& result) const {
     const auto found = digests_.find(result.run.number);
     return found != digests_.end() && found->second == sha256(result.record);
-}
-
-std::optional<int> Checked::exact(const ClassResult& result) const {
-    const auto found = exact_.find(result.run.number);
-    if (found == exact_.end() || found->second != result.shown || !accepts(result))
-        return std::nullopt;
-    return found->second;
 }
 
 } // namespace plprove

@@ -46,7 +46,7 @@ std::vector<std::size_t> constraint_classes_of(std::span<const ClassFilter> filt
             add_by_number(chosen, filter);
             continue;
         }
-        if (entries.empty()) entries = catalogue(parse_degrees(degree_lines()));
+        if (entries.empty()) entries = catalogue();
         for (const Entry& entry : entries)
             if (entry.minimal() && has_number(filter, entry.number) &&
                 matches(filter.filter, entry))

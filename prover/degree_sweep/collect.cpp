@@ -4,9 +4,6 @@
 #include "prover/degree_sweep/write.h"
 #include "prover/system/atomic_file.h"
 
-#include <algorithm>
-#include <tuple>
-
 namespace plprove {
 
 namespace {
@@ -58,48 +55,19 @@ bool selects(const Selection& selection, const ClassResult& result) {
            selection.also.contains(result.run.number);
 }
 
-/// The degree as computed, and why to believe that it is no lower bound only.
-DegreeRecord computed_record(const ClassResult& result) {
-    if (!result.complete())
-        return {result.run.number, result.degree(), DegreeBound::at_least, DegreeStatus::evidence,
-                "plprove degrees"};
-    const CompletenessEvidence& evidence = *result.run.evidence;
-    return {result.run.number, result.degree(), DegreeBound::exact, DegreeStatus::evidence,
-            std::to_string(evidence.edges) + " edges; " +
-                (evidence.trace_exponent ? "trace 1e" + std::to_string(*evidence.trace_exponent)
-                                         : "no trace test")};
-}
+constexpr const char* csv_head =
+    "# What a sweep found, one class a line.\n"
+    "# number     the class, the first of its constraint class\n"
+    "# degree     its degree, which is certified (certs/degrees.csv)\n"
+    "# found      how many solutions were found\n"
+    "# certified  how many of them plcheck certified from the certificate in this folder; 0 if it\n"
+    "#            has not been asked, or refused the certificate\n"
+    "number,degree,found,certified\n";
 
-/// What plcheck certified of the class, if it did: that its degree is exact, or a lower bound.
-std::optional<DegreeRecord> certified_record(const ClassResult& result, const Checked& checked) {
+std::string csv_line(const ClassResult& result, int certified) {
     const std::size_t number = result.run.number;
-    if (const std::optional<int> degree = checked.exact(result))
-        return DegreeRecord{number, *degree, DegreeBound::exact, DegreeStatus::certified,
-                            "plcheck: lower and upper bound"};
-    if (!checked.accepts(result)) return std::nullopt;
-    return DegreeRecord{number, result.shown, DegreeBound::at_least, DegreeStatus::certified,
-                        "plcheck: lower bound"};
-}
-
-/// The comments at the head of certs/degrees.csv, without their marks.
-std::string remark_on_file() {
-    std::string remark;
-    for (std::string_view line : degree_lines()) {
-        if (!line.starts_with('#')) break;
-        line.remove_prefix(line.starts_with("# ") ? 2 : 1);
-        remark.append(line) += '\n';
-    }
-    return remark;
-}
-
-void add_claims(std::vector<DegreeRecord>& records) {
-    for (DegreeRecord& record : parse_degrees(degree_lines()))
-        if (record.status == DegreeStatus::claimed) records.push_back(std::move(record));
-}
-
-/// By class, certified before evidence before claimed.
-auto order(const DegreeRecord& record) {
-    return std::tuple(record.number, -static_cast<int>(record.status));
+    return std::to_string(number) + ',' + std::to_string(degree_on_file(number).value()) + ',' +
+           std::to_string(result.degree()) + ',' + std::to_string(certified) + '\n';
 }
 
 } // namespace
@@ -107,7 +75,7 @@ auto order(const DegreeRecord& record) {
 Collected collect(const SweepFolder& folder, const Selection& selection, std::size_t file_size) {
     Collected collected;
     Parts parts(folder.path(), file_size);
-    std::vector<DegreeRecord> records;
+    std::string csv = csv_head;
     std::string runs;
     for (const std::size_t number : folder.numbers()) {
         const std::optional<ClassResult> result = folder.read(number, true);
@@ -119,21 +87,15 @@ Collected collect(const SweepFolder& folder, const Selection& selection, std::si
         if (result->degree() == 0) continue;
         ++collected.classes;
         collected.exact += result->complete();
-        std::optional<DegreeRecord> certified;
-        if (selection.checked) certified = certified_record(*result, *selection.checked);
-        // A lower bound that is certified need not be said twice.
-        if (!certified || result->complete() || certified->degree < result->degree())
-            records.push_back(computed_record(*result));
-        if (certified) records.push_back(std::move(*certified));
+        const bool accepted = selection.checked && selection.checked->accepts(*result);
+        csv += csv_line(*result, accepted ? result->shown : 0);
         if (!selects(selection, *result)) continue;
         ++collected.certificates;
         collected.solutions += static_cast<std::uint64_t>(result->shown);
         parts.add(result->record);
     }
-    add_claims(records);
-    std::ranges::sort(records, {}, order);
     collected.files = parts.finish();
-    write_atomically(folder.path() / "degrees.csv", write_degrees(records, remark_on_file()));
+    write_atomically(folder.path() / "degrees.csv", csv);
     write_atomically(folder.path() / "runs.jsonl", runs);
     return collected;
 }

@@ -1,5 +1,5 @@
-// What a sweep found, as files to archive: the degrees in the format of certs/degrees.csv, and the
-// certificates in files of certs/FORMAT.md, section 9. The bytes depend on the results alone.
+// What a sweep found, as files to archive: a table of its classes, and the certificates in files of
+// certs/FORMAT.md, section 9. The bytes depend on the results alone.
 #pragma once
 
 #include "prover/degree_sweep/checked.h"
@@ -33,8 +33,8 @@ inline constexpr std::size_t collected_file_size = 60U << 20U;
 /// Writes into the folder, each file whole or not at all:
 /// - degrees.plc, then degrees-2.plc and so on: certificates, ascending, in parts of at most
 ///   `file_size` bytes (a class is never split). Parts of an earlier collection are removed;
-/// - degrees.csv: what is computed, what the certificates show if plcheck accepted them, and what
-///   certs/degrees.csv has of others' claims;
+/// - degrees.csv: for each class its degree, how many solutions were found, and how many of them
+///   plcheck certified, ascending;
 /// - runs.jsonl: how each run went, one JSON object a line.
 Collected collect(const SweepFolder& folder, const Selection& selection,
                   std::size_t file_size = collected_file_size);

@@ -9,7 +9,6 @@ namespace plprove {
 
 SweepPlan plan_sweep(const SweepFolder& folder, const std::vector<std::size_t>& classes,
                      const DegreeOptions& options, bool retry) {
-    const DegreeTable on_file(parse_degrees(degree_lines()), label_classes());
     constexpr double unknown = std::numeric_limits<double>::infinity();
     std::vector<std::pair<double, std::size_t>> wanted;
     double largest = 1; // of the known ones
@@ -19,9 +18,7 @@ SweepPlan plan_sweep(const SweepFolder& folder, const std::vector<std::size_t>& 
         if (result && (fulfils(*result, options) || (!retry && attempted(*result, options))))
             continue;
         double expected = result ? result->degree() : 0;
-        if (expected == 0)
-            for (const DegreeRecord& record : on_file.find(number, number))
-                expected = std::max<double>(expected, record.degree);
+        if (expected == 0) expected = degree_on_file(number).value_or(0);
         largest = std::max(largest, expected);
         wanted.emplace_back(expected > 0 ? expected : unknown, number);
     }

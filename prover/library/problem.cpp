@@ -15,14 +15,8 @@ std::optional<int> degree(const plprove::Decision& decision) {
     const bool solvable = decision.verdict == plprove::Verdict::minimal ||
                           decision.verdict == plprove::Verdict::camera_minimal;
     if (!solvable) return std::nullopt;
-    if (!decision.classes) return plprove::Solver::poses_of_five_points;
-    const std::size_t constraint = decision.classes->constraint;
-    const plprove::DegreeTable table =
-        plprove::degrees_of_classes(plprove::parse_degrees(plprove::degree_lines()),
-                                    plprove::label_classes(), std::span(&constraint, 1));
-    const auto records = table.find(decision.classes->label, constraint);
-    if (records.empty() || records[0].bound != plprove::DegreeBound::exact) return std::nullopt;
-    return records[0].degree;
+    if (!decision.classes) return plprove::degree_in_two_views;
+    return plprove::degree_on_file(decision.classes->constraint);
 }
 
 } // namespace

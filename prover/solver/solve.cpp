@@ -25,18 +25,12 @@ std::string_view name(Completeness completeness) {
 
 namespace {
 
-/// Whether the degree of the class is certified on file, and is this one.
+/// Whether the degree of the class, which is certified on file, is this one.
 bool degree_is_certified(std::size_t number, int degree) {
     const Signature& signature = label_classes()[number];
     const std::size_t constraint =
         class_number(label_classes(), constraint_representative(signature));
-    const DegreeTable table = degrees_of_classes(parse_degrees(degree_lines()), label_classes(),
-                                                 std::span(&constraint, 1));
-    const auto records = table.find(number, constraint);
-    return std::ranges::any_of(records, [&](const DegreeRecord& record) {
-        return record.degree == degree && record.bound == DegreeBound::exact &&
-               record.status == DegreeStatus::certified;
-    });
+    return degree_on_file(constraint) == degree;
 }
 
 /// Real solutions before others, and those with more points in front of the cameras before those

@@ -66,12 +66,10 @@ void add(const char* path, Measurement& measurement) {
 
 /// All classes, the largest degree first.
 std::vector<Class> classes_with(const Measurement& measurement) {
-    const DegreeTable on_file(parse_degrees(degree_lines()), label_classes());
     std::vector<Class> classes;
     for (const std::size_t number : minimal_constraint_classes()) {
         Class one;
-        for (const DegreeRecord& record : on_file.find(number, number))
-            one.degree = std::max(one.degree, record.degree);
+        one.degree = degree_on_file(number).value();
         const auto measured = measurement.classes.find(number);
         one.seconds = measured == measurement.classes.end() ? measurement.estimate(one.degree)
                                                             : measured->second.seconds;

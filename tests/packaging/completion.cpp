@@ -89,7 +89,7 @@ void check_completion(const char* shell, Complete complete) {
     CHECK(complete("plprove degr") == Words{"degree", "degrees"});
     CHECK(complete("plprove problem --cert") == Words{"--certificate"});
     CHECK(complete("plprove list --format ") == Words{"csv", "json", "notation", "number"});
-    CHECK(complete("plprove list --degree-bound a") == Words{"at-least"});
+    CHECK(complete("plprove list --obstruction st") == Words{"star"});
     CHECK(complete("plcheck --err") == Words{"--errata"});
     CHECK(complete("plcheck --verdict not") == Words{"not-minimal"});
     CHECK(complete("plcheck mi") == Words{"mine.plc"});

@@ -102,13 +102,16 @@ TEST_CASE("what a sweep certifies, plcheck has accepted, whatever the number of 
         const bool same = read_file(folder / "1" / file) == read_file(folder / "3" / file);
         CHECK(same);
     }
-    CHECK(lines_with(read_file(folder / "1" / "degrees.csv"), ",at-least,certified,") == 0);
+    const auto not_certified = [&] {
+        return lines_with(read_file(folder / "1" / "degrees.csv"), ",0\n");
+    };
+    const std::size_t classes = not_certified();
+    CHECK(classes > 5);
     const Outcome collected =
         run(in_folder + plcheck + " --json 1/degrees.plc >report && " + plprove +
             " degrees --collect --checked report -o 1 && " + plcheck + " 1/degrees.plc");
     CHECK(collected.status == 0);
     const std::size_t records = lines_with(read_file(folder / "1" / "degrees.plc"), "\ndegree ");
     CHECK(records > 5);
-    CHECK(lines_with(read_file(folder / "1" / "degrees.csv"),
-                     ",at-least,certified,plcheck: lower bound") == records);
+    CHECK(not_certified() == classes - records);
 }

@@ -49,31 +49,23 @@ std::string find_again(const ListedCertificate& certificate, const TemporaryFold
     return path;
 }
 
-/// What degrees.csv says of each class: its degree, and the largest certified lower bound.
-struct OnFile {
-    int degree = 0, certified = 0;
-};
-
-std::map<int, OnFile> degrees_on_file() {
-    std::map<int, OnFile> classes;
+/// The degrees of certs/degrees.csv, by class.
+std::map<int, int> degrees_on_file() {
+    std::map<int, int> degrees;
     for (const std::string& line : lines_of(read_file(certs + "/degrees.csv"))) {
         int number = 0, degree = 0;
         char comma = 0;
         std::istringstream text(line);
-        if (!(text >> number >> comma >> degree)) continue;
-        OnFile& found = classes[number];
-        found.degree = std::max(found.degree, degree);
-        if (line.find(",certified,") != std::string::npos)
-            found.certified = std::max(found.certified, degree);
+        if (text >> number >> comma >> degree) degrees[number] = degree;
     }
-    return classes;
+    return degrees;
 }
 
 } // namespace
 
 TEST_CASE("the list of lower bounds has for each class the degree on file, and plcheck "
           "reported it") {
-    const std::map<int, OnFile> degrees = degrees_on_file();
+    const std::map<int, int> degrees = degrees_on_file();
     std::set<std::string> reported;
     for (const std::string& line : lines_of(read_file(certs + "/degrees/lower-bounds.txt")))
         reported.insert(line);
@@ -81,8 +73,7 @@ TEST_CASE("the list of lower bounds has for each class the degree on file, and p
     for (const ListedCertificate& listed : listed_in("degrees")) {
         CAPTURE(listed.file);
         const int number = std::stoi(listed.problem);
-        CHECK(degrees.at(number).degree == listed.solutions);
-        CHECK(degrees.at(number).certified == listed.solutions);
+        CHECK(degrees.at(number) == listed.solutions);
         CHECK(classes.insert(number).second);
         CHECK(reported.contains("class " + listed.problem + ": certified to have at least " +
                                 std::to_string(listed.solutions) + " solutions"));

@@ -129,7 +129,7 @@ TEST_CASE("docs/reproduce.md has the table that plcheck prints, and the README s
 
 TEST_CASE("the README says how many lines of the checker stand behind each kind of claim") {
     std::vector<std::string> folders;
-    std::size_t classification = 0;
+    std::size_t minimal = 0; // of the first row: whether a problem is minimal
     for (const std::string& row : lines_of(readme)) {
         std::size_t size = 0;
         for (const auto& link : matches(row, R"(\]\(checker/([a-z_]+)\))")) {
@@ -139,9 +139,9 @@ TEST_CASE("the README says how many lines of the checker stand behind each kind 
         if (size == 0) continue;
         CAPTURE(row);
         CHECK(row.ends_with("| " + with_comma(size) + " lines |"));
-        if (classification == 0) classification = size;
+        if (minimal == 0) minimal = size;
     }
-    CHECK(classification <= 1150);
+    CHECK(minimal <= 3000); // an evening or two
     std::vector<std::string> all;
     for (const auto& entry : fs::directory_iterator(source / "checker"))
         if (entry.is_directory()) all.push_back(entry.path().filename().string());

@@ -17,7 +17,7 @@ using namespace plprove;
 namespace {
 
 const std::vector<Entry>& all() {
-    static const std::vector<Entry> entries = catalogue(parse_degrees(degree_lines()));
+    static const std::vector<Entry> entries = catalogue();
     return entries;
 }
 
@@ -55,10 +55,6 @@ int dangling_pins(const Feature& feature) {
         dangling += seen == 1;
     }
     return dangling;
-}
-
-std::vector<DegreeRecord> read(std::vector<std::string_view> lines) {
-    return parse_degrees(lines);
 }
 
 } // namespace
@@ -187,142 +183,37 @@ TEST_CASE("counts agree with one another and with the excesses") {
     CHECK(consistent);
 }
 
-TEST_CASE("the degrees on file are of minimal classes, and reach all with the same equations") {
-    const std::vector<DegreeRecord> degrees = parse_degrees(degree_lines());
-    CHECK(!degrees.empty());
-    std::map<std::size_t, int> exact; // computed ones, by constraint class
-    for (const DegreeRecord& record : degrees) {
-        CAPTURE(record.number);
-        const Entry& entry = all()[record.number];
-        CHECK(entry.minimal());
-        REQUIRE(entry.degree);
-        CHECK((entry.degree->status != DegreeStatus::claimed ||
-               record.status == DegreeStatus::claimed));
-        if (record.status == DegreeStatus::certified)
-            CHECK(entry.certified_degree.value_or(0) >= record.degree);
-        if (record.status == DegreeStatus::evidence && record.bound == DegreeBound::exact)
-            CHECK(exact.try_emplace(entry.constraint_class, record.degree).first->second ==
-                  record.degree);
+TEST_CASE("minimal classes have the degree of their constraint class, and others have none") {
+    CHECK(std::ranges::is_sorted(degrees_on_file(), {}, &ClassDegree::constraint_class));
+    bool alike = true;
+    std::set<std::size_t> constraint_classes;
+    for (const Entry& entry : all()) {
+        alike = alike && entry.degree.has_value() == entry.minimal() &&
+                entry.degree == all()[entry.constraint_class].degree;
+        if (entry.minimal()) constraint_classes.insert(entry.constraint_class);
     }
-    for (const DegreeRecord& record : degrees)
-        if (const auto found = exact.find(all()[record.number].constraint_class);
-            found != exact.end() && record.bound == DegreeBound::at_least)
-            CHECK(record.degree <= found->second);
-    const auto swapped = signature_of(parse_problem("3*P/P/P + Pa/P/a"));
-    REQUIRE(swapped);
-    const std::size_t number = class_number(label_classes(), swap_representative(*swapped));
-    CHECK(all()[number].degree.has_value());
-    bool minimal_only = true;
-    for (const Entry& entry : all())
-        minimal_only = minimal_only && (!entry.degree || entry.minimal());
-    CHECK(minimal_only);
+    CHECK(alike);
+    CHECK(constraint_classes.size() == 10073);
+    CHECK(degrees_on_file().size() == constraint_classes.size());
+    for (const ClassDegree& row : degrees_on_file())
+        alike = alike && row.degree > 0 && constraint_classes.contains(row.constraint_class);
+    CHECK(alike);
+    CHECK(all()[2394].degree == 312);
 }
 
-TEST_CASE("of several records the most telling comes first, and claims come last") {
-    const DegreeRecord claim{2394, 311, DegreeBound::exact, DegreeStatus::claimed, "claim"};
-    const DegreeRecord exact{2394, 312, DegreeBound::exact, DegreeStatus::evidence, "exact"};
-    const DegreeRecord bound{2394, 300, DegreeBound::at_least, DegreeStatus::evidence, "bound"};
-    const DegreeRecord certified{2394, 290, DegreeBound::at_least, DegreeStatus::certified,
-                                 "certified"};
-    const std::size_t constraint = all()[2394].constraint_class;
-    const auto sources = [&](std::vector<DegreeRecord> records) {
-        std::string text;
-        for (const DegreeRecord& record :
-             DegreeTable(std::move(records), label_classes()).find(2394, constraint))
-            text += record.source + ' ';
-        return text;
-    };
-    CHECK(sources({claim, certified, exact}) == "exact certified claim ");
-    CHECK(sources({bound, claim, certified}) == "certified bound claim ");
-    CHECK(sources({}).empty());
-    CHECK(DegreeTable({exact}, label_classes()).find(0, all()[0].constraint_class).empty());
-    std::vector<Entry> entries = catalogue({claim, certified, exact});
-    CHECK(entries[2394].degree->degree == 312);
-    CHECK(entries[2394].certified_degree == 290);
-}
-
-TEST_CASE("what is on file for one class is found the quick way, too") {
-    std::vector<DegreeRecord> records;
-    for (std::size_t number = 5; number < all().size(); number += 1009)
-        records.push_back({number, 1 + static_cast<int>(number), DegreeBound::exact,
-                           DegreeStatus::evidence, "x"});
-    const DegreeTable table(records, label_classes());
-    for (std::size_t number = 3; number < all().size(); number += 3) {
-        if (table.find(number, all()[number].constraint_class).empty() && number % 300 != 0)
-            continue;
-        const auto degrees = [](const std::vector<DegreeRecord>& found) {
-            std::vector<int> values;
-            for (const DegreeRecord& record : found)
-                values.push_back(record.degree);
-            return values;
-        };
-        const std::size_t constraint = all()[number].constraint_class;
-        const std::array<std::size_t, 2> wanted{constraint, all()[2394].constraint_class};
-        const DegreeTable quick = degrees_of_classes(records, label_classes(), wanted);
-        CHECK(degrees(quick.find(number, constraint)) == degrees(table.find(number, constraint)));
-    }
-}
-
-TEST_CASE("a lower bound is in a range of degrees only if the degree surely is") {
+TEST_CASE("a range of degrees has the classes whose degree is in it") {
     Entry entry;
-    entry.degree = {2394, 300, DegreeBound::at_least, DegreeStatus::evidence, "x"};
     Filter filter;
     const auto in = [&](const char* range) {
         filter.degree = parse_range(range);
         return matches(filter, entry);
     };
-    CHECK(in("300.."));
-    CHECK(in("200.."));
-    CHECK(!in("301.."));
-    CHECK(!in("300"));
-    CHECK(!in("..400"));
-    entry.degree->bound = DegreeBound::exact;
-    CHECK(in("300"));
-    CHECK(in("..400"));
-}
-
-TEST_CASE("degrees are read back as they are written") {
-    const std::vector<DegreeRecord> degrees = parse_degrees(degree_lines());
-    const std::string text = write_degrees(degrees, "a remark\n\nof three lines");
-    CHECK(text.starts_with("# a remark\n#\n# of three lines\nnumber,degree,"));
-    std::vector<std::string_view> lines;
-    for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(lines.back().size() + 1))
-        lines.push_back(rest.substr(0, rest.find('\n')));
-    CHECK(write_degrees(parse_degrees(lines), "a remark\n\nof three lines") == text);
-}
-
-TEST_CASE("a malformed file of degrees is refused with its line") {
-    const std::string_view head = "number,degree,bound,status,source";
-    CHECK(read({"# note", head, "5,80,exact,claimed,somebody"}).size() == 1);
-    CHECK(read({head, "5,80,exact,claimed,x", "5,80,at-least,certified,y"}).size() == 2);
-    CHECK(read({head}).empty());
-    struct Wrong {
-        std::string_view line;
-        const char* reason;
-    };
-    const Wrong list[] = {
-        {"5,80,exact,claimed", "line 2"},
-        {"5,80,claimed,x", "five fields"},
-        {"5,80,exact,proved,x", "certified, evidence or claimed"},
-        {"5,80,about,claimed,x", "exact or at-least"},
-        {"5,0,exact,claimed,x", "positive"},
-        {"143494,8,exact,claimed,x", "143493"},
-        {"-1,8,exact,claimed,x", "143493"},
-        {"5,8x,exact,claimed,x", "positive"},
-        {"5,8,exact,claimed,", "source"},
-        {"5,8,exact,claimed,a,b", "five fields"},
-        {"5,8,exact,claimed,\"a\"", "quotes"},
-        {"5,99999999999,exact,claimed,x", "positive"},
-    };
-    for (const Wrong& wrong : list) {
-        CAPTURE(wrong.line);
-        CHECK_THROWS_WITH_AS(read({head, wrong.line}), doctest::Contains(wrong.reason),
-                             std::runtime_error);
-    }
-    CHECK_THROWS_WITH_AS(read({head, "5,8,exact,claimed,x", "5,9,exact,claimed,y"}),
-                         doctest::Contains("above"), std::runtime_error);
-    CHECK_THROWS_WITH_AS(read({"5,8,exact,claimed,x"}), doctest::Contains("line 1"),
-                         std::runtime_error);
+    CHECK(!in("0.."));
+    entry.degree = 300;
+    for (const char* range : {"300", "300..", "200..", "..300", "..400"})
+        CHECK(in(range));
+    for (const char* range : {"301..", "299", "..299"})
+        CHECK(!in(range));
 }
 
 TEST_CASE("ranges and view counts are read or refused whole") {

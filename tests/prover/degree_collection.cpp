@@ -10,39 +10,37 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 using namespace plprove;
 
 namespace {
 
-/// Writes what plcheck would say of degrees.plc in the folder, if it accepted these classes, and
-/// found degrees exact with a classification. Returns its path.
+/// Writes what plcheck would say of degrees.plc in the folder, if it accepted these classes.
+/// Returns its path.
 std::filesystem::path report_on(const std::filesystem::path& folder,
-                                const std::vector<std::size_t>& accepted,
-                                const std::vector<std::pair<std::size_t, int>>& exact = {},
-                                int status = 0) {
-    const std::filesystem::path classification = folder / "classification.plc";
-    write_file(classification, "plcert 2 classification\n");
-    const nlohmann::json other = {{"file", classification.string()},
-                                  {"kind", "classification"},
-                                  {"sha256", sha256(read_file(classification))}};
+                                const std::vector<std::size_t>& accepted, int status = 0) {
     nlohmann::json file = {{"file", "elsewhere/degrees.plc"},
                            {"kind", "degrees"},
                            {"sha256", sha256(read_file(folder / "degrees.plc"))}};
     for (const std::size_t number : accepted)
         file["degrees"].push_back({{"class", number}, {"certified_at_least", 1}});
-    const nlohmann::json report = {{"status", status},
-                                   {"files", nlohmann::json::array({other, file})},
-                                   {"certified_exactly", exact}};
+    const nlohmann::json report = {{"status", status}, {"files", nlohmann::json::array({file})}};
     write_file(folder / "report", report.dump());
     return folder / "report";
 }
 
 /// The same, read back.
 Checked checked(const std::filesystem::path& folder, const std::vector<std::size_t>& accepted,
-                const std::vector<std::pair<std::size_t, int>>& exact = {}, int status = 0) {
-    return Checked(report_on(folder, accepted, exact, status), folder);
+                int status = 0) {
+    return Checked(report_on(folder, accepted, status), folder);
 }
+
+/// A line of degrees.csv.
+struct Row {
+    std::size_t number = 0;
+    int degree = 0, found = 0, certified = 0;
+};
 
 /// What a sweep over some classes left in a folder that vanishes with the object.
 struct FinishedSweep {
@@ -59,18 +57,17 @@ struct FinishedSweep {
         return numbers;
     }
     std::string certificates() const { return read_file(folder / "degrees.plc"); }
-    std::vector<DegreeRecord> degrees() const {
-        const std::string csv = read_file(folder / "degrees.csv");
-        const std::vector<std::string> lines = lines_of(csv);
-        return parse_degrees(std::vector<std::string_view>(lines.begin(), lines.end()));
-    }
-    /// The classes that degrees.csv calls certified exactly.
-    std::vector<std::size_t> certified_exactly() const {
-        std::vector<std::size_t> numbers;
-        for (const DegreeRecord& record : degrees())
-            if (record.status == DegreeStatus::certified && record.bound == DegreeBound::exact)
-                numbers.push_back(record.number);
-        return numbers;
+    std::vector<Row> rows() const {
+        std::vector<Row> rows;
+        for (const std::string& line : lines_of(read_file(folder / "degrees.csv"))) {
+            Row row;
+            std::istringstream text(line);
+            char comma = 0;
+            if (text >> row.number >> comma >> row.degree >> comma >> row.found >> comma >>
+                row.certified)
+                rows.push_back(row);
+        }
+        return rows;
     }
 };
 
@@ -85,9 +82,12 @@ TEST_CASE("a collection calls nothing certified that plcheck has not seen") {
     const Collected collected = collect(sweep.results, {});
     CHECK(collected.files == std::vector<std::string>{"degrees.plc"});
     CHECK(collected.certificates == sweep.with_certificate().size());
-    CHECK(std::ranges::none_of(sweep.degrees(), [](const DegreeRecord& record) {
-        return record.status == DegreeStatus::certified;
-    }));
+    CHECK(sweep.rows().size() == collected.classes);
+    for (const Row& row : sweep.rows()) {
+        CHECK(row.certified == 0);
+        CHECK(row.degree == degree_on_file(row.number));
+        CHECK(row.found == sweep.results.read(row.number, true)->degree());
+    }
 }
 
 TEST_CASE("a collection that plcheck accepted is read as the project's own files are") {
@@ -97,80 +97,35 @@ TEST_CASE("a collection that plcheck accepted is read as the project's own files
     const Checked report = checked(sweep.folder.path(), sweep.with_certificate());
     CHECK(collect(sweep.results, {0, {}, report}).certificates == all.certificates);
     CHECK(sweep.certificates() == whole);
-    std::size_t certified = 0, previous = 0;
-    for (const DegreeRecord& record : sweep.degrees()) {
-        CHECK(record.number >= previous);
-        previous = record.number;
-        if (record.status == DegreeStatus::claimed) continue;
-        if (record.status == DegreeStatus::certified) {
-            ++certified;
-            CHECK(record.bound == DegreeBound::at_least);
-            CHECK(has_record(whole, record.number));
-        } else if (record.bound == DegreeBound::exact) {
-            CHECK(record.degree == fake_engine::degree(record.number));
-            CHECK(record.source == "5 edges; trace 1e-11");
-        }
+    const std::vector<Row> rows = sweep.rows();
+    CHECK(std::ranges::is_sorted(rows, {}, &Row::number));
+    for (const Row& row : rows) {
+        const auto result = sweep.results.read(row.number, true);
+        CHECK(row.certified == (has_record(whole, row.number) ? result->shown : 0));
     }
-    CHECK(certified == all.certificates);
 }
 
-TEST_CASE("where plcheck finds lower and upper bound to meet, the degree is certified") {
+TEST_CASE("a report in which plcheck refused something certifies what it accepted") {
     const FinishedSweep sweep;
     collect(sweep.results, {});
-    const std::vector<std::size_t> accepted = sweep.with_certificate();
-    const std::size_t met = accepted.front();
-    const int degree = sweep.results.read(met, true)->shown;
-    collect(sweep.results, {0, {}, checked(sweep.folder.path(), accepted, {{met, degree}})});
-    CHECK(sweep.certified_exactly() == std::vector<std::size_t>{met});
-}
-
-TEST_CASE(
-    "a degree is certified exactly only from the certificate and the files that were checked") {
-    const FinishedSweep sweep;
-    collect(sweep.results, {});
-    const std::filesystem::path folder = sweep.folder.path();
     std::vector<std::size_t> accepted = sweep.with_certificate();
-    const std::size_t met = accepted[0], other = accepted[1];
-    const int degree = sweep.results.read(met, true)->shown;
-    const auto exact_after = [&](const Checked& report) {
-        collect(sweep.results, {0, {}, report});
-        return sweep.certified_exactly();
-    };
-    SUBCASE("one of which plcheck refused something certifies nothing exactly") {
-        const Checked report = checked(folder, accepted, {{met, degree}}, 1);
-        CHECK(report.refused_something());
-        CHECK(report.accepts(*sweep.results.read(met, true)));
-        CHECK(exact_after(report).empty());
-    }
-    SUBCASE("another number than the certificate shows is not believed") {
-        CHECK(exact_after(checked(folder, accepted, {{met, degree + 1}})).empty());
-    }
-    SUBCASE("a class whose certificate plcheck did not accept is not believed") {
-        const std::vector<std::pair<std::size_t, int>> exact{
-            {met, degree}, {other, sweep.results.read(other, true)->shown}};
-        accepted.erase(accepted.begin());
-        CHECK(exact_after(checked(folder, accepted, exact)) == std::vector<std::size_t>{other});
-    }
-    SUBCASE("a certificate that was replaced since is not believed") {
-        const Checked report = checked(folder, accepted, {{met, degree}});
-        DegreeRun run = fake_engine::compute(met, {40, 1, true});
-        sweep.results.save(class_result(std::move(run), {40, 0, true}, 1));
-        CHECK(exact_after(report).empty());
-    }
-    SUBCASE("a classification that changed since, or is gone, is refused") {
-        const std::filesystem::path report = report_on(folder, accepted, {{met, degree}});
-        write_file(folder / "classification.plc", "another");
-        CHECK_THROWS_WITH_AS(Checked(report, folder), doctest::Contains("is not the file"),
-                             std::runtime_error);
-        std::filesystem::remove(folder / "classification.plc");
-        CHECK_THROWS_WITH_AS(Checked(report, folder), doctest::Contains("is not here"),
-                             std::runtime_error);
-    }
-    SUBCASE("a report on files that could not be read is refused") {
-        const std::filesystem::path report = report_on(folder, accepted, {{met, degree}}, 2);
-        CHECK_THROWS_WITH_AS(Checked(report, folder), doctest::Contains("has status 2"),
-                             std::runtime_error);
-    }
+    const std::size_t refused = accepted.front();
+    accepted.erase(accepted.begin());
+    const Checked report = checked(sweep.folder.path(), accepted, 1);
+    CHECK(report.refused_something());
+    collect(sweep.results, {0, {}, report});
+    for (const Row& row : sweep.rows())
+        CHECK((row.certified > 0) == (std::ranges::count(accepted, row.number) == 1));
+    CHECK(std::ranges::count(sweep.rows(), refused, &Row::number) == 1);
+}
+
+TEST_CASE("a report on files that could not be read is refused") {
+    const FinishedSweep sweep;
+    collect(sweep.results, {});
+    const std::filesystem::path report =
+        report_on(sweep.folder.path(), sweep.with_certificate(), 2);
+    CHECK_THROWS_WITH_AS(Checked(report, sweep.folder.path()), doctest::Contains("has status 2"),
+                         std::runtime_error);
 }
 
 TEST_CASE("the parts of a collection have the same records in the same order, none too large") {

@@ -124,9 +124,9 @@ TEST_CASE("what is solved in place of the five-point problem extends it by a reg
     CHECK(run.five_point_poses->poses == poses_of_five_points);
     CHECK(run.degree % poses_of_five_points == 0);
     // No extension on file has fewer solutions.
-    for (const DegreeRecord& record : parse_degrees(degree_lines()))
-        if (families(label_classes()[record.number]).five_point_extension)
-            CHECK(record.degree >= run.degree);
+    for (const ClassDegree& row : degrees_on_file())
+        if (families(label_classes()[row.constraint_class]).five_point_extension)
+            CHECK(row.degree >= run.degree);
     CHECK_FALSE(compute_degree(number_of("3*P/P/P + a/a/a"), {.certificate = false})
                     .five_point_poses.has_value());
 }
@@ -170,22 +170,4 @@ TEST_CASE("every minimal problem in two views reduces to five points") {
         CHECK(decision.reduction.reduced == five_points);
     }
     CHECK(minimal > 100);
-}
-
-TEST_CASE("the degree in two views is on file where that of its extension is certified exactly") {
-    const std::size_t number = five_point_extension();
-    const DegreeRecord exact{number, 80, DegreeBound::exact, DegreeStatus::certified, "x"};
-    const std::vector<DegreeRecord> found = degrees_in_two_views({exact});
-    REQUIRE(found.size() == 1);
-    CHECK(found[0].degree == poses_of_five_points);
-    DegreeRecord other = exact;
-    other.status = DegreeStatus::evidence;
-    CHECK(degrees_in_two_views({other}).empty());
-    other = exact;
-    other.bound = DegreeBound::at_least;
-    CHECK(degrees_in_two_views({other}).empty());
-    other = exact;
-    other.number = 2394;
-    CHECK(degrees_in_two_views({other}).empty());
-    CHECK(degrees_in_two_views(parse_degrees(degree_lines())).size() == 1);
 }
