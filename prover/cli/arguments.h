@@ -20,6 +20,9 @@ std::vector<std::string> for_cli11(const CLI::App& program, std::vector<std::str
 std::string usage_advice(const CLI::App& program, const std::vector<std::string>& words,
                          const CLI::ParseError& error);
 
+/// The most solutions that an option can ask for.
+constexpr int largest_target = 1'000'000;
+
 /// Adds `--seed` to a command.
 void add_seed(CLI::App& command, std::uint64_t& seed);
 

@@ -19,7 +19,6 @@ namespace plprove {
 
 namespace {
 
-constexpr int largest_target = 1'000'000;
 constexpr int largest_power = 20;
 
 constexpr const char* degree_examples =

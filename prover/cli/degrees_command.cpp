@@ -20,8 +20,6 @@ namespace plprove {
 
 namespace {
 
-constexpr int largest_target = 1'000'000;
-
 constexpr const char* degrees_examples =
     "You may kill a sweep at any moment: the same command goes on where it was. Under mpirun, all "
     "ranks\nshare the work, and the folder.\n\n"

@@ -14,8 +14,6 @@ namespace plprove {
 
 namespace {
 
-using general::Certificate;
-
 const char* model_name(const general::Problem& problem) {
     return problem.model == general::CameraModel::calibrated ? "calibrated" : "projective";
 }
@@ -39,7 +37,7 @@ struct Known {
 
 /// Of a problem that has a reduction to label classes the degree of these, which is certified; else
 /// what certs/family-degrees.csv says; nothing if neither has it.
-std::optional<Known> known_degree(const Certificate& certificate) {
+std::optional<Known> known_degree(const general::Certificate& certificate) {
     const std::string notation = general::notation(certificate.problem);
     if (general::is_minimal(certificate) && !general::parse_spec(notation)) {
         if (const auto degree = degree_of(decide(parse_spec(notation))))
@@ -51,7 +49,7 @@ std::optional<Known> known_degree(const Certificate& certificate) {
                  found->certified};
 }
 
-std::string csv_line(const Certificate& certificate) {
+std::string csv_line(const general::Certificate& certificate) {
     const general::Problem& problem = certificate.problem;
     const general::Counts counts = general::counts(problem);
     std::string line;
@@ -90,7 +88,7 @@ void write_degree(std::ostream& out, const std::string& notation) {
 
 } // namespace
 
-std::string text_report(const Certificate& certificate) {
+std::string text_report(const general::Certificate& certificate) {
     const general::Problem& problem = certificate.problem;
     std::ostringstream out;
     section(out, "problem") << general::notation(problem) << '\n';
@@ -103,7 +101,7 @@ std::string text_report(const Certificate& certificate) {
     return out.str();
 }
 
-std::string json_report(const Certificate& certificate) {
+std::string json_report(const general::Certificate& certificate) {
     const general::Problem& problem = certificate.problem;
     nlohmann::ordered_json report = {
         {"problem", general::notation(problem)},
@@ -127,12 +125,12 @@ std::string json_report(const Certificate& certificate) {
     return report.dump(2) + '\n';
 }
 
-std::string list_of(std::span<const Certificate> certificates, const std::string& format) {
+std::string list_of(std::span<const general::Certificate> certificates, const std::string& format) {
     std::string text;
     if (format == "csv")
         text = "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,name,"
                "notation,reason,degree_status,degree_certified\n";
-    for (const Certificate& certificate : certificates) {
+    for (const general::Certificate& certificate : certificates) {
         const general::Problem& problem = certificate.problem;
         text += format == "csv"        ? csv_line(certificate)
                 : format == "notation" ? general::notation(problem)
