@@ -57,7 +57,8 @@ TEST_CASE("the bundle unpacks, builds and checks with what it brings along") {
     // With Arb: what the README says to check is every certificate file.
     const std::vector<std::string> commands = commands_in(run(inside + "cat README").out);
     REQUIRE(commands.size() == 5);
-    const std::string every_file = run(inside + "find . -name '*.plc' | sort").out;
+    const std::string every_file =
+        run(inside + "find . -name '*.plc' -not -path './certs/vectors/*' | sort").out;
     CHECK(run(inside + "echo_all() { printf './%s\\n' \"$@\" | grep '\\.plc$'; }; { echo_all " +
               commands[1] + "; echo_all " + commands[2] + "; } | sort")
               .out == every_file);
