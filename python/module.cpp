@@ -138,7 +138,7 @@ py::dict arrays_of(const Solver& solver, const pointline::Answer& answer) {
     result["conditions"] = conditions;
     result["degree"] = answer.degree;
     result["found"] = answer.found;
-    const std::array<const char*, 3> words{"certified", "evidence", "unknown"};
+    const std::array<const char*, 2> words{"certified", "unknown"};
     result["complete"] = words[static_cast<std::size_t>(answer.complete)];
     result["moved"] = answer.moved;
     return result;

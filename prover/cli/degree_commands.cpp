@@ -1,13 +1,14 @@
 #include "prover/cli/degree_commands.h"
 
+#include "prover/catalogue/degrees.h"
 #include "prover/cli/arguments.h"
 #include "prover/cli/degree_report.h"
 #include "prover/cli/multiview_degree.h"
 #include "prover/cli/two_view_report.h"
-#include "prover/degree/five_points.h"
 #include "prover/degree_sweep/write.h"
 #include "prover/general/notation.h"
 #include "prover/general/spec.h"
+#include "prover/problem/five_points.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
@@ -22,11 +23,11 @@ namespace {
 constexpr int largest_power = 20;
 
 constexpr const char* degree_examples =
-    "plprove finds solutions until nothing speaks for more. That none is missing is evidence, no "
-    "proof.\nThe certificate proves that there are at least so many: plcheck replays it. With a "
-    "file of upper\nbounds, plcheck certifies the exact number of some problems.\n\n"
+    "A theorem gives the degree of a problem in three calibrated views. plprove finds the "
+    "solutions, and the\ncertificate shows them: plcheck replays it. In other numbers of views, "
+    "that none is missing is evidence,\nno proof.\n\n"
     "Examples:\n"
-    "  plprove degree 2394                          the Chicago problem, until complete\n"
+    "  plprove degree 2394                          all solutions of the Chicago problem\n"
     "  plprove degree '3*P/P/P + P/P/a' --json      for machines\n"
     "  plprove degree 2394 -o chicago.plc           with a certificate\n"
     "  plprove degree 142849 --target 300           stop once 300 solutions are found\n"
@@ -74,9 +75,10 @@ struct DegreeRequest {
 /// Runs the engine on the class, with a line of progress on a terminal.
 DegreeReport computed(const Decision& decision, std::size_t number, DegreeOptions options,
                       const ComputeDegree& compute) {
+    options.degree = degree_on_file(number).value_or(0);
     DegreeReport report{decision, options, {}, 0};
     ProgressLine line("finding solutions", 0);
-    options.progress = [&](const DegreeProgress& progress) {
+    options.progress = [&](const MonodromyProgress& progress) {
         line.show(static_cast<std::size_t>(progress.solutions),
                   " so far, " + std::to_string(progress.edges) + " edges");
     };

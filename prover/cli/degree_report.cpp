@@ -19,29 +19,15 @@ const char* degree_name(const Decision& decision) {
 
 void write_degree(std::ostream& out, const DegreeReport& report) {
     const DegreeRun& run = report.run;
-    section(out, "degree") << (run.complete() ? "" : "at least ") << run.degree << ": the "
-                           << degree_name(report.decision)
-                           << (run.complete() ? "" : ", or a lower bound") << ", as computed\n";
+    section(out, degree_name(report.decision)) << report.options.degree << ", by theorem\n";
+    section(out, "found") << run.degree << (run.complete() ? " solutions: all" : " solutions")
+                          << '\n';
     section(out, "certificate");
     if (report.certified() > 0)
         out << "of at least " << report.certified()
             << " solutions: certified once plcheck accepts it\n";
     else
         out << "none\n";
-    section(out, "complete");
-    if (run.evidence)
-        out << "by evidence, not proved: " << run.evidence->edges
-            << " edges permuted the solutions, "
-            << (run.evidence->trace_exponent
-                    ? "the trace test left 1e" + std::to_string(*run.evidence->trace_exponent)
-                    : std::string("no trace test applies"))
-            << '\n';
-    else if (report.options.target > 0 && run.degree >= report.options.target)
-        out << "not known: the run stopped at its target, " << report.options.target << '\n';
-    else if (report.options.at_least > 0)
-        out << "not known: the run was to find " << report.options.at_least << '\n';
-    else
-        out << "not known\n";
 }
 
 } // namespace
@@ -70,11 +56,10 @@ std::string json_report(const DegreeReport& report) {
         {"notation", notation(problem_of(label_classes()[report.decision.classes->label]))},
         {"constraint_class", run.number},
         {"minimal", report.decision.verdict == Verdict::minimal},
-        {"degree", run.degree},
+        {"degree", report.options.degree},
+        {"found", run.degree},
         {"certificate", report.certified()},
         {"complete", run.complete()},
-        {"edges", nullptr},
-        {"trace_exponent", nullptr},
         {"tracks", run.tracks},
         {"retried", run.retried},
         {"failed", run.failed},
@@ -83,10 +68,6 @@ std::string json_report(const DegreeReport& report) {
         {"target", report.options.target},
         {"at_least", report.options.at_least},
         {"seed", report.options.seed}};
-    if (run.evidence) {
-        json["edges"] = run.evidence->edges;
-        if (run.evidence->trace_exponent) json["trace_exponent"] = *run.evidence->trace_exponent;
-    }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

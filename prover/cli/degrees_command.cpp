@@ -165,7 +165,7 @@ bool write_collection(const SweepFolder& folder, const DegreesRequest& request) 
     }
     const Collected collected = collect(folder, selection);
     std::cout << "degrees       " << (folder.path() / "degrees.csv").string() << ": "
-              << collected.classes << " classes, " << collected.exact << " complete by evidence, "
+              << collected.classes << " classes, " << collected.exact << " with all solutions, "
               << collected.classes - collected.exact << " lower bounds only\n"
               << "certificates  ";
     for (const std::string& file : collected.files)

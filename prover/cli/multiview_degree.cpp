@@ -44,14 +44,13 @@ multiview::MonodromyResult computed(const general::Problem& problem,
     ProgressLine line("finding solutions", 0);
     multiview::MonodromySettings settings;
     settings.threads = all_threads();
-    if (request.target > 0) settings.most_solutions = request.target;
     if (request.at_least > 0) {
         constexpr int ways_that_find_all = 3; // usually
         settings.edges = ways_that_find_all;
         settings.most_solutions = request.at_least;
     }
-    settings.report = [&](int known, std::int64_t paths) {
-        line.show(static_cast<std::size_t>(known), " so far, " + std::to_string(paths) + " paths");
+    settings.report = [&](int known, int edges) {
+        line.show(static_cast<std::size_t>(known), " so far, " + std::to_string(edges) + " ways");
     };
     return multiview::run_monodromy(problem, request.seed, settings);
 }

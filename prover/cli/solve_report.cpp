@@ -102,8 +102,6 @@ std::string completeness(const Answer& answer) {
     switch (answer.complete) {
     case Completeness::certified:
         return "all: the degree is certified";
-    case Completeness::evidence:
-        return "all, by evidence";
     case Completeness::unknown:
         return std::to_string(answer.lost) + " are missing: paths were lost, or the images are "
                                              "special";

@@ -75,7 +75,7 @@ public:
 private:
     int add_free(int view, int line, bool toward) {
         const int feature = static_cast<int>(system_.features.size()) - 1;
-        system_.free.push_back({feature, view, line, toward, -1});
+        system_.free.push_back({feature, view, line, toward});
         return static_cast<int>(system_.free.size()) - 1;
     }
     int add_vector(int view, VectorKind kind, int base, int other = 0) {
@@ -166,32 +166,10 @@ private:
     CameraSystem system_;
 };
 
-/// Which free vectors are in a single equation, and there directly.
-void find_single_equations(CameraSystem& system) {
-    std::vector<int> uses(system.free.size(), 0);
-    for (std::size_t e = 0; e < system.equations.size(); ++e)
-        for (const int v : system.equations[e].vectors) {
-            if (v < 0) continue;
-            const ImageVector* vector = &system.vectors[static_cast<std::size_t>(v)];
-            const bool direct = vector->kind == VectorKind::free;
-            if (vector->kind == VectorKind::across)
-                vector = &system.vectors[static_cast<std::size_t>(vector->base)];
-            const auto mark = [&](int index) {
-                const auto f = static_cast<std::size_t>(index);
-                ++uses[f];
-                system.free[f].single_equation = uses[f] == 1 && direct ? static_cast<int>(e) : -1;
-            };
-            mark(vector->base);
-            if (vector->kind == VectorKind::meet) mark(vector->other);
-        }
-}
-
 } // namespace
 
 CameraSystem camera_system(const Signature& signature) {
-    CameraSystem system = Builder(signature).take();
-    find_single_equations(system);
-    return system;
+    return Builder(signature).take();
 }
 
 } // namespace plprove

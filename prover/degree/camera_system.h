@@ -67,9 +67,8 @@ struct CameraEquation {
 struct FreeVector {
     int feature = 0; ///< in the list of features of the problem
     int view = 0;
-    int line = -1;            ///< -1: the image point; else which pin
-    bool toward = false;      ///< a second point of a line through the seen point
-    int single_equation = -1; ///< the only equation that it is in, linearly; -1 if there are more
+    int line = -1;       ///< -1: the image point; else which pin
+    bool toward = false; ///< a second point of a line through the seen point
 };
 
 /// Where the point of a feature is in space (a point of the line, if it is a free line), and which

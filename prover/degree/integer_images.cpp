@@ -1,5 +1,6 @@
 #include "prover/degree/integer_images.h"
 
+#include "prover/degree/camera_loops.h"
 #include "prover/degree/scene.h"
 
 #include <algorithm>
@@ -29,7 +30,6 @@ constexpr std::array all_bits = [] {
     return bits;
 }();
 
-constexpr Demands usual{1e-9, true, some_bits};
 /// If the checker refuses one of these, other images will do.
 constexpr Demands all{1e-13, false, some_bits};
 /// Nothing else will do. Solutions with a large coordinate have room for few bits.
@@ -194,9 +194,6 @@ public:
         }
     }
 
-    /// How many there are, pairs counted twice.
-    int size() const { return seen_.size(); }
-
     std::vector<ApproximateSolution> written() {
         choose_bits(found_, fixed_, demands_);
         std::ranges::sort(found_, {}, [](const Found& solution) {
@@ -213,7 +210,7 @@ private:
     Demands demands_;
     FixedImages fixed_;
     std::vector<Complex3> vectors_;
-    SolutionSet seen_;
+    SolutionSet<CameraPoint> seen_;
     std::vector<Found> found_;
 };
 
@@ -230,56 +227,27 @@ DegreeCertificate certificate_of(const CameraSystem& system,
 
 } // namespace
 
-LowerBound find_for_integer_images(const CameraSystem& system, const DegreeOptions& options,
-                                   std::uint64_t stream) {
+LowerBound find_for_integer_images(const CameraSystem& system, int wanted, std::uint64_t seed,
+                                   std::uint64_t stream,
+                                   const std::function<void(const MonodromyProgress&)>& progress) {
     constexpr int most_edges = 6;
     std::vector<IntegerVector> vectors;
-    Monodromy monodromy(system, options.seed, stream, [&](const Images& scene, Random& random) {
+    CameraLoops loops(system, seed, stream, [&](const Images& scene, Random& random) {
         vectors = vectors_near(system, scene, random);
         return unit_images(vectors);
     });
-    monodromy.report_to(options.progress);
-    monodromy.find(options.at_least, most_edges);
+    auto monodromy = camera_monodromy(std::move(loops), progress);
+    monodromy.reach(wanted, most_edges);
     std::vector<CameraPoint> zeros;
     for (const CameraPoint& point : monodromy.solutions().points())
-        zeros.push_back(standard_chart().point(monodromy.chart().cameras(point)));
-    return {certificate_of(system, vectors, zeros, all), monodromy.follower().counts()};
+        zeros.push_back(standard_chart().point(monodromy.loops().chart().cameras(point)));
+    return {certificate_of(system, vectors, zeros, all), monodromy.loops().counts()};
 }
 
 DegreeCertificate certify_zeros(const CameraSystem& system,
                                 const std::vector<IntegerVector>& vectors,
                                 const std::vector<CameraPoint>& zeros) {
     return certificate_of(system, vectors, zeros, for_given_images);
-}
-
-DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, int most,
-                                 int wanted, Random& random) {
-    constexpr int most_paths = 3;
-    const auto vectors = random_vectors(system, random);
-    const Images images = unit_images(vectors);
-    std::vector<CameraPoint> solutions = monodromy.solutions().points();
-    if (std::ssize(solutions) > most) solutions.resize(static_cast<std::size_t>(most));
-    Arrivals arrivals(system, images, usual);
-    for (int path = 0; path < most_paths && arrivals.size() < wanted; ++path) {
-        const Images from = monodromy.images(), to = rephased(images, Phases::near_one, random);
-        const auto moving = [&](const Images& a, const Images& b) {
-            return moving_images(system, monodromy.constants(), a, b);
-        };
-        const auto detour = [&]() -> std::array<TrackedImages, 2> {
-            const Images middle = detour_midpoint(from, to, random);
-            return {moving(from, middle), moving(middle, to)};
-        };
-        std::vector<CameraPoint> ends;
-        for (const auto& end :
-             monodromy.follower().follow(moving(from, to), {detour(), detour}, solutions))
-            if (end) ends.push_back(standard_chart().point(monodromy.chart().cameras(*end)));
-        arrivals.add(ends);
-        if (2 * arrivals.size() < std::ssize(solutions)) break; // degenerate images
-    }
-    DegreeCertificate certificate;
-    certificate.images = feature_images(system, vectors);
-    certificate.solutions = arrivals.written();
-    return certificate;
 }
 
 } // namespace plprove

@@ -4,31 +4,27 @@
 
 #include "prover/degree/degree.h"
 #include "prover/degree/integer_vectors.h"
-#include "prover/degree/monodromy.h"
+#include "prover/degree/path_follower.h"
 
 namespace plprove {
 
-/// Finds options.at_least solutions for random integer images by monodromy between these and the
-/// images of a real scene nearby. The certificate shows those found, as that of certify_degree
-/// does.
 struct LowerBound {
     DegreeCertificate certificate;
     PathCounts counts;
 };
-LowerBound find_for_integer_images(const CameraSystem& system, const DegreeOptions& options,
-                                   std::uint64_t stream);
+
+/// Finds `wanted` solutions for random integer images by monodromy between these and the
+/// images of a real scene nearby. The certificate shows those found, each real solution and pair
+/// once, ordered by their coordinates.
+LowerBound find_for_integer_images(const CameraSystem& system, int wanted, std::uint64_t seed,
+                                   std::uint64_t stream,
+                                   const std::function<void(const MonodromyProgress&)>& progress);
 
 /// The certificate for these images, one vector for each free vector of the system, with those of
-/// the zeros, approximations in the standard chart, that are solutions; each real solution and pair
-/// once, ordered by their coordinates. What the chart or 18 digits do not reach is left out.
+/// the zeros, approximations in the standard chart, that are solutions. What the chart or 18 digits
+/// do not reach is left out.
 DegreeCertificate certify_zeros(const CameraSystem& system,
                                 const std::vector<IntegerVector>& vectors,
                                 const std::vector<CameraPoint>& zeros);
-
-/// Follows the first `most` solutions that `monodromy` has found to random integer images, on
-/// another path again if fewer than `wanted` arrive. The certificate shows all that arrive, each
-/// real solution and pair once, ordered by their coordinates.
-DegreeCertificate certify_degree(const CameraSystem& system, Monodromy& monodromy, int most,
-                                 int wanted, Random& random);
 
 } // namespace plprove

@@ -81,17 +81,6 @@ double spread(const CameraSystem& system, const Images& images) {
 
 } // namespace
 
-std::vector<IntegerVector> random_vectors(const CameraSystem& system, Random& random) {
-    constexpr std::uint64_t largest = 19;
-    const auto digit = [&] {
-        return static_cast<std::int64_t>(random.bits() % (2 * largest + 1)) -
-               static_cast<std::int64_t>(largest);
-    };
-    return generic_vectors(system, [&](std::size_t) {
-        return IntegerVector{digit(), digit(), digit()};
-    });
-}
-
 std::vector<IntegerVector> vectors_near(const CameraSystem& system, const Images& images,
                                         Random& random) {
     constexpr double scale = 50;

@@ -10,12 +10,9 @@ namespace plprove {
 
 using IntegerVector = std::array<std::int64_t, 3>;
 
-/// Random vectors of integers from -19 to 19, one for each free vector of the system, that are
-/// generic enough for solutions to arrive there.
-std::vector<IntegerVector> random_vectors(const CameraSystem& system, Random& random);
-
-/// Vectors of integers from -90 to 90 whose images are neighbours of real ones. Of many choices it
-/// takes the one farthest from degenerate images: the fewest solutions are ill-conditioned there.
+/// Vectors of integers from -90 to 90, one for each free vector of the system, whose images are
+/// neighbours of real ones. Of many choices it takes the one farthest from degenerate images: the
+/// fewest solutions are ill-conditioned there.
 std::vector<IntegerVector> vectors_near(const CameraSystem& system, const Images& images,
                                         Random& random);
 

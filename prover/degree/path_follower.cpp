@@ -46,25 +46,6 @@ PathFollower::Ends accurate_newton(double accuracy, const TrackedSystem& system,
     return ends_of(fastest_tracker(), settings, system, images, starts, uncounted);
 }
 
-std::pair<std::vector<CameraPoint>, std::vector<std::size_t>>
-without_end(const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends) {
-    std::pair<std::vector<CameraPoint>, std::vector<std::size_t>> result;
-    for (std::size_t i = 0; i < starts.size(); ++i)
-        if (!ends[i]) {
-            result.first.push_back(starts[i]);
-            result.second.push_back(i);
-        }
-    return result;
-}
-
-PathFollower::Ends PathFollower::follow(const TrackedImages& images, const Detours& detours,
-                                        const std::vector<CameraPoint>& starts) {
-    Ends ends = follow_quickly(images, starts);
-    fill(ends, starts, [&](const auto& open) { return follow_double_double(images, open); });
-    fill(ends, starts, [&](const auto& open) { return follow_detours(detours, open); });
-    return ends;
-}
-
 PathFollower::Ends PathFollower::follow_quickly(const TrackedImages& images,
                                                 const std::vector<CameraPoint>& starts) {
     Ends ends = attempt(fastest_tracker(), images, {}, starts);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "prover/degree/tracking/tracker.h"
+#include "prover/monodromy/path_ends.h"
 
 #include <array>
 #include <functional>
@@ -21,7 +22,7 @@ struct PathCounts {
 /// Follows paths. The ends that it returns are empty where a path was lost.
 class PathFollower {
 public:
-    using Ends = std::vector<std::optional<CameraPoint>>;
+    using Ends = PathEnds<CameraPoint>;
 
     explicit PathFollower(const TrackedSystem& system) : system_(system) {}
 
@@ -31,10 +32,6 @@ public:
         std::function<std::array<TrackedImages, 2>()> another;
     };
 
-    /// In doubles; then, with twice as many digits, those that are lost; then on detours those that
-    /// are lost again.
-    Ends follow(const TrackedImages& images, const Detours& detours,
-                const std::vector<CameraPoint>& starts);
     /// Loses about one of a hundred, which is not counted.
     Ends follow_quickly(const TrackedImages& images, const std::vector<CameraPoint>& starts);
     /// With tighter settings and twice as many digits; what is lost then counts as lost for good.
@@ -66,35 +63,5 @@ PathFollower::Ends newton(TrackFunction* track, double noise, const TrackedSyste
 PathFollower::Ends accurate_newton(double accuracy, const TrackedSystem& system,
                                    const TrackedImages& images,
                                    const std::vector<CameraPoint>& starts);
-
-/// The starts of the paths that have no end, and their indices.
-std::pair<std::vector<CameraPoint>, std::vector<std::size_t>>
-without_end(const std::vector<CameraPoint>& starts, const PathFollower::Ends& ends);
-
-/// Follows the paths that have no end once more, by a function from starts to ends.
-template <class Follow>
-void fill(PathFollower::Ends& ends, const std::vector<CameraPoint>& starts, Follow follow_again) {
-    const auto [open, indices] = without_end(starts, ends);
-    const PathFollower::Ends again = follow_again(open);
-    for (std::size_t k = 0; k < indices.size(); ++k)
-        ends[indices[k]] = again[k];
-}
-
-/// Follows the paths that have an end further, by a function from starts to ends.
-template <class Follow>
-PathFollower::Ends follow_on(const PathFollower::Ends& ends, Follow follow_further) {
-    std::vector<CameraPoint> starts;
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < ends.size(); ++i)
-        if (ends[i]) {
-            starts.push_back(*ends[i]);
-            indices.push_back(i);
-        }
-    const PathFollower::Ends further = follow_further(starts);
-    PathFollower::Ends result(ends.size());
-    for (std::size_t k = 0; k < indices.size(); ++k)
-        result[indices[k]] = further[k];
-    return result;
-}
 
 } // namespace plprove

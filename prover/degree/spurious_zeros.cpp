@@ -21,24 +21,28 @@ SpuriousZeros::SpuriousZeros(const CameraSystem& system, const CameraChart& char
     : system_(tracked_system(system, chart)) {
     const std::vector<Complex3> others = random_constants(system, random);
     const Images unrelated = random_neighbour(images, random);
-    const TrackedImages at_rest = moving_images(system, constants, images, images);
-    const TrackedImages turned = moving_images(system, others, images, images);
-    const TrackedImages scale = moving_images(system, others, unrelated, unrelated);
+    at_rest_ = moving_images(system, constants, images, images);
+    turned_ = moving_images(system, others, images, images);
+    scale_ = moving_images(system, others, unrelated, unrelated);
     for (std::size_t e = 0; e < system.equations.size(); ++e)
-        if (has_auxiliary(system, system.equations[e]))
-            pencils_.push_back({static_cast<int>(e), at_rest, scale, turned});
+        if (has_auxiliary(system, system.equations[e])) equations_.push_back(e);
 }
 
 std::vector<double> SpuriousZeros::residuals(const std::vector<CameraPoint>& zeros) const {
     std::vector<double> result(zeros.size(), 0);
-    if (pencils_.empty()) return result;
-    std::vector<TraceTerm> terms(zeros.size() * pencils_.size());
-    fastest_trace()(system_, pencils_.data(), pencils_.size(), zeros.size(), zeros.data(),
-                    terms.data());
-    for (std::size_t i = 0; i < terms.size(); ++i) {
-        double& largest = result[i / pencils_.size()];
-        largest = std::max(largest, std::abs(terms[i].constant));
-    }
+    if (equations_.empty()) return result;
+    const auto values_for = [&](const TrackedImages& others) {
+        std::vector<Complex> values(zeros.size() * camera_dimension);
+        fastest_refined_values()(system_, at_rest_, others, zeros.size(), zeros.data(),
+                                 values.data());
+        return values;
+    };
+    const std::vector<Complex> above = values_for(turned_), below = values_for(scale_);
+    for (std::size_t i = 0; i < zeros.size(); ++i)
+        for (const std::size_t e : equations_) {
+            const std::size_t at = i * camera_dimension + e;
+            result[i] = std::max(result[i], std::abs(above[at] / below[at]));
+        }
     return result;
 }
 

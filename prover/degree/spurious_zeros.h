@@ -5,8 +5,8 @@
 // of it. If the plane of the auxiliary line in view j contains the ray of view i and both centres,
 // it contains the ray of view j, too: the epipolar equation and the incidence hold, whatever view k
 // sees. These are two conditions in the place of two. So such zeros are isolated and regular, loops
-// permute them among themselves, and the sum over all of them passes the trace test. One path that
-// jumps to one of them brings in all, and a degree would be too large by their number.
+// permute them among themselves. One path that jumps to one of them brings in all, and too many
+// solutions would be counted.
 #pragma once
 
 #include "prover/degree/images.h"
@@ -31,8 +31,9 @@ public:
 
 private:
     TrackedSystem system_;
-    /// One for each equation that has an auxiliary vector. Their phi at s = 0 is that ratio.
-    std::vector<TracePencil> pencils_;
+    std::vector<std::size_t> equations_; ///< that have an auxiliary vector
+    TrackedImages at_rest_{};            ///< the images, then with other auxiliary vectors,
+    TrackedImages turned_{}, scale_{};   ///< and unrelated images with these
 };
 
 } // namespace plprove

@@ -18,27 +18,19 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view run_mark = "# run ";
 constexpr std::string_view digest_mark = " sha256 ";
-constexpr const char* shown_key = "certificate";   // the word of `plprove degree --json`, too
-constexpr const char* old_shown_key = "certified"; // up to version 1.2
-constexpr int most_edges = 99;                     // as in a record
-constexpr int smallest_trace_exponent = -99;       // as in a record
-constexpr std::size_t longest_run_line = 16000; // leaves room for the mark in a line of the format
+constexpr const char* shown_key = "certificate"; // the word of `plprove degree --json`, too
+constexpr std::size_t longest_run_line = 16000;  // leaves room for the mark in a line of the format
 
 Json json_of(const ClassResult& result) {
     const DegreeRun& run = result.run;
     Json json = {
         {"number", run.number},      {"degree", run.degree},      {"complete", run.complete()},
-        {"edges", nullptr},          {"trace_exponent", nullptr}, {shown_key, result.shown},
-        {"tracks", run.tracks},      {"retried", run.retried},    {"failed", run.failed},
-        {"seconds", result.seconds}, {"seed", result.seed},       {"attempts", Json::array()},
-        {"notes", run.notes}};
+        {shown_key, result.shown},   {"tracks", run.tracks},      {"retried", run.retried},
+        {"failed", run.failed},      {"seconds", result.seconds}, {"seed", result.seed},
+        {"attempts", Json::array()}, {"notes", run.notes}};
     for (const Attempt& attempt : result.attempts)
         json["attempts"].push_back(
             {{"target", attempt.target}, {"certificate", attempt.certificate}});
-    if (run.evidence) {
-        json["edges"] = run.evidence->edges;
-        if (run.evidence->trace_exponent) json["trace_exponent"] = *run.evidence->trace_exponent;
-    }
     return json;
 }
 
@@ -46,10 +38,8 @@ std::string ascii(const Json& json) {
     return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-/// Whether this is the first line of the file. Sweeps of version 1.0 wrote the same records under
-/// the number of format 1: they remain valid, and are written again under the present one.
 bool is_head(const std::string& line) {
-    return line + '\n' == degree_file("") || line == "plcert 1 degrees";
+    return line + '\n' == degree_file("");
 }
 
 /// The run line is not what run_line() writes; caught in this file, as Json::exception is.
@@ -75,26 +65,10 @@ std::uint64_t large_count(const Json& json) {
     return static_cast<std::uint64_t>(integer(json, 0, largest_integer));
 }
 
-/// The evidence that the line has: what it says where the run is complete, nulls where it is not.
-std::optional<CompletenessEvidence> evidence_of(const Json& json) {
-    const Json &edges = json.at("edges"), &exponent = json.at("trace_exponent");
-    if (!json.at("complete").get<bool>()) {
-        if (edges.is_null() && exponent.is_null()) return std::nullopt;
-        throw BadRunLine("evidence of no completeness");
-    }
-    CompletenessEvidence evidence{static_cast<int>(integer(edges, 0, most_edges)), std::nullopt};
-    if (!exponent.is_null())
-        evidence.trace_exponent = static_cast<int>(integer(exponent, smallest_trace_exponent, -1));
-    else if (evidence.edges == 0)
-        throw BadRunLine("completeness without evidence");
-    return evidence;
-}
-
-/// The JSON text of the line, whose digest must agree. Sweeps up to version 1.3 wrote no digest.
+/// The JSON text of the line, whose digest must agree.
 std::string_view undamaged(std::string_view text) {
-    if (text.ends_with('}')) return text;
     const std::size_t end = text.rfind(digest_mark);
-    if (end == text.npos) throw BadRunLine("neither a digest nor the end of the JSON text");
+    if (end == text.npos) throw BadRunLine("no digest");
     const std::string_view json = text.substr(0, end);
     if (text.substr(end + digest_mark.size()) != sha256(std::string(json)))
         throw BadRunLine("another digest");
@@ -107,8 +81,8 @@ ClassResult result_of(const Json& json) {
     DegreeRun& run = result.run;
     run.number = large_count(json.at("number"));
     run.degree = count(json.at("degree"));
-    run.evidence = evidence_of(json);
-    result.shown = count(json.at(json.contains(shown_key) ? shown_key : old_shown_key));
+    json.at("complete").get_to(run.all);
+    result.shown = count(json.at(shown_key));
     run.tracks = large_count(json.at("tracks"));
     run.retried = large_count(json.at("retried"));
     run.failed = large_count(json.at("failed"));
@@ -123,30 +97,11 @@ ClassResult result_of(const Json& json) {
     return result;
 }
 
-bool same(const CompletenessEvidence& one, const CompletenessEvidence& other) {
-    return one.edges == other.edges && one.trace_exponent == other.trace_exponent;
-}
-
-/// Whether the record's evidence, if it has any, is that of the run: that its solutions are all.
-bool agree(const std::optional<CompletenessEvidence>& of_record, const ClassResult& result) {
-    if (!of_record) return true;
-    const DegreeRun& run = result.run;
-    return run.evidence && same(*of_record, *run.evidence) && run.degree == result.shown;
-}
-
 /// Whether the record is one of this class, and the run line says the same of it.
 bool is_whole(const ClassResult& result) {
+    if (result.shown > result.run.degree) return false;
     if (result.record.empty()) return result.shown == 0;
-    const auto summary = read_record(result.record, result.run.number);
-    return summary && summary->solutions == result.shown && agree(summary->evidence, result);
-}
-
-/// Takes back what the record says of completeness where the run knows better.
-void withdraw_refuted_evidence(ClassResult& result) {
-    const auto summary = read_record(result.record, result.run.number);
-    if (!summary || agree(summary->evidence, result)) return;
-    result.record.replace(0, result.record.find('\n'),
-                          "degree " + std::to_string(result.run.number) + " evidence none");
+    return read_record(result.record, result.run.number) == result.shown;
 }
 
 } // namespace
@@ -179,7 +134,6 @@ ClassResult merged(ClassResult old, ClassResult recent) {
     std::ranges::sort(recent.attempts);
     recent.attempts.erase(std::unique(recent.attempts.begin(), recent.attempts.end()),
                           recent.attempts.end()); // clang 14 knows no subranges
-    withdraw_refuted_evidence(recent);
     return recent;
 }
 

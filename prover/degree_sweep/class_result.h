@@ -4,7 +4,7 @@
 //
 //     plcert 2 degrees
 //     # run {"number":2394,"degree":312,...} sha256 5f70bf18...
-//     degree 2394 evidence complete edges 6 trace -11
+//     degree 2394 evidence none
 //     ...
 #pragma once
 
@@ -37,14 +37,12 @@ struct ClassResult {
 
     /// The largest number of solutions found.
     int degree() const { return std::max(run.degree, shown); }
-    /// Evidence of completeness is void where a certificate shows more solutions.
-    bool complete() const { return run.complete() && shown <= run.degree; }
+    bool complete() const { return run.complete(); }
 };
 
 ClassResult class_result(DegreeRun run, const DegreeOptions& options, double seconds);
 
-/// What is known of a class from both: neither a degree nor a certificate is ever lost. A record
-/// that claims to have all solutions, where the run found more, claims so no longer.
+/// What is known of a class from both: neither a degree nor a certificate is ever lost.
 ClassResult merged(ClassResult old, ClassResult recent);
 
 /// Whether the options were tried. A run that stopped short will do so again.
@@ -62,7 +60,7 @@ std::string write(const ClassResult& result);
 
 /// Reads such a file back, `record` only if `whole`. Nothing where there is none or it is damaged:
 /// where the first lines are not what write() writes, or, if `whole`, the record is not, or has not
-/// the solutions and the evidence of which the run line speaks.
+/// as many solutions as the run line says.
 std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole);
 
 /// The same from the bytes of such a file.

@@ -20,7 +20,7 @@ struct Selection {
 
 struct Collected {
     std::size_t classes = 0;          ///< with a degree or a lower bound
-    std::size_t exact = 0;            ///< of these, complete by evidence
+    std::size_t exact = 0;            ///< of these, with all solutions
     std::size_t certificates = 0;     ///< classes whose certificate is in the files
     std::uint64_t solutions = 0;      ///< that the certificates show
     std::vector<std::size_t> damaged; ///< classes whose files could not be used

@@ -1,5 +1,7 @@
 #include "prover/degree_sweep/read_record.h"
 
+#include "prover/problem/signature.h"
+
 #include <charconv>
 #include <string>
 
@@ -9,8 +11,6 @@ namespace {
 
 constexpr std::int64_t largest_value = 999'999'999'999'999'999;
 constexpr std::int64_t most_bits = 200;
-constexpr std::int64_t most_edges = 99;
-constexpr std::int64_t smallest_exponent = -99;
 constexpr int unknowns = 11;
 
 /// A record is not what it should be; caught in this file.
@@ -65,18 +65,6 @@ private:
     std::string_view text_;
 };
 
-std::optional<CompletenessEvidence> take_evidence(Words& words) {
-    if (words.takes("none")) return std::nullopt;
-    words.take("complete edges");
-    CompletenessEvidence evidence;
-    evidence.edges = static_cast<int>(words.integer(0, most_edges));
-    words.take("trace");
-    if (!words.takes("none"))
-        evidence.trace_exponent = static_cast<int>(words.integer(smallest_exponent, -1));
-    if (evidence.edges == 0 && !evidence.trace_exponent) throw Damaged(); // no evidence at all
-    return evidence;
-}
-
 void take_image(Words& words, const Feature& feature) {
     words.take("image");
     words.take(notation(feature));
@@ -110,24 +98,23 @@ int take_solution(Words& words) {
     return real ? 1 : 2;
 }
 
-RecordSummary take_record(Words& words, std::size_t number) {
-    RecordSummary summary;
+int take_record(Words& words, std::size_t number) {
     words.take("degree");
     words.take(std::to_string(number));
-    words.take("evidence");
-    summary.evidence = take_evidence(words);
+    words.take("evidence none");
     words.end_line();
     for (const Feature& feature : problem_of(label_classes()[number]))
         take_image(words, feature);
+    int solutions = 0;
     do
-        summary.solutions += take_solution(words);
+        solutions += take_solution(words);
     while (!words.at_end());
-    return summary;
+    return solutions;
 }
 
 } // namespace
 
-std::optional<RecordSummary> read_record(std::string_view record, std::size_t number) {
+std::optional<int> read_record(std::string_view record, std::size_t number) {
     if (number >= label_classes().size()) return std::nullopt;
     Words words(record);
     try {

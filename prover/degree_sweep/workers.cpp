@@ -1,5 +1,7 @@
 #include "prover/degree_sweep/workers.h"
 
+#include "prover/catalogue/degrees.h"
+
 #include <chrono>
 #include <new>
 
@@ -7,7 +9,8 @@ namespace plprove {
 
 namespace {
 
-DegreeRun run_of(std::size_t number, const DegreeOptions& options, const ComputeDegree& compute) {
+DegreeRun run_of(std::size_t number, DegreeOptions options, const ComputeDegree& compute) {
+    options.degree = degree_on_file(number).value_or(0);
     try {
         return compute(number, options);
     } catch (const std::bad_alloc&) {

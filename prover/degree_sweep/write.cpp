@@ -9,13 +9,6 @@ namespace {
 constexpr std::size_t digits_of_images = 18;
 constexpr std::size_t digits_of_solutions = 18;
 
-std::string words_of(const std::optional<CompletenessEvidence>& evidence) {
-    if (!evidence) return "none";
-    const std::optional<int> exponent = evidence->trace_exponent;
-    return "complete edges " + std::to_string(evidence->edges) + " trace " +
-           (exponent ? std::to_string(*exponent) : "none");
-}
-
 std::string words_of(const FeatureImage& image) {
     std::string words = notation(image.feature);
     for (const ViewImage& view : image.views) {
@@ -39,7 +32,7 @@ std::string words_of(const ApproximateSolution& solution) {
 
 std::string write_record(const DegreeCertificate& certificate) {
     CertificateText text;
-    text.line("degree", certificate.number, "evidence", words_of(certificate.evidence));
+    text.line("degree", certificate.number, "evidence none");
     for (const FeatureImage& image : certificate.images)
         text.line("image", words_of(image));
     for (const ApproximateSolution& solution : certificate.solutions)

@@ -58,8 +58,6 @@ Complete complete(plprove::Completeness completeness) {
     switch (completeness) {
     case plprove::Completeness::certified:
         return Complete::certified;
-    case plprove::Completeness::evidence:
-        return Complete::evidence;
     case plprove::Completeness::unknown:
         return Complete::unknown;
     }

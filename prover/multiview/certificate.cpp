@@ -2,9 +2,9 @@
 
 #include "prover/format/certificate_text.h"
 #include "prover/general/notation.h"
+#include "prover/monodromy/solution_set.h"
 #include "prover/multiview/integer_pictures.h"
 #include "prover/multiview/path.h"
-#include "prover/multiview/solution_set.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -21,7 +21,7 @@ using Eigen::Index;
 constexpr double small_imaginary_part = 1e-8;
 
 bool is_real(const Point& point) {
-    return are_near(point, point.conjugate(), 2 * small_imaginary_part);
+    return has_near_coordinates(point, Point(point.conjugate()), 2 * small_imaginary_part);
 }
 
 /// The same cameras and places in the standard chart.
@@ -129,7 +129,7 @@ int enough_bits(IntegerSystem& system, const Point& point) {
     for (const int bits : {3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44}) {
         if (!has_few_digits(written, bits)) return 0;
         const auto end = system.solve(system.read(rounded(written, bits)));
-        const bool good = end && are_near(*end, point, near);
+        const bool good = end && has_near_coordinates(*end, point, near);
         successes = good ? successes + 1 : 0;
         if (successes == wanted) return bits;
     }
@@ -204,7 +204,7 @@ public:
 
 private:
     IntegerSystem& system_;
-    SolutionSet seen_{Nearness::of_coordinates};
+    SolutionSet<Point> seen_{1e-7, Nearness::of_coordinates};
     std::vector<Point> found_;
 };
 

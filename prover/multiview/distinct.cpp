@@ -1,6 +1,6 @@
 #include "prover/multiview/distinct.h"
 
-#include "prover/multiview/solution_set.h"
+#include "prover/monodromy/solution_set.h"
 
 #include <Eigen/LU>
 
@@ -27,7 +27,8 @@ Point refined(const System& system, const Images<Moving>& still, const Point& ap
 std::vector<Point> distinct_solutions(const System& system, const Images<Complex>& images,
                                       const std::vector<Point>& approximations) {
     const Images<Moving> still = on_the_way(images, images, 0);
-    SolutionSet seen;
+    constexpr double near = 1e-7; // where Newton's method has refined
+    SolutionSet<Point> seen(near);
     std::vector<Point> distinct;
     for (const Point& approximation : approximations) {
         const Point point = refined(system, still, approximation);

@@ -1,4 +1,5 @@
-// The number of solutions of a problem with complete visibility, by monodromy: evidence, no proof.
+// The solutions of a problem with complete visibility, by monodromy: where no theorem gives their
+// number, that none is missing is evidence, no proof.
 #pragma once
 
 #include "prover/multiview/system.h"
@@ -13,7 +14,7 @@ namespace plprove::multiview {
 struct MonodromyResult {
     int solutions = 0; ///< known at the end where more are
     int edges = 0;     ///< ways along which all of both ends are matched one to one
-    int ways = 0;      ///< of so many
+    int ways = 0;      ///< all of them
     int lost = 0;      ///< paths that got lost, or jumped
     std::int64_t paths = 0;
     Images<Complex> images;      ///< of the first end
@@ -26,11 +27,11 @@ struct MonodromyResult {
 
 struct MonodromySettings {
     int edges = 5;
-    /// So many where few solutions are known: a loop may well leave each of two where it is.
+    /// Where few solutions are known: a loop may well leave each of two where it is.
     int edges_of_few = 16;
     int threads = 1;
     int most_solutions = 1'000'000; ///< stops when more are known at the first end
-    std::function<void(int known, std::int64_t paths)> report = [](int, std::int64_t) {};
+    std::function<void(int known, int edges)> report = {};
 };
 
 /// Assumes that the problem is minimal and that all views see everything. The same result for the

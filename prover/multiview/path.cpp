@@ -39,13 +39,13 @@ public:
         std::vector<Complex> from(numbers), to(numbers);
         for (std::size_t i = 0; i < batch.size; ++i)
             point(from, i) = starts[batch.first + i];
-        std::vector<std::uint8_t> arrived(batch.size);
+        std::vector<TrackOutcome> outcomes(batch.size);
         std::vector<LaneNumber> workspace(workspace_size(way_.tracked()));
         fastest_tracker()(way_.tracked(), settings_, batch.size,
                           reinterpret_cast<const double*>(from.data()),
-                          reinterpret_cast<double*>(to.data()), arrived.data(), workspace.data());
+                          reinterpret_cast<double*>(to.data()), outcomes.data(), workspace.data());
         for (std::size_t i = 0; i < batch.size; ++i)
-            if (arrived[i] != 0) ends[batch.first + i] = point(to, i);
+            if (outcomes[i] == TrackOutcome::arrived) ends[batch.first + i] = point(to, i);
     }
 
 private:

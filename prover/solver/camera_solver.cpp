@@ -1,7 +1,7 @@
 #include "prover/solver/camera_solver.h"
 
 #include "prover/degree/scene.h"
-#include "prover/degree/solution_set.h"
+#include "prover/monodromy/solution_set.h"
 #include "prover/solver/alignment.h"
 #include "prover/solver/in_parts.h"
 
@@ -68,7 +68,7 @@ PathFollower::Ends in_threads(const std::vector<CameraPoint>& points, unsigned t
 
 /// Drops ends that two paths share: one of the paths has jumped.
 void drop_equal(PathFollower::Ends& ends) {
-    SolutionSet seen(near_zeros);
+    SolutionSet<CameraPoint> seen(near_zeros);
     std::vector<std::size_t> first; // which path leads to each of them
     std::vector<std::size_t> equal;
     for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -100,7 +100,7 @@ public:
           vectors_(image_vectors(solver.system_, solver.start_.constants, images)),
           at_rest_(moving_images(solver.system_, solver.start_.constants, images, images)) {}
 
-    const SolutionSet& found() const { return found_; }
+    const SolutionSet<CameraPoint>& found() const { return found_; }
     bool is_complete() const { return found_.size() >= solver_.start_.degree(); }
 
     /// Adds the zeros to which these ends lead by Newton's method. Two paths rarely have the same
@@ -209,7 +209,7 @@ private:
     unsigned threads_;
     std::vector<Complex3> vectors_;
     TrackedImages at_rest_;
-    SolutionSet found_{near_zeros};
+    SolutionSet<CameraPoint> found_{near_zeros};
     std::size_t conjugated_ = 0; // so many zeros have their conjugates added
 };
 

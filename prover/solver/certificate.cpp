@@ -129,7 +129,6 @@ DegreeCertificate certify_images(const Start& start, const CameraSystem& system,
                                  const std::vector<CameraPoint>& zeros) {
     DegreeCertificate certificate = certify_zeros(system, images.vectors, zeros);
     certificate.number = start.number;
-    if (certificate.degree() == start.degree()) certificate.evidence = start.evidence;
     return certificate;
 }
 

@@ -38,7 +38,6 @@ FivePointImages five_point_images(const SolvePlan& plan, const ConsistentImages&
 std::vector<Eigen::Vector3d> unit_vectors(const IntegerImages& images);
 
 /// The certificate that these images have these solutions, approximate zeros in the standard chart.
-/// If it shows as many solutions as the start has, it has the evidence of the start.
 DegreeCertificate certify_images(const Start& start, const CameraSystem& system,
                                  const IntegerImages& images,
                                  const std::vector<CameraPoint>& zeros);

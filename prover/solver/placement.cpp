@@ -1,7 +1,7 @@
 #include "prover/solver/placement.h"
 
 #include "prover/degree/path_follower.h"
-#include "prover/degree/solution_set.h"
+#include "prover/monodromy/solution_set.h"
 #include "prover/solver/alignment.h"
 #include "prover/solver/plan.h"
 #include "prover/solver/synthetic.h"
@@ -44,7 +44,7 @@ public:
         PathFollower::Ends ends = follower.follow_quickly(way, solutions);
         fill(ends, solutions,
              [&](const auto& open) { return follower.follow_double_double(way, open); });
-        SolutionSet different;
+        SolutionSet<CameraPoint> different;
         for (const auto& end : ends) {
             if (!end || different.find(*end)) return std::nullopt;
             different.add(*end);
@@ -102,8 +102,7 @@ Start well_placed(Start start, std::uint64_t seed) {
     if (!best) return start;
     auto solutions = movable.move(start.solutions, *best);
     if (!solutions) return start;
-    return {start.number,     start.chart,           start.constants,
-            std::move(*best), std::move(*solutions), start.evidence};
+    return {start.number, start.chart, start.constants, std::move(*best), std::move(*solutions)};
 }
 
 } // namespace plprove

@@ -15,8 +15,6 @@ std::string_view name(Completeness completeness) {
     switch (completeness) {
     case Completeness::certified:
         return "certified";
-    case Completeness::evidence:
-        return "evidence";
     case Completeness::unknown:
         return "unknown";
     }
@@ -74,10 +72,7 @@ Answer Solver::solve(const SeenImages& images, const std::vector<Eigen::Vector3d
     answer.degree = degree();
     answer.found = static_cast<int>(found.cameras.size());
     answer.lost = found.lost;
-    if (found.lost == 0 && certified_degree_)
-        answer.complete = Completeness::certified;
-    else if (found.lost == 0 && cameras_->start().evidence)
-        answer.complete = Completeness::evidence;
+    if (found.lost == 0 && certified_degree_) answer.complete = Completeness::certified;
     for (const QuaternionCameras& cameras : found.cameras) {
         const std::vector<ComplexPose> poses = poses_of(cameras);
         answer.zeros.push_back(standard_chart().point(cameras));

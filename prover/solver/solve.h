@@ -10,9 +10,8 @@ namespace plprove {
 /// On what grounds the solutions found are all: the number of solutions for generic images bounds
 /// those for any.
 enum class Completeness {
-    certified, ///< as many as the degree, which is certified on file (certs/degrees.csv) ...
-    evidence,  ///< ... or by evidence
-    unknown    ///< fewer, or nothing is known
+    certified, ///< as many as the degree, which is certified (certs/degrees.csv)
+    unknown    ///< fewer
 };
 
 std::string_view name(Completeness completeness);

@@ -1,7 +1,7 @@
 #include "prover/solver/start.h"
 
-#include "prover/degree/completeness.h"
-#include "prover/degree/monodromy.h"
+#include "prover/catalogue/degrees.h"
+#include "prover/degree/camera_loops.h"
 #include "prover/solver/placement.h"
 #include "prover/system/atomic_file.h"
 #include "prover/system/exit.h"
@@ -17,22 +17,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With these random numbers; the evidence is missing where something seems to be missing.
-Start attempt_start(const CameraSystem& system, std::size_t number, std::uint64_t seed,
+/// With these random numbers.
+Start attempt_start(const CameraSystem& system, std::size_t number, int degree, std::uint64_t seed,
                     std::uint64_t attempt) {
-    constexpr double suspicious =
-        1e-6; // no certificate will find out that something is no solution
-    const std::uint64_t stream = number + (attempt << 32U);
-    Monodromy monodromy(system, seed, stream, suspicious);
-    Random random(seed, ~stream);
-    std::vector<std::string> notes;
-    const auto evidence = complete(system, monodromy, first_edges, 0, random, notes);
-    return {number,
-            monodromy.chart(),
-            monodromy.constants(),
-            monodromy.images(),
-            monodromy.solutions().points(),
-            evidence};
+    constexpr int most_edges = 10;
+    // No certificate will find out that something is no solution.
+    constexpr double suspicious = 1e-6;
+    auto monodromy =
+        camera_monodromy(CameraLoops(system, seed, number + (attempt << 32U), suspicious));
+    monodromy.reach(degree, most_edges);
+    const CameraLoops& loops = monodromy.loops();
+    return {number, loops.chart(), loops.constants(), loops.images(),
+            monodromy.solutions().points()};
+}
+
+int degree_of(std::size_t number) {
+    const std::vector<Signature>& classes = label_classes();
+    return degree_on_file(class_number(classes, constraint_representative(classes[number])))
+        .value();
 }
 
 } // namespace
@@ -40,10 +42,11 @@ Start attempt_start(const CameraSystem& system, std::size_t number, std::uint64_
 Start find_start(std::size_t number, std::uint64_t seed) {
     constexpr std::uint64_t most_attempts = 3;
     const CameraSystem system = camera_system(label_classes()[number]);
-    Start best = attempt_start(system, number, seed, 0);
-    for (std::uint64_t attempt = 1; attempt < most_attempts && !best.evidence; ++attempt) {
-        Start again = attempt_start(system, number, seed, attempt);
-        if (again.evidence) best = std::move(again);
+    const int degree = degree_of(number);
+    Start best = attempt_start(system, number, degree, seed, 0);
+    for (std::uint64_t attempt = 1; attempt < most_attempts && best.degree() != degree; ++attempt) {
+        Start again = attempt_start(system, number, degree, seed, attempt);
+        if (again.degree() == degree) best = std::move(again);
     }
     return well_placed(std::move(best), seed);
 }

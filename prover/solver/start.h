@@ -1,10 +1,10 @@
 // The start of a label class: images with all solutions, from which paths lead to other images.
 #pragma once
 
-#include "prover/degree/degree.h"
 #include "prover/degree/images.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace plprove {
@@ -15,14 +15,13 @@ struct Start {
     std::vector<Complex3> constants; ///< of the auxiliary lines and points
     Images images;
     std::vector<CameraPoint> solutions;
-    std::optional<CompletenessEvidence> evidence; ///< that no solution is missing
 
     int degree() const { return static_cast<int>(solutions.size()); }
 };
 
-/// Random complex images of the class with all solutions, by monodromy, from which paths to images
-/// of scenes are short. The same start for the same number and seed on any machine. Assumes that
-/// the class is minimal.
+/// Random complex images of the class with all solutions that monodromy reaches, from which paths
+/// to images of scenes are short. The same start for the same number and seed on any machine.
+/// Assumes that the class is minimal.
 Start find_start(std::size_t number, std::uint64_t seed);
 
 /// The start as a file: JSON with a digest. The same bytes for the same start.

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format_of_starts = 1;
+constexpr int format_of_starts = 2;
 
 Json numbers(const Complex& z) {
     return {z.real(), z.imag()};
@@ -47,25 +47,10 @@ void read(const Json& json, std::vector<T>& list) {
         read(element, list.emplace_back());
 }
 
-Json evidence_of(const Start& start) {
-    if (!start.evidence) return nullptr;
-    Json result{{"edges", start.evidence->edges}, {"trace", nullptr}};
-    if (start.evidence->trace_exponent) result["trace"] = *start.evidence->trace_exponent;
-    return result;
-}
-
-std::optional<CompletenessEvidence> read_evidence(const Json& json) {
-    if (json.is_null()) return std::nullopt;
-    CompletenessEvidence evidence{json.at("edges").get<int>(), std::nullopt};
-    if (!json.at("trace").is_null()) evidence.trace_exponent = json.at("trace").get<int>();
-    return evidence;
-}
-
 /// Everything but the digest.
 Json content(const Start& start) {
     return {{"pointline start", format_of_starts},
             {"class", start.number},
-            {"evidence", evidence_of(start)},
             {"rotation chart", numbers(start.chart.rotation)},
             {"centre chart", numbers(start.chart.centre)},
             {"constants", numbers(start.constants)},
@@ -80,7 +65,6 @@ std::string digest_of(const Json& content) {
 Start start_of(const Json& json) {
     Start start;
     start.number = json.at("class").get<std::size_t>();
-    start.evidence = read_evidence(json.at("evidence"));
     read(json.at("rotation chart"), start.chart.rotation);
     read(json.at("centre chart"), start.chart.centre);
     read(json.at("constants"), start.constants);

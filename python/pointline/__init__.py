@@ -37,7 +37,7 @@ class Answer:
     conditions: np.ndarray  #: (n,): 0 unless asked for
     degree: int  #: how many complex solutions generic images have, as far as is known
     found: int  #: how many were found
-    complete: str  #: why these are all: "certified", "evidence", or "unknown"
+    complete: str  #: why these are all: "certified" or "unknown"
     moved: float  #: pixels that something was moved at most to make lines meet their points
 
     def __len__(self):

@@ -32,7 +32,6 @@ DegreeCertificate certificate_of(const DegreeRun& run, std::uint64_t seed) {
     std::mt19937_64 random(run.number + (seed << 32U));
     DegreeCertificate certificate;
     certificate.number = run.number;
-    certificate.evidence = run.evidence;
     for (const Feature& feature : problem_of(label_classes()[run.number]))
         certificate.images.push_back(image_of(feature, random));
     for (int left = run.degree; left > 0;) {
@@ -72,7 +71,7 @@ DegreeRun compute(std::size_t number, const DegreeOptions& options) {
     if (falls_short(number))
         run.notes = {"the fake engine is tired", "and \xFF not even UTF-8"};
     else if (!stopped)
-        run.evidence = {5, -11};
+        run.all = true;
     if (falls_short(number)) run.degree = 1;
     run.tracks = 10 * number;
     run.retried = number % 3;

@@ -15,7 +15,6 @@ using namespace plprove;
 TEST_CASE("a certificate is written as FORMAT.md has it") {
     DegreeCertificate certificate;
     certificate.number = 6722;
-    certificate.evidence = {6, -9};
     const Feature bent = parse_feature("Pa/P/a");
     certificate.images = {
         {bent,
@@ -27,13 +26,11 @@ TEST_CASE("a certificate is written as FORMAT.md has it") {
     certificate.solutions = {{true, 10, {1, -2, 3}}, {false, 0, {0, 5}}};
     CHECK(write_degree_file(std::span(&certificate, 1)) ==
           "plcert 2 degrees\n"
-          "degree 6722 evidence complete edges 6 trace -9\n"
+          "degree 6722 evidence none\n"
           "image Pa/P/a view point 1 2 3 toward 4 5 6 view point -7 8 9 view line 0 1 -1\n"
           "image -/P/P view point 1 1 1 view point 2 2 1\n"
           "real 10 1 -2 3\n"
           "pair 0 0 5\n");
-    certificate.evidence.reset();
-    CHECK(write_record(certificate).starts_with("degree 6722 evidence none\nimage "));
     CHECK(write_degree_file({}) == "plcert 2 degrees\n");
 }
 
@@ -42,8 +39,8 @@ TEST_CASE("what the sweep writes conforms to the grammar, line by line") {
     const std::string triple = "( " + integer + "){3}";
     const std::regex grammar("plcert 2 degrees|# run \\{.*\\} sha256 [0-9a-f]{64}"
                              "|degree " +
-                             integer + " evidence (none|complete edges " + integer +
-                             " trace -[1-9][0-9]?)"
+                             integer +
+                             " evidence none"
                              "|image [-Pa-z/]+( view( point" +
                              triple + "( toward" + triple + ")*|( line" + triple +
                              ")+))+|real [0-9]+( " + integer + "){11}|pair [0-9]+( " + integer +
@@ -82,21 +79,6 @@ TEST_CASE("a result is read back as it was written") {
     }
 }
 
-TEST_CASE("a result of version 1.2 is read, and written in the words of today") {
-    const std::size_t number = class_with([](std::size_t n) { return is_well(n); });
-    const std::string text = write(class_result(fake_engine::compute(number, {}), {}, 1));
-    const std::string without_digest = std::regex_replace(text, std::regex(" sha256 .*"), "");
-    const std::string old = std::regex_replace(
-        without_digest, std::regex("\"certificate\":([0-9])"), "\"certified\":$1");
-    REQUIRE(old != without_digest);
-    for (const bool whole : {false, true}) {
-        std::istringstream file(old);
-        CHECK(parse_class_result(file, whole));
-    }
-    std::istringstream file(old);
-    CHECK(write(*parse_class_result(file, true)) == text);
-}
-
 TEST_CASE("a damaged result is no result") {
     const TemporaryFolder folder;
     const std::size_t number =
@@ -108,7 +90,7 @@ TEST_CASE("a damaged result is no result") {
     };
     CHECK(reads(text));
     const std::string rest = text.substr(text.find('\n'));
-    CHECK(reads("plcert 1 degrees" + rest)); // of version 1.0
+    CHECK(!reads("plcert 1 degrees" + rest));
     CHECK(!reads("plcert 3 degrees" + rest));
     CHECK(!reads(""));
     CHECK(!reads("plcert 2 degrees\n"));
@@ -143,15 +125,4 @@ TEST_CASE("a long list of notes is cut so that the line stays short") {
     CHECK(line.size() <= 16000);
     CHECK(line.size() > 15000);
     CHECK(nlohmann::json::parse(line)["notes"].size() > 100);
-}
-
-TEST_CASE("a contradicted completeness is none") {
-    ClassResult result;
-    result.run.degree = 10;
-    result.run.evidence = {5, -9};
-    result.shown = 10;
-    CHECK(result.complete());
-    result.shown = 11;
-    CHECK(!result.complete());
-    CHECK(result.degree() == 11);
 }

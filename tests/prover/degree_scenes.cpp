@@ -264,7 +264,7 @@ TEST_CASE("certified cameras see the scene that they come from, in exact arithme
          {"2*P/P/P + a/P/Pa + 2*-/P/P + P/-/P", "3*P/P/P + a/a/a", "Pab/Pab/Pab + 2*Pa/a/Pa"}) {
         CAPTURE(notation);
         const std::size_t number = number_of(notation);
-        const DegreeRun result = compute_degree(number, {.target = 40});
+        const DegreeRun result = compute_degree(number, {.at_least = 40});
         REQUIRE(result.certificate);
         REQUIRE(result.certificate->degree() >= 40);
         const CameraSystem system = camera_system(label_classes()[number]);

@@ -1,7 +1,6 @@
 // The tracker against exact arithmetic and against itself, with more digits and on other
-// instruction sets; and the trace test, which must find what is missing.
-#include "prover/degree/trace_test.h"
-#include "prover/degree/tracking/multiple_doubles.h"
+// instruction sets.
+#include "prover/tracking/multiple_doubles.h"
 #include "tests/support/solved_class.h"
 
 #include <algorithm>
@@ -11,48 +10,19 @@
 
 using namespace plprove;
 
-TEST_CASE("the trace test finds a single missing solution") {
-    const Solved solved(number_of("2*P/P/P + a/P/Pa + 2*-/P/P + P/-/P"));
-    const auto residual = [&](std::span<const CameraPoint> solutions) {
-        Random random(3, 0);
-        return *trace_residual(solved.system, solved.monodromy.chart(),
-                               solved.monodromy.constants(), solved.monodromy.images(), solutions,
-                               random);
-    };
-    const std::vector<CameraPoint>& all = solved.monodromy.solutions().points();
-    CHECK(residual(all) < 1e-12);
-    for (const std::size_t missing : {std::size_t{0}, all.size() / 2, all.size() - 1}) {
-        std::vector<CameraPoint> part = all;
-        part.erase(part.begin() + static_cast<std::ptrdiff_t>(missing));
-        CHECK(residual(part) > 1e-5);
-    }
-}
-
-TEST_CASE("a trace test that cannot fail is none") {
-    // The image lines fix both rotations, and the points then the centres, by linear equations.
-    const Solved solved(number_of("Pabcdef/Pabcdef/Pabcdef + -/P/P + P/-/P"));
-    CHECK(solved.monodromy.solutions().size() == 64);
-    Random random(3, 0);
-    CHECK_FALSE(trace_residual(solved.system, solved.monodromy.chart(),
-                               solved.monodromy.constants(), solved.monodromy.images(),
-                               solved.monodromy.solutions().points(), random));
-}
-
 TEST_CASE("what doubles lose arrives with two or three times as many digits") {
     // Here many paths pass by cameras that are nearly degenerate.
-    const CameraSystem system = camera_system(label_classes()[257]);
-    Monodromy monodromy(system, 0, 257);
-    monodromy.run(3, 600);
+    const Solved solved(257, 600, 0);
+    const Images& from = solved.loops().images();
     Random random(13, 0);
-    const TrackedImages images = moving_images(
-        system, monodromy.constants(), monodromy.images(),
-        rephased(random_neighbour(monodromy.images(), random), Phases::near_one, random));
-    const std::vector<CameraPoint>& starts = monodromy.solutions().points();
-    PathFollower follower(tracked_system(system, monodromy.chart()));
-    const auto lost = [](const std::vector<CameraPoint>& from, const PathFollower::Ends& ends) {
+    const TrackedImages images =
+        solved.moving(from, rephased(random_neighbour(from, random), Phases::near_one, random));
+    const std::vector<CameraPoint>& starts = solved.solutions();
+    PathFollower follower(solved.tracked());
+    const auto lost = [](const std::vector<CameraPoint>& of, const PathFollower::Ends& ends) {
         std::vector<CameraPoint> result;
-        for (std::size_t i = 0; i < from.size(); ++i)
-            if (!ends[i]) result.push_back(from[i]);
+        for (std::size_t i = 0; i < of.size(); ++i)
+            if (!ends[i]) result.push_back(of[i]);
         return result;
     };
     const auto quickly = lost(starts, follower.follow_quickly(images, starts));
@@ -118,14 +88,12 @@ TEST_CASE("sums of two and three doubles have 30 and 45 digits at least") {
 
 TEST_CASE("every instruction set tracks the same paths to the same bits, with any precision") {
     const Solved solved(number_of("3*P/P/P + a/a/a"));
-    const Monodromy& monodromy = solved.monodromy;
+    const Images& from = solved.loops().images();
     Random random(4, 0);
-    const Images to =
-        rephased(random_neighbour(monodromy.images(), random), Phases::near_one, random);
-    const TrackedSystem system = tracked_system(solved.system, monodromy.chart());
-    const TrackedImages images =
-        moving_images(solved.system, monodromy.constants(), monodromy.images(), to);
-    std::vector<CameraPoint> starts = monodromy.solutions().points();
+    const Images to = rephased(random_neighbour(from, random), Phases::near_one, random);
+    const TrackedSystem system = solved.tracked();
+    const TrackedImages images = solved.moving(from, to);
+    std::vector<CameraPoint> starts = solved.solutions();
     starts.resize(21); // no multiple of a number of lanes
     const auto ends = [&](TrackFunction* track) {
         std::vector<CameraPoint> result(starts.size());
@@ -137,28 +105,23 @@ TEST_CASE("every instruction set tracks the same paths to the same bits, with an
     const std::vector<CameraPoint> expected = ends(portable::track);
     const std::vector<CameraPoint> expected_double_double = ends(portable::track_double_double);
     const std::vector<CameraPoint> expected_triple_double = ends(portable::track_triple_double);
-    const TracePencil pencil{
-        0, images, moving_images(solved.system, monodromy.constants(), to, to),
-        moving_images(solved.system, monodromy.constants(), monodromy.images(), to)};
-    const auto bends = [&](TraceFunction* trace) {
-        std::vector<TraceTerm> terms(starts.size());
-        trace(system, &pencil, 1, starts.size(), starts.data(), terms.data());
-        std::vector<Complex> result;
-        for (const TraceTerm& term : terms)
-            result.push_back(term.quadratic);
+    const TrackedImages at_rest = solved.moving(from, from), others = solved.moving(to, to);
+    const auto values = [&](RefinedValuesFunction* refined_values) {
+        std::vector<Complex> result(starts.size() * camera_dimension);
+        refined_values(system, at_rest, others, starts.size(), starts.data(), result.data());
         return result;
     };
-    const std::vector<Complex> expected_bends = bends(portable::trace_terms);
+    const std::vector<Complex> expected_values = values(portable::refined_values);
     CHECK(ends(fastest_tracker()) == expected);
     CHECK(ends(fastest_double_double_tracker()) == expected_double_double);
     CHECK(ends(fastest_triple_double_tracker()) == expected_triple_double);
-    CHECK(bends(fastest_trace()) == expected_bends);
+    CHECK(values(fastest_refined_values()) == expected_values);
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
         CHECK(ends(avx2::track) == expected);
         CHECK(ends(avx2::track_double_double) == expected_double_double);
         CHECK(ends(avx2::track_triple_double) == expected_triple_double);
-        CHECK(bends(avx2::trace_terms) == expected_bends);
+        CHECK(values(avx2::refined_values) == expected_values);
     }
 #endif
 }

@@ -3,8 +3,8 @@
 // No function of the standard library is used here: see lanes.h.
 #pragma once
 
-#include "prover/degree/tracking/numbers.h"
 #include "prover/degree/tracking/tracker.h"
+#include "prover/tracking/numbers.h"
 
 namespace plprove::PLC_LANES {
 
@@ -18,46 +18,45 @@ struct Equations {
 };
 
 /// The cameras at a point of the chart.
-template <class R>
 struct MovingCameras {
-    Complexes<R> quaternion[3][4];
-    Complexes<R> rotation[3][3][3];
-    Vectors<R> centre[3];
+    Number quaternion[3][4];
+    Number rotation[3][3][3];
+    Vector centre[3];
 
-    MovingCameras(const TrackedSystem& system, const Complexes<R>* point) {
-        const Complexes<R> zero{R::of(0), R::of(0)}, one{R::of(1), R::of(0)};
+    MovingCameras(const TrackedSystem& system, const Number* point) {
+        const Number zero{Real::of(0), Real::of(0)}, one{Real::of(1), Real::of(0)};
         for (int v = 1; v < 3; ++v) {
-            Complexes<R>* q = quaternion[v];
+            Number* q = quaternion[v];
             q[0] = one;
             for (int k = 0; k < 3; ++k) {
                 q[k + 1] = point[3 * (v - 1) + k];
-                q[0] = subtract(q[0], constant<R>(system.rotation[v - 1][k]), q[k + 1]);
+                q[0] = subtract(q[0], constant(system.rotation[v - 1][k]), q[k + 1]);
             }
             rotate(q, rotation[v]);
         }
         centre[0] = {{zero, zero, zero}};
         centre[1].x[0] = one;
         for (int k = 0; k < 5; ++k) {
-            centre[1].x[0] = subtract(centre[1].x[0], constant<R>(system.centre[k]), point[6 + k]);
+            centre[1].x[0] = subtract(centre[1].x[0], constant(system.centre[k]), point[6 + k]);
             centre[1 + (k + 1) / 3].x[(k + 1) % 3] = point[6 + k];
         }
     }
 
     /// R^T x in the given view.
-    Vectors<R> back(int view, const Vectors<R>& x) const {
+    Vector back(int view, const Vector& x) const {
         if (view == 0) return x;
-        const Complexes<R>(*r)[3] = rotation[view];
-        Vectors<R> result;
+        const Number(*r)[3] = rotation[view];
+        Vector result;
         for (int k = 0; k < 3; ++k)
             result.x[k] = add(add(r[0][k] * x.x[0], r[1][k], x.x[1]), r[2][k], x.x[2]);
         return result;
     }
 
 private:
-    static void rotate(const Complexes<R>* q, Complexes<R> (*r)[3]) {
-        const Complexes<R> aa = q[0] * q[0], bb = q[1] * q[1], cc = q[2] * q[2], dd = q[3] * q[3];
-        const Complexes<R> ab = q[0] * q[1], ac = q[0] * q[2], ad = q[0] * q[3];
-        const Complexes<R> bc = q[1] * q[2], bd = q[1] * q[3], cd = q[2] * q[3];
+    static void rotate(const Number* q, Number (*r)[3]) {
+        const Number aa = q[0] * q[0], bb = q[1] * q[1], cc = q[2] * q[2], dd = q[3] * q[3];
+        const Number ab = q[0] * q[1], ac = q[0] * q[2], ad = q[0] * q[3];
+        const Number bc = q[1] * q[2], bd = q[1] * q[3], cd = q[2] * q[3];
         r[0][0] = (aa + bb) - (cc + dd);
         r[1][1] = (aa + cc) - (bb + dd);
         r[2][2] = (aa + dd) - (bb + cc);
@@ -68,12 +67,11 @@ private:
 };
 
 /// An image vector at a time.
-template <class R>
-Vectors<R> image_vector(const TrackedImages& images, int index, R time) {
-    Vectors<R> x;
+Vector image_vector(const TrackedImages& images, int index, Real time) {
+    Vector x;
     for (int k = 0; k < 3; ++k) {
         const double(*c)[2] = images.coefficient[index][k];
-        const auto c0 = constant<R>(c[0]), c1 = constant<R>(c[1]), c2 = constant<R>(c[2]);
+        const auto c0 = constant(c[0]), c1 = constant(c[1]), c2 = constant(c[2]);
         x.x[k] = {fma(time, fma(time, c2.re, c1.re), c0.re),
                   fma(time, fma(time, c2.im, c1.im), c0.im)};
     }
@@ -117,7 +115,7 @@ private:
             Vector speed;
             for (int k = 0; k < 3; ++k) {
                 const double(*c)[2] = images_.coefficient[index][k];
-                const Number c1 = constant<Real>(c[1]), c2 = constant<Real>(c[2]);
+                const Number c1 = constant(c[1]), c2 = constant(c[2]);
                 speed.x[k] = {fma(time, c2.re + c2.re, c1.re), fma(time, c2.im + c2.im, c1.im)};
             }
             speed_[index] = cameras_.back(view, speed);
@@ -142,14 +140,14 @@ private:
         const Vector imaginary = cross({{y[1], y[2], y[3]}}, g);
         for (int k = 0; k < 3; ++k)
             row[3 * (view - 1) + k] = subtract(add(imaginary.x[k], y[0], g.x[k]),
-                                               constant<Real>(system_.rotation[view - 1][k]), real);
+                                               constant(system_.rotation[view - 1][k]), real);
     }
 
     /// Columns of the centres, from the gradients by the second and third centre.
     void translate(const Vector& g2, const Vector& g3, Number* row) const {
         const Number g[5] = {g2.x[1], g2.x[2], g3.x[0], g3.x[1], g3.x[2]};
         for (int k = 0; k < 5; ++k)
-            row[6 + k] = subtract(g[k], constant<Real>(system_.centre[k]), g2.x[0]);
+            row[6 + k] = subtract(g[k], constant(system_.centre[k]), g2.x[0]);
     }
 
     void clear(Number* row) const {
@@ -226,7 +224,7 @@ private:
 
     const TrackedSystem& system_;
     const TrackedImages& images_;
-    MovingCameras<Real> cameras_;
+    MovingCameras cameras_;
     Vector direction_[max_vectors];
     Vector speed_[max_vectors];
     Number product_[max_vectors][4];

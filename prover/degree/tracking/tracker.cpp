@@ -6,20 +6,20 @@ namespace {
 
 struct Trackers {
     TrackFunction *doubles, *double_double, *triple_double;
-    TraceFunction* trace;
+    RefinedValuesFunction* refined_values;
 };
 
 Trackers fastest() {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx512f"))
         return {avx512::track, avx512::track_double_double, avx512::track_triple_double,
-                avx512::trace_terms};
+                avx512::refined_values};
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
         return {avx2::track, avx2::track_double_double, avx2::track_triple_double,
-                avx2::trace_terms};
+                avx2::refined_values};
 #endif
     return {portable::track, portable::track_double_double, portable::track_triple_double,
-            portable::trace_terms};
+            portable::refined_values};
 }
 
 } // namespace
@@ -36,8 +36,8 @@ TrackFunction* fastest_triple_double_tracker() {
     return fastest().triple_double;
 }
 
-TraceFunction* fastest_trace() {
-    return fastest().trace;
+RefinedValuesFunction* fastest_refined_values() {
+    return fastest().refined_values;
 }
 
 } // namespace plprove

@@ -1,3 +1,3 @@
 // Four paths at a time, with twice as many digits; compiled with the flags of AVX2 and FMA
 // (CMakeLists.txt).
-#include "prover/degree/tracking/trace_kernel.h"
+#include "prover/degree/tracking/refined_values_kernel.h"

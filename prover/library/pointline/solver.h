@@ -75,12 +75,12 @@ struct Solution {
     double condition = 0;
 };
 
-enum class Complete { certified, evidence, unknown };
+enum class Complete { certified, unknown };
 
 struct Answer {
     int degree = 0; ///< how many complex solutions generic images have, as far as is known
     int found = 0;  ///< how many were found
-    /// Why these are all: as many as the degree, which is certified or known by evidence.
+    /// Why these are all: as many as the degree, which is certified.
     Complete complete = Complete::unknown;
     double moved = 0; ///< pixels that a point or line was moved at most to make lines meet points
     std::vector<Solution> solutions; ///< the real ones, those with most points in front first

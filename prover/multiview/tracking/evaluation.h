@@ -1,10 +1,10 @@
 // The camera equations at a point and a time, with their derivatives.
 //
-// No function of the standard library is used here: see prover/degree/tracking/lanes.h.
+// No function of the standard library is used here: see prover/tracking/lanes.h.
 #pragma once
 
-#include "prover/degree/tracking/step_control.h"
 #include "prover/multiview/tracking/tracked_way.h"
+#include "prover/tracking/step_control.h"
 
 namespace plprove::multiview::PLC_LANES {
 
@@ -53,12 +53,12 @@ inline void evaluate(const TrackedPlace& place, const Number* point, Real time, 
 /// The numbers of a camera at a point of its chart.
 inline void evaluate(const TrackedCamera& camera, const Number* point, Number* numbers) {
     for (int i = 0; i < most_camera_numbers; ++i)
-        numbers[i] = constant<Real>(camera.origin[i]);
+        numbers[i] = constant(camera.origin[i]);
     for (int i = 0; i < camera.basis_entries; ++i) {
         const TrackedBasisEntry& entry = camera.basis[i];
         Number& number = numbers[entry.number];
-        number = add(number, constant<Real>(entry.factor),
-                     point[camera.first_coordinate + entry.coordinate]);
+        number =
+            add(number, constant(entry.factor), point[camera.first_coordinate + entry.coordinate]);
     }
 }
 
@@ -155,7 +155,7 @@ void set_row(const TrackedWay& way, const TrackedCamera& camera, const Number* n
     for (int i = 0; i < camera.basis_entries; ++i) {
         const TrackedBasisEntry& entry = camera.basis[i];
         row[entry.coordinate] =
-            add(row[entry.coordinate], constant<Real>(entry.factor), terms.by_number[entry.number]);
+            add(row[entry.coordinate], constant(entry.factor), terms.by_number[entry.number]);
     }
     for (int k = 0; k < tracked.depths; ++k)
         row[camera.coordinates + tracked.unknowns[k]] =

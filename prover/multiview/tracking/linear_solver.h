@@ -1,7 +1,7 @@
 // Newton steps. The equations of a view have the coordinates of its own camera and the depths. So
 // the coordinates are eliminated view by view, and what is left are equations of the depths.
 //
-// No function of the standard library is used here: see prover/degree/tracking/lanes.h.
+// No function of the standard library is used here: see prover/tracking/lanes.h.
 #pragma once
 
 #include "prover/multiview/tracking/evaluation.h"

@@ -1,7 +1,7 @@
 // The camera equations of images on a straight way, in plain arrays for the inner loops.
 #pragma once
 
-#include "prover/degree/tracking/track_settings.h"
+#include "prover/tracking/track_settings.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -79,10 +79,10 @@ int rows_size(const TrackedWay& way);
 std::size_t workspace_size(const TrackedWay& way);
 
 /// Follows each start, `way.unknowns` complex numbers, to t = 1; starts and ends are arrays of
-/// `count` points. `arrived[i]` is 1, or 0 where the path got lost.
-using TrackFunction = void(const TrackedWay& way, const TrackSettings& settings, std::size_t count,
-                           const double* starts, double* ends, std::uint8_t* arrived,
-                           LaneNumber* workspace);
+/// `count` points, outcomes as well.
+using TrackFunction = TrackCost(const TrackedWay& way, const TrackSettings& settings,
+                                std::size_t count, const double* starts, double* ends,
+                                TrackOutcome* outcomes, LaneNumber* workspace);
 
 namespace avx512 {
 TrackFunction track;

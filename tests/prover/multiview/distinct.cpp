@@ -2,8 +2,8 @@
 #include "prover/multiview/distinct.h"
 
 #include "prover/general/notation.h"
+#include "prover/monodromy/solution_set.h"
 #include "prover/multiview/monodromy.h"
-#include "prover/multiview/solution_set.h"
 
 #include <doctest/doctest.h>
 
@@ -30,7 +30,7 @@ Point moved(const Point& point, double distance) {
 TEST_CASE("approximations that Newton's method brings together are of one solution") {
     const MonodromyResult& found = five_points();
     std::vector<Point> points = found.points;
-    SolutionSet apart;
+    SolutionSet<Point> apart(1e-7);
     for (const Point& point : found.points) {
         points.push_back(moved(point, 5e-7));
         apart.add(point);

@@ -98,7 +98,7 @@ TEST_CASE("every instruction set follows the same paths to the same bits") {
                 starts.push_back(x.imag());
             }
         std::vector<std::vector<double>> ends;
-        std::vector<std::vector<std::uint8_t>> outcomes;
+        std::vector<std::vector<TrackOutcome>> outcomes;
         for (TrackFunction* track : trackers) {
             std::vector<LaneNumber> workspace(workspace_size(way.tracked()));
             ends.emplace_back(2 * unknowns * 11);
@@ -110,8 +110,8 @@ TEST_CASE("every instruction set follows the same paths to the same bits") {
             CHECK(ends[i] == ends[0]);
             CHECK(outcomes[i] == outcomes[0]);
         }
-        CHECK(outcomes[0][0] == 1);
-        CHECK(outcomes[0][9] == 1);
+        CHECK(outcomes[0][0] == TrackOutcome::arrived);
+        CHECK(outcomes[0][9] == TrackOutcome::arrived);
     }
 }
 

@@ -2,7 +2,7 @@
 // same cameras; and these satisfy the equations that templates are made of.
 #include "prover/solver/extension.h"
 
-#include "prover/degree/solution_set.h"
+#include "prover/monodromy/solution_set.h"
 #include "prover/problem/notation.h"
 #include "prover/solver/camera_solver.h"
 #include "prover/solver/plan.h"
@@ -38,7 +38,7 @@ std::vector<Eigen::Vector3d> images_of(const SolvePlan& how, const CameraSystem&
 
 /// Whether each camera of one is among the other's.
 bool contains(const FoundCameras& all, const FoundCameras& some) {
-    SolutionSet set(1e-8);
+    SolutionSet<CameraPoint> set(1e-8);
     for (const QuaternionCameras& cameras : all.cameras)
         set.add(standard_chart().point(cameras));
     for (const QuaternionCameras& cameras : some.cameras)

@@ -39,14 +39,12 @@ private:
 TEST_CASE("a start is read back as it was, and the same seed gives the same start") {
     const Start start = find_start(17, 3);
     CHECK(start.degree() == 64);
-    REQUIRE(start.evidence);
     const std::string text = write_start(start);
     const Start again = read_start(text, "17.start");
     CHECK(again.number == 17);
     CHECK(again.solutions == start.solutions);
     CHECK(again.images == start.images);
     CHECK(again.constants == start.constants);
-    CHECK(again.evidence->edges == start.evidence->edges);
     CHECK(write_start(again) == text);
     CHECK(write_start(find_start(17, 3)) == text);
     CHECK(write_start(find_start(17, 4)) != text);

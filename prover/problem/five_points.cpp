@@ -1,4 +1,6 @@
-#include "prover/degree/five_points.h"
+#include "prover/problem/five_points.h"
+
+#include "prover/problem/signature.h"
 
 namespace plprove {
 

@@ -3,8 +3,8 @@
 // No function of the standard library is used here: see lanes.h.
 #pragma once
 
-#include "prover/degree/tracking/numbers.h"
-#include "prover/degree/tracking/track_settings.h"
+#include "prover/tracking/numbers.h"
+#include "prover/tracking/track_settings.h"
 
 namespace plprove::PLC_LANES {
 

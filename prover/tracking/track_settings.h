@@ -1,5 +1,7 @@
-// How a path tracker takes its steps, whatever the equations are.
+// How a path tracker takes its steps, and what comes of a path, whatever the equations are.
 #pragma once
+
+#include <cstdint>
 
 namespace plprove {
 
@@ -13,6 +15,13 @@ struct TrackSettings {
     double largest_step = 0.25;
     double smallest_step = 1e-9; ///< a path that wants a smaller one is lost
     int most_steps = 600;        ///< attempted; a path that needs more is lost
+};
+
+enum class TrackOutcome : std::uint8_t { arrived, stuck, endless };
+
+/// What tracking a list of paths cost.
+struct TrackCost {
+    std::uint64_t steps = 0; ///< attempted; each evaluates the equations and their Jacobian twice
 };
 
 } // namespace plprove

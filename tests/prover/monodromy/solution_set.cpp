@@ -1,23 +1,24 @@
 // Solutions are told apart, by either measure of nearness.
-#include "prover/multiview/solution_set.h"
+#include "prover/monodromy/solution_set.h"
 
+#include <array>
 #include <doctest/doctest.h>
 
-using namespace plprove::multiview;
+using namespace plprove;
 
 namespace {
 
+using Point = std::array<std::complex<double>, 2>;
+
 Point point(double large, double small) {
-    Point result(2);
-    result << large, small;
-    return result;
+    return {large, small};
 }
 
 } // namespace
 
 TEST_CASE("a solution is found again after small errors, by either measure") {
     for (const Nearness nearness : {Nearness::of_points, Nearness::of_coordinates}) {
-        SolutionSet set(nearness);
+        SolutionSet<Point> set(1e-7, nearness);
         for (int i = 0; i < 50; ++i)
             CHECK(set.add(point(std::pow(-3.0, i % 7), i)) == i);
         CHECK(set.size() == 50);
@@ -30,8 +31,8 @@ TEST_CASE("a solution is found again after small errors, by either measure") {
 }
 
 TEST_CASE("solutions that share a large coordinate are different, coordinate by coordinate") {
-    SolutionSet points, coordinates(Nearness::of_coordinates);
-    for (SolutionSet* set : {&points, &coordinates})
+    SolutionSet<Point> points(1e-7), coordinates(1e-7, Nearness::of_coordinates);
+    for (SolutionSet<Point>* set : {&points, &coordinates})
         set->add(point(1e8, 1));
     CHECK(points.find(point(1e8, 4)) == 0);
     CHECK(!coordinates.find(point(1e8, 4)));

@@ -2,7 +2,7 @@
 // sums of the lanes of lanes.h, whose operations are exact or correctly rounded.
 #pragma once
 
-#include "prover/degree/tracking/lanes.h"
+#include "prover/tracking/lanes.h"
 
 namespace plprove::PLC_LANES {
 
