@@ -168,8 +168,26 @@ void replace_if(Range&& range, Predicate predicate, const Value& new_value) {
 }
 
 template <class Range>
-void next_permutation(Range&& range) {
-    std::next_permutation(std::begin(range), std::end(range));
+auto next_permutation(Range&& range) {
+    struct Result {
+        bool found;
+    };
+    return Result{std::next_permutation(std::begin(range), std::end(range))};
+}
+
+template <class Range, class Value>
+void replace(Range&& range, const Value& old_value, const Value& new_value) {
+    std::replace(std::begin(range), std::end(range), old_value, new_value);
+}
+
+template <class A, class B>
+bool equal(A&& a, B&& b) {
+    return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b));
+}
+
+template <class A, class B>
+void swap_ranges(A&& a, B&& b) {
+    std::swap_ranges(std::begin(a), std::end(a), std::begin(b));
 }
 
 template <class Range>
