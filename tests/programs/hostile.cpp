@@ -385,14 +385,11 @@ TEST_CASE("what takes long is refused soon, even if nothing in it is flawed") {
     refused_bytes(templates, 1, "");
 }
 
-TEST_CASE("many small files, and lists of a million digests, stay within the memory") {
+TEST_CASE("many small files stay within the memory") {
     const TemporaryFolder folder;
     write_file(folder / "bounds.plc", "plcert 2 bounds\nmodulus 2305843009213693951\n");
     std::string files;
     for (int i = 0; i < 60; ++i)
         files += ' ' + (folder / "bounds.plc").string();
     refused(plcheck + files, 1, "bounds.plc:0: refused: it has no record");
-    refused_pipe("yes " + std::string(64, '0') + "'  a' | head -n 980000", 1,
-                 "/dev/stdin:0: refused: it lists none of the files given");
-    refused_pipe("yes " + std::string(64, '0') + "'  a'", 2, "/dev/stdin:0: ");
 }
