@@ -15,16 +15,15 @@
 #include <unistd.h>
 
 using namespace checker;
-static constexpr std::string_view help = R"(usage: plcheck [OPTION]... [--] FILE...
+static constexpr std::string_view help = R"(Usage: plcheck [OPTION]... [--] FILE...
 
-    plcheck classification.plc         derive every count of the classification from certificates
-    plcheck problem.plc                replay the verdict on one problem
-    plcheck certs/plmp.plc             replay the verdicts on a family of problems, and count them
-    plcheck degrees.plc                certify that classes have at least so many solutions
-    plcheck certs/solutions/plmp.plc   the same, of problems in general
-    plcheck --table classification.plc derive the degree of each minimal class by theorem, too
-    plcheck classification.plc degrees.plc
-                                       compare the solutions in a file with the theorem
+    plcheck classification.plc               every count of the classification, from certificates
+    plcheck --table classification.plc       the degree of each minimal class by theorem, too
+    plcheck classification.plc degrees.plc   compare the solutions in a file with the theorem
+    plcheck problem.plc                      replay the verdict on one problem
+    plcheck certs/plmp.plc                   replay the verdicts on a family, and count them
+    plcheck degrees.plc                      certify that classes have at least so many solutions
+    plcheck certs/solutions/plmp.plc         the same, of problems in general
 
 What do you expect? Status 0 then says that the files prove just that:
     --expect PROBLEM     a problem like '2*Pa/Pa/Pa + P/P/P' or 'projective: 7*P/P'; add one of the
@@ -170,8 +169,8 @@ int main(int count, char** values) try {
     const std::span arguments(values, static_cast<std::size_t>(count));
     const Options options = parse_options(arguments.subspan(1));
     const Classification classes = classify();
-    const Report report = summarize(classes, replay_all(classes, options), options.expectation,
-                                    options.table);
+    const Report report =
+        summarize(classes, replay_all(classes, options), options.expectation, options.table);
     std::cerr << objections(report);
     return write(rest_of(report, options), report.status);
 } catch (const WrongUsage& usage) {

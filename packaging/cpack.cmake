@@ -33,9 +33,7 @@ include(CPack)
 set(package_documents ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_PACKAGE_NAME})
 configure_file(changelog.in changelog @ONLY)
 add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz
-  COMMAND ${GZIP} -9 -n -k -f changelog
+  COMMAND ${GZIP} -9 -n -c changelog > ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz
   DEPENDS ${CMAKE_CURRENT_BINARY_DIR}/changelog)
-add_custom_target(package_changelog ALL DEPENDS ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz)
-add_dependencies(help_pages package_changelog)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz DESTINATION ${package_documents})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${package_documents} RENAME copyright)

