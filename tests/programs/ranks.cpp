@@ -9,11 +9,10 @@
 #include <cstdlib>
 #include <doctest/doctest.h>
 #include <map>
-#include <random>
 #include <regex>
-#include <sstream>
-#include <sys/wait.h>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace {
 
@@ -47,23 +46,6 @@ std::string shell(const std::string& program, const Arguments& arguments) {
 
 std::string by_ranks(int ranks) {
     return std::string(MPIRUN) + " -n " + std::to_string(ranks) + " " + PLPROVE_FAKE_ENGINE;
-}
-
-pid_t start_ranks(int ranks, const Arguments& arguments, const char* milliseconds) {
-    Arguments all{"-n", std::to_string(ranks), PLPROVE_FAKE_ENGINE};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return start_program(MPIRUN, "/", all,
-                         [&] { ::setenv("PLC_FAKE_ENGINE_MS", milliseconds, 1); });
-}
-
-/// The processes that this one has started.
-std::vector<pid_t> children_of(pid_t process) {
-    const std::string id = std::to_string(process);
-    std::istringstream list(read_file("/proc/" + id + "/task/" + id + "/children"));
-    std::vector<pid_t> children;
-    for (pid_t child = 0; list >> child;)
-        children.push_back(child);
-    return children;
 }
 
 /// The finished classes of a sweep, by their paths in it. What a run took is left out, and so is
@@ -109,37 +91,6 @@ struct SweepByOne {
     }
 };
 
-/// How many classes are finished; quick.
-std::size_t count_finished(const fs::path& folder) {
-    std::size_t count = 0;
-    if (!fs::exists(folder / "seed-0")) return count;
-    for (const auto& entry : fs::recursive_directory_iterator(folder / "seed-0"))
-        count += entry.path().extension() == ".plc";
-    return count;
-}
-
-/// Waits until so many classes are finished, or 10 seconds.
-void wait_until_finished(std::size_t count, const fs::path& folder) {
-    for (int i = 0; i < 1000 && count_finished(folder) < count; ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-}
-
-/// Starts a sweep, and kills one of its ranks some time after it has finished another class.
-/// Returns whether there was one to kill; then the sweep has failed.
-bool sweep_until_killed(int ranks, const fs::path& sweep, std::mt19937& random) {
-    const std::size_t before = count_finished(sweep);
-    const pid_t mpirun = start_ranks(ranks, sweep_of(sweep), "40");
-    wait_until_finished(before + 1, sweep);
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 250));
-    const std::vector<pid_t> processes = children_of(mpirun);
-    const bool killed =
-        !processes.empty() && ::kill(processes[random() % processes.size()], SIGKILL) == 0;
-    const int status = wait_for(mpirun);
-    CHECK(WIFEXITED(status));
-    if (killed) CHECK(WEXITSTATUS(status) != 0);
-    return killed;
-}
-
 } // namespace
 
 TEST_CASE("two and four ranks write the bytes of one process, and one of them speaks") {
@@ -162,25 +113,26 @@ TEST_CASE("two and four ranks write the bytes of one process, and one of them sp
 
 TEST_CASE("a sweep that loses a rank goes on with the same command and loses nothing") {
     const SweepByOne one;
-    std::mt19937 random(5);
-    int kills = 0;
-    for (const int ranks : {2, 4}) {
-        const fs::path sweep = one.folder / std::to_string(ranks);
-        std::map<std::string, std::string> files;
-        while (sweep_until_killed(ranks, sweep, random)) {
-            ++kills;
-            const auto now = finished(sweep);
-            CHECK(now.size() > files.size());
-            CHECK(std::ranges::includes(now, files));
-            files = now;
-            if (files.size() == finished(one.path).size()) break;
+    for (const int ranks : {2, 4})
+        for (const char* lost : {"0", "1"}) {
+            CAPTURE(ranks);
+            CAPTURE(lost);
+            const fs::path sweep = one.folder / (std::to_string(ranks) + "-" + lost);
+            std::map<std::string, std::string> files;
+            for (const char* last : {"1", "3", "2"}) { // the class with which the rank is lost
+                const std::string killed =
+                    "PLC_FAKE_ENGINE_STOP=" + std::string(last) +
+                    " PLC_FAKE_ENGINE_SIGNAL=9 PLC_FAKE_ENGINE_RANK=" + lost +
+                    " PLC_FAKE_ENGINE_MS=20 ";
+                CHECK(run(killed + shell(by_ranks(ranks), sweep_of(sweep, {"--threads", "1"})))
+                          .status != 0);
+                const auto now = finished(sweep);
+                CHECK(std::ranges::includes(now, files));
+                files = now;
+            }
+            CHECK(run(shell(by_ranks(ranks), sweep_of(sweep))).status == 1);
+            one.check_same(sweep);
         }
-        const Outcome last = run(shell(by_ranks(ranks), sweep_of(sweep)));
-        CHECK(last.status == 1);
-        one.check_same(sweep);
-    }
-    CHECK(kills >= 3);
-    MESSAGE(kills << " kills");
 }
 
 TEST_CASE("one process ends what ranks have begun, and ranks what one process has") {
@@ -197,25 +149,22 @@ TEST_CASE("one process ends what ranks have begun, and ranks what one process ha
     CHECK(contains(again.out, "computed      0 classes in 0 s; 37 were on file\n"));
 }
 
-TEST_CASE("ranks that get SIGTERM end, rank 0 says so, and the same command goes on") {
+TEST_CASE("a rank that gets SIGTERM ends the others, rank 0 says so, and the sweep goes on") {
     const SweepByOne one;
     const fs::path sweep = one.folder / "sweep", err = one.folder / "err";
     // mpirun may not pass on what ranks say while they end: each has a file.
-    const std::string rank = "PLC_FAKE_ENGINE_MS=150 exec " +
-                             shell(PLPROVE_FAKE_ENGINE, sweep_of(sweep)) + " 2>" + err.string() +
-                             "$OMPI_COMM_WORLD_RANK";
-    const pid_t mpirun = start_program(MPIRUN, "/", {"-n", "2", "/bin/sh", "-c", rank});
-    wait_until_finished(4, sweep);
-    for (const pid_t process : children_of(mpirun)) // as a batch system does at the limit of time
-        ::kill(process, SIGTERM);
-    wait_for(mpirun);
+    const std::string rank = "PLC_FAKE_ENGINE_STOP=4 PLC_FAKE_ENGINE_SIGNAL=15 "
+                             "PLC_FAKE_ENGINE_RANK=0 exec " +
+                             shell(PLPROVE_FAKE_ENGINE, sweep_of(sweep, {"--threads", "1"})) +
+                             " 2>" + err.string() + "$OMPI_COMM_WORLD_RANK";
+    write_file(one.folder / "rank", rank);
+    CHECK(run(std::string(MPIRUN) + " -n 2 /bin/sh " + (one.folder / "rank").string()).status != 0);
     const std::string message = read_file(err.string() + "0");
     CHECK(message.starts_with("plprove: interrupted: "));
     CHECK(contains(message, "goes on from there\n"));
     CHECK(read_file(err.string() + "1").empty());
-    const std::size_t on_file = count_finished(sweep);
-    CHECK(on_file >= 4);
-    CHECK(on_file < 37);
+    const std::size_t on_file = finished(sweep).size();
+    CHECK(on_file >= 3);
     const Outcome rest = run(shell(by_ranks(2), sweep_of(sweep)));
     CHECK(contains(rest.out, "; " + std::to_string(on_file) + " were on file\n"));
     one.check_same(sweep);
@@ -225,11 +174,15 @@ TEST_CASE("a sweep goes on after mpirun got Ctrl-C or SIGTERM") {
     const SweepByOne one;
     for (const int signal : {SIGINT, SIGTERM}) {
         const fs::path sweep = one.folder / std::to_string(signal);
-        const pid_t mpirun = start_ranks(3, sweep_of(sweep), "150");
-        wait_until_finished(4, sweep);
+        Arguments ranks{"-n", "3", PLPROVE_FAKE_ENGINE};
+        std::ranges::copy(sweep_of(sweep, {"--threads", "1"}), std::back_inserter(ranks));
+        const pid_t mpirun =
+            start_program(MPIRUN, "/", ranks, [] { ::setenv("PLC_FAKE_ENGINE_STOP", "3", 1); });
+        for (int i = 0; i < 60'000 && finished(sweep).size() < 4; ++i) // no rank ends by itself
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
         ::kill(mpirun, signal);
         wait_for(mpirun);
-        const std::size_t on_file = count_finished(sweep);
+        const std::size_t on_file = finished(sweep).size();
         CHECK(on_file >= 4);
         const Outcome rest = run(shell(by_ranks(3), sweep_of(sweep)));
         CHECK(contains(rest.out, "; " + std::to_string(on_file) + " were on file\n"));

@@ -2,7 +2,7 @@
 // that are altered in one place, each refused for that.
 #include "tests/checker/bounds/templates.h"
 
-#include <chrono>
+#include <ctime>
 #include <regex>
 
 using namespace checker;
@@ -148,9 +148,9 @@ basis 455
 rows 1 1
 minor 1
 )";
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock(); // of the processor: other work does not count
     const BoundsFile file = std::get<BoundsFile>(replayed(many));
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+    CHECK(std::clock() - start < 20 * CLOCKS_PER_SEC);
     CHECK(file.refusals.count == 200);
     CHECK(file.refusals.first.size() == Refusals::most_reported);
     CHECK(contains(file.refusals.first[0].reason, "is of too large a degree for the basis"));
