@@ -3,7 +3,7 @@
 #include "prover/catalogue/degrees.h"
 #include "prover/cli/arguments.h"
 #include "prover/cli/degree_report.h"
-#include "prover/cli/multiview_degree.h"
+#include "prover/cli/many_views_degree.h"
 #include "prover/cli/two_view_report.h"
 #include "prover/degree_sweep/write.h"
 #include "prover/general/notation.h"
@@ -39,8 +39,8 @@ constexpr const char* degree_examples =
     "                                               at most so many, as plcheck will find\n";
 
 /// Two powers, such as `2,1`. Throws CLI::ValidationError.
-multiview::Powers powers_of(const std::string& text) {
-    multiview::Powers powers;
+many_views::Powers powers_of(const std::string& text) {
+    many_views::Powers powers;
     std::istringstream stream(text);
     char comma = 0;
     const bool reads = stream >> powers.cubics >> comma >> powers.linear && stream.peek() == EOF;
@@ -68,7 +68,7 @@ struct DegreeRequest {
     std::string spec;
     std::string path;
     DegreeOptions options;
-    std::optional<multiview::Powers> powers; // of an upper bound, if one is asked for
+    std::optional<many_views::Powers> powers; // of an upper bound, if one is asked for
     bool json = false;
 };
 
@@ -94,10 +94,10 @@ int find_degree_in_general(const DegreeRequest& request, const general::Problem&
     if (request.powers)
         return propose_upper_bound(problem, *request.powers, request.options.seed, request.path,
                                    deliver);
-    return find_multiview_degree(problem,
-                                 {request.options.seed, request.options.target,
-                                  request.options.at_least, request.path, request.json},
-                                 deliver);
+    return find_many_views_degree(problem,
+                                  {request.options.seed, request.options.target,
+                                   request.options.at_least, request.path, request.json},
+                                  deliver);
 }
 
 int find_degree(const DegreeRequest& request, const Deliver& deliver,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "prover/classification/decision.h"
-#include "prover/degree/degree.h"
+#include "prover/three_views/degree.h"
 
 #include <string>
 

@@ -4,7 +4,7 @@
 #include "prover/cli/sections.h"
 #include "prover/general/notation.h"
 #include "prover/general/spec.h"
-#include "prover/multiview/degrees_on_file.h"
+#include "prover/many_views/degrees_on_file.h"
 #include "prover/problem/spec.h"
 
 #include <nlohmann/json.hpp>
@@ -43,7 +43,7 @@ std::optional<Known> known_degree(const general::Certificate& certificate) {
         if (const auto degree = degree_of(decide(parse_spec(notation))))
             return Known{*degree, true, "certified", *degree};
     }
-    const auto found = multiview::degree_on_file(notation);
+    const auto found = many_views::degree_on_file(notation);
     if (!found) return std::nullopt;
     return Known{found->degree, found->bound == "exact", std::string(found->status),
                  found->certified};
@@ -70,13 +70,13 @@ std::string csv_line(const general::Certificate& certificate) {
 }
 
 /// What is on file: `at least 17`.
-std::string in_words(const multiview::DegreeOnFile& degree) {
+std::string in_words(const many_views::DegreeOnFile& degree) {
     return (degree.bound == "exact" ? "" : "at least ") + std::to_string(degree.degree);
 }
 
 void write_degree(std::ostream& out, const std::string& notation) {
     section(out, "degree");
-    const auto degree = multiview::degree_on_file(notation);
+    const auto degree = many_views::degree_on_file(notation);
     if (!degree) {
         out << "none on file\n";
         return;
@@ -115,7 +115,7 @@ std::string json_report(const general::Certificate& certificate) {
         {"verdict", general::verdict(certificate)},
         {"minimal", general::is_minimal(certificate)},
         {"reason", general::explanation(certificate)}};
-    const auto degree = multiview::degree_on_file(general::notation(problem));
+    const auto degree = many_views::degree_on_file(general::notation(problem));
     if (degree)
         report["degree"] = {{"value", degree->degree},
                             {"bound", degree->bound},

@@ -3,7 +3,7 @@
 #include "prover/cli/solve_report.h"
 #include "prover/degree_sweep/write.h"
 #include "prover/general/notation.h"
-#include "prover/multiview/certificate.h"
+#include "prover/many_views/certificate.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/certificate.h"
 #include "prover/solver/images_file.h"
@@ -68,17 +68,17 @@ Answer solve_and_certify_two_views(const SolveRequest& request, const Solver& so
                                    const ConsistentImages& consistent, const Deliver& deliver,
                                    SolveReport& report) {
     Answer answer = solver.solve(rounded(report.images, consistent), request.options);
-    std::vector<multiview::QuaternionCamera> cameras;
+    std::vector<many_views::QuaternionCamera> cameras;
     for (const Solution& solution : answer.solutions) {
         const auto& [R, t] = solution.cameras[1];
         cameras.push_back({quaternion(R), {t[0], t[1], t[2]}});
     }
     const FivePointImages images = five_point_images(solver.plan(), consistent);
-    const multiview::SolutionsRecord record =
-        multiview::certify(general::parse("5*P/P"), images.views, FivePointImages::digits, cameras);
+    const many_views::SolutionsRecord record = many_views::certify(
+        general::parse("5*P/P"), images.views, FivePointImages::digits, cameras);
     if (record.solutions.empty()) throw std::runtime_error(nothing_to_certify);
     report.certificate = {request.certificate, record.count(), images.exact, images.moved};
-    deliver(request.certificate, multiview::write_solutions(std::span(&record, 1)));
+    deliver(request.certificate, many_views::write_solutions(std::span(&record, 1)));
     return answer;
 }
 

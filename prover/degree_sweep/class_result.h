@@ -8,7 +8,7 @@
 //     ...
 #pragma once
 
-#include "prover/degree/degree.h"
+#include "prover/three_views/degree.h"
 
 #include <algorithm>
 #include <compare>

@@ -1,7 +1,7 @@
 // Certificates of degrees as text: certs/FORMAT.md, section 9.
 #pragma once
 
-#include "prover/degree/degree.h"
+#include "prover/three_views/degree.h"
 
 #include <span>
 #include <string>

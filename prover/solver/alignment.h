@@ -5,7 +5,7 @@
 // are nearest to the start: they take about 40 % fewer steps.
 #pragma once
 
-#include "prover/degree/images.h"
+#include "prover/three_views/images.h"
 
 #include <Eigen/Core>
 

@@ -1,9 +1,9 @@
 #include "prover/solver/camera_solver.h"
 
-#include "prover/degree/scene.h"
 #include "prover/monodromy/solution_set.h"
 #include "prover/solver/alignment.h"
 #include "prover/solver/in_parts.h"
+#include "prover/three_views/scene.h"
 
 #include <atomic>
 #include <cmath>

@@ -3,9 +3,9 @@
 // solutions of a start to those of the given images.
 #pragma once
 
-#include "prover/degree/path_follower.h"
 #include "prover/solver/extension.h"
 #include "prover/solver/start.h"
+#include "prover/three_views/path_follower.h"
 
 #include <Eigen/Core>
 

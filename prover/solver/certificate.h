@@ -1,11 +1,11 @@
 // Certificates that given images have the solutions found (certs/FORMAT.md, section 9).
 #pragma once
 
-#include "prover/degree/degree.h"
-#include "prover/degree/integer_images.h"
 #include "prover/solver/images.h"
 #include "prover/solver/plan.h"
 #include "prover/solver/start.h"
+#include "prover/three_views/degree.h"
+#include "prover/three_views/integer_images.h"
 
 namespace plprove {
 

@@ -1,6 +1,6 @@
 #include "prover/solver/condition.h"
 
-#include "prover/degree/images.h"
+#include "prover/three_views/images.h"
 
 #include <Eigen/Dense>
 #include <functional>

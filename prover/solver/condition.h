@@ -1,8 +1,8 @@
 // How much the cameras of a solution depend on the images.
 #pragma once
 
-#include "prover/degree/camera_system.h"
 #include "prover/solver/solution.h"
+#include "prover/three_views/camera_system.h"
 
 namespace plprove {
 

@@ -1,8 +1,8 @@
 // Vectors of rationals as integers, for certificates of given images.
 #pragma once
 
-#include "prover/degree/integer_vectors.h"
 #include "prover/solver/images.h"
+#include "prover/three_views/integer_vectors.h"
 
 #include <optional>
 

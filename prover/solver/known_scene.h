@@ -3,9 +3,9 @@
 #pragma once
 
 #include "prover/bounds/registration.h"
-#include "prover/degree/camera_system.h"
 #include "prover/solver/bilinear.h"
 #include "prover/solver/solution.h"
+#include "prover/three_views/camera_system.h"
 
 #include <array>
 #include <vector>

@@ -1,10 +1,10 @@
 #include "prover/solver/placement.h"
 
-#include "prover/degree/path_follower.h"
 #include "prover/monodromy/solution_set.h"
 #include "prover/solver/alignment.h"
 #include "prover/solver/plan.h"
 #include "prover/solver/synthetic.h"
+#include "prover/three_views/path_follower.h"
 
 #include <algorithm>
 

@@ -5,9 +5,9 @@
 // views it is the five-point problem.
 #pragma once
 
-#include "prover/degree/camera_system.h"
 #include "prover/problem/notation.h"
 #include "prover/solver/observation.h"
+#include "prover/three_views/camera_system.h"
 
 #include <array>
 #include <optional>

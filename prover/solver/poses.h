@@ -1,8 +1,8 @@
 // From the unknowns of the camera equations to cameras.
 #pragma once
 
-#include "prover/degree/camera_system.h"
 #include "prover/solver/solution.h"
+#include "prover/three_views/camera_system.h"
 
 namespace plprove {
 

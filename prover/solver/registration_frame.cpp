@@ -1,6 +1,6 @@
 #include "prover/solver/registration_frame.h"
 
-#include "prover/degree/random.h"
+#include "prover/three_views/random.h"
 
 namespace plprove {
 

@@ -1,8 +1,8 @@
 #include "prover/solver/registration_template.h"
 
-#include "prover/degree/random.h"
 #include "prover/solver/registration_equations.h"
 #include "prover/solver/rotation.h"
+#include "prover/three_views/random.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

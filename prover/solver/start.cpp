@@ -1,10 +1,10 @@
 #include "prover/solver/start.h"
 
 #include "prover/catalogue/degrees.h"
-#include "prover/degree/camera_loops.h"
 #include "prover/solver/placement.h"
 #include "prover/system/atomic_file.h"
 #include "prover/system/exit.h"
+#include "prover/three_views/camera_loops.h"
 
 #include <cstdlib>
 #include <fstream>

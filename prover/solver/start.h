@@ -1,7 +1,7 @@
 // The start of a label class: images with all solutions, from which paths lead to other images.
 #pragma once
 
-#include "prover/degree/images.h"
+#include "prover/three_views/images.h"
 
 #include <filesystem>
 #include <optional>

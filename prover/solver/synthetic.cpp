@@ -1,6 +1,6 @@
 #include "prover/solver/synthetic.h"
 
-#include "prover/degree/random.h"
+#include "prover/three_views/random.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -2,9 +2,9 @@
 // this machine, with one lane, and with two and three times as many digits, and proving solutions
 // in the checker.
 #include "checker/replay.h"
-#include "prover/degree/camera_loops.h"
-#include "prover/degree/degree.h"
 #include "prover/degree_sweep/write.h"
+#include "prover/three_views/camera_loops.h"
+#include "prover/three_views/degree.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

@@ -8,9 +8,9 @@
 // random directions, which have none. Prints one line for each kind, and how long the engine of
 // `plprove degree` takes to follow as many paths, and how many it loses.
 #include "prover/solver/solve.h"
-#include "prover/degree/path_follower.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/synthetic.h"
+#include "prover/three_views/path_follower.h"
 
 #include <algorithm>
 #include <chrono>

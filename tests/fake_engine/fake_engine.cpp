@@ -1,6 +1,6 @@
 #include "tests/fake_engine/fake_engine.h"
 
-#include "prover/degree/integer_vectors.h"
+#include "prover/three_views/integer_vectors.h"
 
 #include <random>
 #include <stdexcept>

@@ -2,7 +2,7 @@
 // of its certificate is well-formed, always the same, and not true.
 #pragma once
 
-#include "prover/degree/degree.h"
+#include "prover/three_views/degree.h"
 
 namespace fake_engine {
 

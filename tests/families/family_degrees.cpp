@@ -7,7 +7,7 @@
 // out; so are those with more than MOST solutions, which it names on stderr.
 #include "prover/general/certificate.h"
 #include "prover/general/notation.h"
-#include "prover/multiview/monodromy.h"
+#include "prover/many_views/monodromy.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -36,7 +36,7 @@ std::set<std::string> problems_in(const char* file) {
 /// A line of the table: exact if two seeds give the same number, else the smaller one, as a run may
 /// count a solution twice. Nothing if there are more solutions.
 std::string line_of(const std::string& family, const general::Problem& problem, int most) {
-    multiview::MonodromySettings settings;
+    many_views::MonodromySettings settings;
     settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     settings.most_solutions = most;
     const auto first = run_monodromy(problem, 1, settings);

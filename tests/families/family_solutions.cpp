@@ -6,8 +6,8 @@
 // Prints the file of all problems with at most MOST solutions, or of these problems. Says on stderr
 // how many solutions it finds of each; the status is 1 if they are too few of some.
 #include "prover/general/notation.h"
-#include "prover/multiview/certificate.h"
-#include "prover/multiview/degrees_on_file.h"
+#include "prover/many_views/certificate.h"
+#include "prover/many_views/degrees_on_file.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,17 +25,17 @@ int ways_for(int degree, std::uint64_t seed) {
 }
 
 /// The record with the most solutions that a few seeds find.
-multiview::SolutionsRecord best_record(const multiview::DegreeOnFile& known) {
+many_views::SolutionsRecord best_record(const many_views::DegreeOnFile& known) {
     constexpr std::uint64_t most_seeds = 8;
     const general::Problem problem = general::parse(std::string(known.problem));
-    multiview::MonodromySettings settings;
+    many_views::MonodromySettings settings;
     settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    multiview::SolutionsRecord best{problem, {}, {}};
+    many_views::SolutionsRecord best{problem, {}, {}};
     for (std::uint64_t seed = 1; seed <= most_seeds && best.count() < known.degree; ++seed) {
         settings.edges = settings.edges_of_few = ways_for(known.degree, seed);
-        const auto found = multiview::run_monodromy(problem, seed, settings);
+        const auto found = many_views::run_monodromy(problem, seed, settings);
         const int wanted = static_cast<int>(std::ssize(found.points));
-        const auto record = multiview::certify(found, wanted, seed, settings.threads);
+        const auto record = many_views::certify(found, wanted, seed, settings.threads);
         if (record.count() > best.count()) best = record;
     }
     return best;
@@ -51,10 +51,10 @@ int main(int argc, char** argv) {
     const std::string_view family = argv[1];
     const int most = std::atoi(argv[2]);
     const std::vector<std::string_view> only(argv + 3, argv + argc);
-    std::vector<multiview::SolutionsRecord> records;
+    std::vector<many_views::SolutionsRecord> records;
     bool complete = true;
-    for (const std::string_view line : multiview::family_degree_lines()) {
-        const multiview::DegreeOnFile known = multiview::parse_family_degree(line);
+    for (const std::string_view line : many_views::family_degree_lines()) {
+        const many_views::DegreeOnFile known = many_views::parse_family_degree(line);
         const bool wanted = only.empty() || std::ranges::find(only, known.problem) != only.end();
         if (known.family != family || known.degree > most || !wanted) continue;
         records.push_back(best_record(known));
@@ -62,6 +62,6 @@ int main(int argc, char** argv) {
         std::cerr << known.problem << ": " << count << " of " << known.degree << '\n';
         complete = complete && count >= known.degree;
     }
-    std::cout << multiview::write_solutions(records);
+    std::cout << many_views::write_solutions(records);
     return complete ? 0 : 1;
 }

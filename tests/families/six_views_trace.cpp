@@ -1,4 +1,4 @@
-// The trace test of 1021_1, the problem in six views (prover/multiview/pencil_trace.h): whether
+// The trace test of 1021_1, the problem in six views (prover/many_views/pencil_trace.h): whether
 // monodromy has found all solutions. Takes some twenty minutes of two cores.
 //
 // Usage: six_views_trace [SEED] [WAYS] [MOST]
@@ -7,8 +7,8 @@
 // moves. The status is 0 if no path is lost and the sum is linear, a thousand times as exactly as
 // a missing solution would let it.
 #include "prover/general/notation.h"
-#include "prover/multiview/monodromy.h"
-#include "prover/multiview/pencil_trace.h"
+#include "prover/many_views/monodromy.h"
+#include "prover/many_views/pencil_trace.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,7 +20,7 @@ using namespace plprove;
 int main(int argc, char** argv) {
     const auto argument = [&](int i, int value) { return argc > i ? std::atoi(argv[i]) : value; };
     const auto seed = static_cast<std::uint64_t>(argument(1, 3));
-    multiview::MonodromySettings settings;
+    many_views::MonodromySettings settings;
     settings.edges = argument(2, 4);
     settings.most_solutions = argument(3, settings.most_solutions);
     settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
     std::cout << found.points.size() << " solutions, " << found.edges << " of " << found.ways
               << " ways agree\n"
               << std::flush;
-    const multiview::PencilTrace trace =
+    const many_views::PencilTrace trace =
         trace_in_pencil(found.system, found.images, found.points, seed, settings.threads);
     std::cout << trace.lost << " lost as the image moves\n"
               << "slope of the sum: " << trace.slope << '\n'

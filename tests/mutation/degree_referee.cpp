@@ -1,7 +1,7 @@
 #include "tests/mutation/degree_referee.h"
 
 #include "prover/classification/obstruction.h"
-#include "prover/degree/scene.h"
+#include "prover/three_views/scene.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "prover/catalogue/degrees.h"
-#include "prover/degree/camera_loops.h"
 #include "prover/problem/spec.h"
+#include "prover/three_views/camera_loops.h"
 
 namespace plprove {
 

@@ -2,8 +2,8 @@
 // forms of three rotations lie on a quartic hypersurface, over the integers; and what determines
 // the rotations of a form.
 #include "checker/degrees/evaluation.h"
-#include "prover/degree/degree.h"
 #include "prover/geometry/camera.h"
+#include "prover/three_views/degree.h"
 
 #include <doctest/doctest.h>
 #include <gmpxx.h>

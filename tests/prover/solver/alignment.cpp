@@ -1,8 +1,8 @@
 // Turning images towards the start: nearer than before, and turned back exactly.
 #include "prover/solver/alignment.h"
 
-#include "prover/degree/random.h"
 #include "prover/problem/signature.h"
+#include "prover/three_views/random.h"
 
 #include <Eigen/Geometry>
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 // Moving lines to the points that they miss: the nearest star is a minimum.
 #include "prover/solver/consistency.h"
 
-#include "prover/degree/random.h"
+#include "prover/three_views/random.h"
 
 #include <Eigen/Dense>
 #include <doctest/doctest.h>

@@ -1,10 +1,10 @@
 // Starts as files: read back as they were, and refused when damaged.
 #include "prover/solver/start.h"
 
-#include "prover/degree/path_follower.h"
-#include "prover/degree/scene.h"
 #include "prover/solver/placement.h"
 #include "prover/system/exit.h"
+#include "prover/three_views/path_follower.h"
+#include "prover/three_views/scene.h"
 #include "tests/support/program.h"
 
 #include <cstdlib>

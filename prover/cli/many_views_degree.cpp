@@ -1,0 +1,134 @@
+#include "prover/cli/many_views_degree.h"
+
+#include "prover/cli/sections.h"
+#include "prover/general/certificate.h"
+#include "prover/general/notation.h"
+#include "prover/many_views/certificate.h"
+#include "prover/system/exit.h"
+#include "prover/system/progress.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+namespace plprove {
+
+namespace {
+
+void require_minimal(const general::Problem& problem) {
+    const general::Certificate certificate = general::certify(problem);
+    if (general::is_minimal(certificate)) return;
+    throw BadInput("only minimal problems have a degree, and " + general::notation(problem) +
+                   " is none: " + general::explanation(certificate));
+}
+
+void require_complete_visibility(const general::Problem& problem) {
+    const general::ViewSet all = general::all_views(problem.views);
+    const bool complete =
+        std::ranges::all_of(problem.points, [&](general::ViewSet seen) { return seen == all; }) &&
+        std::ranges::all_of(problem.lines,
+                            [&](const general::Line& line) { return line.seen == all; });
+    if (complete) return;
+    throw BadInput("some view misses a point or a line of " + general::notation(problem) +
+                   ", and such degrees are computed only for at most three calibrated views and "
+                   "one point on a line: let all views see everything");
+}
+
+int all_threads() {
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+many_views::MonodromyResult computed(const general::Problem& problem,
+                                     const ManyViewsDegreeRequest& request) {
+    ProgressLine line("finding solutions", 0);
+    many_views::MonodromySettings settings;
+    settings.threads = all_threads();
+    if (request.at_least > 0) {
+        constexpr int ways_that_find_all = 3; // usually
+        settings.edges = ways_that_find_all;
+        settings.most_solutions = request.at_least;
+    }
+    settings.report = [&](int known, int edges) {
+        line.show(static_cast<std::size_t>(known), " so far, " + std::to_string(edges) + " ways");
+    };
+    return many_views::run_monodromy(problem, request.seed, settings);
+}
+
+many_views::SolutionsRecord record_of(const many_views::MonodromyResult& found,
+                                      const ManyViewsDegreeRequest& request) {
+    const int all = static_cast<int>(std::ssize(found.points));
+    const int wanted = request.at_least > 0 ? request.at_least : all;
+    return many_views::certify(found, wanted, request.seed, all_threads());
+}
+
+/// The `certified` last is how many solutions the certificate shows; 0 if there is none.
+std::string json_report(const general::Problem& problem, const many_views::MonodromyResult& found,
+                        int certified) {
+    const nlohmann::ordered_json report = {{"problem", general::notation(problem)},
+                                           {"name", general::name(problem)},
+                                           {"solutions", found.solutions},
+                                           {"complete", found.complete() ? "evidence" : "unknown"},
+                                           {"ways", found.ways},
+                                           {"ways_that_agree", found.edges},
+                                           {"certificate", certified},
+                                           {"paths", found.paths},
+                                           {"lost", found.lost}};
+    return report.dump(2) + '\n';
+}
+
+std::string text_report(const general::Problem& problem, const many_views::MonodromyResult& found,
+                        int certified) {
+    std::ostringstream out;
+    section(out, "problem") << general::notation(problem) << '\n';
+    section(out, "degree") << (found.complete() ? "" : "at least ") << found.solutions
+                           << " by evidence\n";
+    section(out, "evidence") << found.edges << " of " << found.ways
+                             << " ways take the solutions of some images one to one to those of "
+                                "others\n";
+    section(out, "paths") << found.paths << ", " << found.lost << " lost\n";
+    section(out, "certificate");
+    if (certified > 0)
+        out << "of at least " << certified << " solutions: certified once plcheck accepts it\n";
+    else
+        out << "none: -o FILE writes one\n";
+    return out.str();
+}
+
+} // namespace
+
+int propose_upper_bound(const general::Problem& problem, const many_views::Powers& powers,
+                        std::uint64_t seed, const std::string& path, const Deliver& deliver) {
+    require_minimal(problem);
+    require_complete_visibility(problem);
+    if (problem.model == general::CameraModel::calibrated)
+        throw BadInput("--at-most is for projective cameras: write `projective:` in front of the "
+                       "problem");
+    const auto record = many_views::propose_upper_bound(problem, powers, seed);
+    deliver(path.empty() ? "-" : path, many_views::write_upper_bounds(std::span(&record, 1)));
+    return 0;
+}
+
+int find_many_views_degree(const general::Problem& problem, const ManyViewsDegreeRequest& request,
+                           const Deliver& deliver) {
+    require_minimal(problem);
+    require_complete_visibility(problem);
+    const many_views::MonodromyResult found = computed(problem, request);
+    int certified = 0;
+    if (!request.path.empty()) {
+        const auto record = record_of(found, request);
+        certified = record.count();
+        if (certified == 0)
+            throw std::runtime_error("the run found no certificate: try another --seed");
+        if (certified < request.at_least)
+            throw std::runtime_error("the run found a certificate of only " +
+                                     std::to_string(certified) + " solutions: try another --seed");
+        deliver(request.path, many_views::write_solutions(std::span(&record, 1)));
+    }
+    if (request.path != "-")
+        deliver("-", request.json ? json_report(problem, found, certified)
+                                  : text_report(problem, found, certified));
+    return 0;
+}
+
+} // namespace plprove

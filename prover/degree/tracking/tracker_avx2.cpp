@@ -1,2 +1,0 @@
-// Four paths at a time; compiled with the flags of AVX2 and FMA (CMakeLists.txt).
-#include "prover/degree/tracking/tracker_kernel.h"

@@ -1,2 +1,0 @@
-// One path at a time, with twice as many digits, on any machine.
-#include "prover/degree/tracking/refined_values_kernel.h"

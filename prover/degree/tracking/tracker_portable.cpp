@@ -1,2 +1,0 @@
-// One path at a time, on any machine.
-#include "prover/degree/tracking/tracker_kernel.h"

@@ -1,4 +1,0 @@
-// Eight paths at a time, with three times as many digits; compiled with the flags of AVX-512
-// (CMakeLists.txt).
-#define PLC_TRIPLE_DOUBLE
-#include "prover/degree/tracking/tracker_kernel.h"

@@ -1,3 +1,0 @@
-// One path at a time, with three times as many digits, on any machine.
-#define PLC_TRIPLE_DOUBLE
-#include "prover/degree/tracking/tracker_kernel.h"

@@ -1,0 +1,66 @@
+// Cameras in coordinates: as many as there are parameters, in a random chart.
+#pragma once
+
+#include "prover/general/arrangement.h"
+#include "prover/three_views/random.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace plprove::many_views {
+
+/// [M | t], of a view but the first.
+using Camera = Eigen::Matrix<Complex, 3, 4>;
+
+/// A camera and its derivatives by its coordinates.
+struct CameraWithDerivatives {
+    Camera camera;
+    std::vector<Camera> by_coordinate;
+};
+
+/// Affine coordinates of the cameras 2, 3, ...: a calibrated one is [R | t], R the matrix (times
+/// its norm) of a quaternion in an affine space that misses 0; a projective one is in an affine
+/// space of matrices that misses 0. Of camera 2, t is in such a space, or the first row is
+/// 0 0 0 1: so motions and scalings of space leave no freedom.
+class CameraChart {
+public:
+    CameraChart(general::CameraModel model, int views, Random& random);
+
+    /// The one of certs/FORMAT.md, section 14: quaternions begin with 1, matrices too, and so does
+    /// t of camera 2, or its second row.
+    static CameraChart standard(general::CameraModel model, int views);
+
+    /// The numbers that make a camera, a quaternion and t, or the matrix row by row:
+    /// origin + basis · coordinates.
+    struct Chart {
+        Eigen::VectorXcd origin;
+        Eigen::MatrixXcd basis;
+    };
+
+    int views() const { return static_cast<int>(charts_.size()) + 1; }
+    const Chart& chart(std::size_t view) const { return charts_[view - 1]; }
+    /// The number of coordinates of the camera of a view (1, 2, ...), and of those before.
+    Eigen::Index coordinates(std::size_t view) const { return charts_[view - 1].basis.cols(); }
+    Eigen::Index offset(std::size_t view) const { return offsets_[view - 1]; }
+    /// Of all cameras.
+    Eigen::Index dimension() const { return offsets_.back(); }
+
+    Eigen::VectorXcd numbers(std::size_t view, const Eigen::VectorXcd& coordinates) const;
+
+    CameraWithDerivatives camera(std::size_t view, const Eigen::VectorXcd& coordinates) const;
+
+private:
+    explicit CameraChart(general::CameraModel model) : model_(model) {}
+
+    void add(Chart chart);
+
+    static Chart calibrated(bool second, Random& random);
+    static Chart projective(bool second, Random& random);
+
+    general::CameraModel model_;
+    std::vector<Chart> charts_;
+    std::vector<Eigen::Index> offsets_{0}; ///< and the sum of all
+};
+
+} // namespace plprove::many_views

@@ -1,0 +1,268 @@
+#include "prover/many_views/certificate.h"
+
+#include "prover/format/certificate_text.h"
+#include "prover/general/notation.h"
+#include "prover/many_views/integer_pictures.h"
+#include "prover/many_views/path.h"
+#include "prover/monodromy/solution_set.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace plprove::many_views {
+
+namespace {
+
+using Eigen::Index;
+
+/// Of a real solution, relative; tried, not believed.
+constexpr double small_imaginary_part = 1e-8;
+
+bool is_real(const Point& point) {
+    return has_near_coordinates(point, Point(point.conjugate()), 2 * small_imaginary_part);
+}
+
+/// The same cameras and places in the standard chart.
+Point in_standard_chart(const System& system, const Point& point) {
+    const bool calibrated = system.problem().model == general::CameraModel::calibrated;
+    Point result(point.size());
+    Complex depth_factor = 1; // of all translations: fixes the scale of space
+    for (std::size_t view = 1; view < static_cast<std::size_t>(system.chart().views()); ++view) {
+        const Index first = system.depths() + system.chart().offset(view);
+        const Index size = system.chart().coordinates(view);
+        Eigen::VectorXcd numbers = system.chart().numbers(view, point.segment(first, size));
+        if (calibrated) {
+            // The matrix is quadratic in the quaternion.
+            const Complex scale = 1.0 / numbers[0];
+            numbers.head<4>() *= scale;
+            if (view == 1) depth_factor = scale * scale * numbers[4];
+            numbers.tail<3>() *= scale * scale / depth_factor;
+            result.segment(first, 3) = numbers.segment(1, 3);
+            result.segment(first + 3, size - 3) = numbers.tail(size - 3);
+        } else if (view == 1) {
+            // The rows but the first are multiplied, and depths with them; not the last column.
+            depth_factor = 1.0 / numbers[4];
+            for (const Index row : {Index{4}, Index{8}})
+                numbers.segment(row, 3) *= depth_factor;
+            result.segment(first, size) = numbers.tail(size);
+        } else {
+            for (const Index last : {Index{3}, Index{7}, Index{11}})
+                numbers[last] /= depth_factor;
+            result.segment(first, size) = numbers.tail(size) / numbers[0];
+        }
+    }
+    result.head(system.depths()) = point.head(system.depths()) * depth_factor;
+    return result;
+}
+
+/// The equations at the integer images, in the standard chart. Their vectors are divided by the
+/// scale.
+class IntegerSystem {
+public:
+    IntegerSystem(const general::Problem& problem, const IntegerImages& integers, double scale)
+        : system_(problem, CameraChart::standard(problem.model, problem.views)), scale_(scale),
+          images_(scaled(problem, integers, scale)), still_(on_the_way(images_, images_, 0)) {}
+
+    const Images<Complex>& images() const { return images_; }
+
+    /// Where at most eight Newton steps lead, as the checker makes them; nothing where they do not
+    /// converge.
+    std::optional<Point> solve(Point point) {
+        constexpr int most_steps = 8;
+        constexpr double small_step = 1e-10, last_step = 1e-7;
+        double relative = 1;
+        for (int step = 0; step < most_steps && relative > small_step; ++step) {
+            system_.evaluate(still_, point, evaluation_);
+            const Point change = evaluation_.jacobian.partialPivLu().solve(evaluation_.values);
+            point -= change;
+            relative = (change.array().abs() / (1 + point.array().abs())).maxCoeff();
+        }
+        if (!point.allFinite() || !(relative < last_step)) return std::nullopt;
+        return point;
+    }
+
+    /// The coordinates in the order of the file, with depths for the integers themselves; and back.
+    Point written(const Point& point) const {
+        Point result(point.size());
+        const Index cameras = point.size() - system_.depths();
+        result << point.tail(cameras), point.head(system_.depths()) * scale_;
+        return result;
+    }
+    Point read(const Point& written) const {
+        Point result(written.size());
+        const Index cameras = written.size() - system_.depths();
+        result << written.tail(system_.depths()) / scale_, written.head(cameras);
+        return result;
+    }
+
+private:
+    System system_;
+    double scale_;
+    Images<Complex> images_;
+    Images<Moving> still_;
+    Evaluation evaluation_;
+};
+
+/// The coordinates as multiples of 2^-bits.
+Point rounded(const Point& point, int bits) {
+    return point.unaryExpr([&](const Complex& x) -> Complex {
+        return {std::ldexp(std::nearbyint(std::ldexp(x.real(), bits)), -bits),
+                std::ldexp(std::nearbyint(std::ldexp(x.imag(), bits)), -bits)};
+    });
+}
+
+bool has_few_digits(const Point& written, int bits) {
+    constexpr double limit = 1e18;
+    return std::ldexp(written.cwiseAbs().maxCoeff(), bits) < limit;
+}
+
+/// How many bits after the binary point are enough to find the point again; 0 if no number is.
+/// A single success may be luck, as the region that Newton's method converges from has a ragged
+/// edge: two coarser roundings must lead to the solution as well.
+int enough_bits(IntegerSystem& system, const Point& point) {
+    constexpr int wanted = 3;
+    constexpr double near = 1e-6;
+    const Point written = system.written(point);
+    int successes = 0;
+    for (const int bits : {3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44}) {
+        if (!has_few_digits(written, bits)) return 0;
+        const auto end = system.solve(system.read(rounded(written, bits)));
+        const bool good = end && has_near_coordinates(*end, point, near);
+        successes = good ? successes + 1 : 0;
+        if (successes == wanted) return bits;
+    }
+    return 0;
+}
+
+StartingValues starting_values(const Point& written, bool real, int bits) {
+    StartingValues result{real, bits, {}};
+    const auto put = [&](double x) { result.values.push_back(std::llrint(std::ldexp(x, bits))); };
+    for (const Complex& x : written) {
+        put(x.real());
+        if (!real) put(x.imag());
+    }
+    return result;
+}
+
+Eigen::Vector3cd vector(const Vector<Complex>& x) {
+    return {x[0], x[1], x[2]};
+}
+
+/// The point of the standard chart with this second camera. The depth d of a point is such that
+/// the camera sees it where the second view does: M x + d t = s y.
+Point second_camera_with_depths(const Images<Complex>& images, const QuaternionCamera& camera) {
+    const auto chart = CameraChart::standard(general::CameraModel::calibrated, 2);
+    const auto& [q, t] = camera;
+    Eigen::VectorXcd coordinates(5);
+    coordinates << q[1] / q[0], q[2] / q[0], q[3] / q[0], t[1] / t[0], t[2] / t[0];
+    const Camera matrix = chart.camera(1, coordinates).camera;
+    const std::size_t count = images[0].points.size();
+    Point point(static_cast<Index>(count) + coordinates.size());
+    for (std::size_t p = 0; p < count; ++p) {
+        Eigen::Matrix<Complex, 3, 2> factors; // of d and s
+        factors << matrix.col(3), -vector(images[1].points[p]);
+        const Eigen::Vector3cd turned = matrix.leftCols<3>() * vector(images[0].points[p]);
+        const Eigen::Vector2cd depths = factors.colPivHouseholderQr().solve(-turned);
+        point[static_cast<Index>(p)] = depths[0];
+    }
+    point.tail(coordinates.size()) = coordinates;
+    return point;
+}
+
+/// The solutions at the integer images, as they arrive there.
+class Arrivals {
+public:
+    explicit Arrivals(IntegerSystem& system) : system_(system) {}
+
+    /// Adds a solution, in the standard chart, if it is new; and its conjugate.
+    void add(const Point& approximation) {
+        auto point = system_.solve(approximation);
+        if (!point || seen_.find(*point)) return;
+        const bool real = is_real(*point);
+        if (real) point->imag().setZero();
+        seen_.add(*point);
+        if (!real) seen_.add(point->conjugate());
+        found_.push_back(*point);
+    }
+
+    /// How many there are, pairs counted twice.
+    int size() const { return seen_.size(); }
+
+    std::vector<StartingValues> written() {
+        std::ranges::sort(found_, {}, [this](const Point& point) {
+            const Complex first = system_.written(point)[0];
+            return std::pair(first.real(), std::abs(first.imag()));
+        });
+        std::vector<StartingValues> result;
+        for (const Point& point : found_)
+            if (const int bits = enough_bits(system_, point); bits > 0)
+                result.push_back(starting_values(system_.written(point), is_real(point), bits));
+        return result;
+    }
+
+private:
+    IntegerSystem& system_;
+    SolutionSet<Point> seen_{1e-7, Nearness::of_coordinates};
+    std::vector<Point> found_;
+};
+
+} // namespace
+
+int SolutionsRecord::count() const {
+    int count = 0;
+    for (const StartingValues& solution : solutions)
+        count += solution.real ? 1 : 2;
+    return count;
+}
+
+SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t seed, int threads) {
+    constexpr std::uint64_t stream = 2; // another one than that of monodromy
+    constexpr double scale = 64;        // of random integer images
+    const general::Problem& problem = found.system.problem();
+    Random random(seed, stream);
+    const IntegerImages integers = random_integer_images(problem, problem.views, random);
+    IntegerSystem system(problem, integers, scale);
+    Arrivals arrivals(system);
+    int in_vain = 0;
+    for (int way = 0; in_vain < 2 && arrivals.size() < wanted; ++way) {
+        const int before = arrivals.size();
+        const Images<Complex> to = rephased(problem, system.images(), random);
+        const Care care = way == 0 ? Care::usual : Care::careful;
+        for (const auto& end :
+             follow_all(found.system, found.images, to, found.points, care, threads))
+            if (end && !found.system.has_null_quaternion(*end))
+                arrivals.add(in_standard_chart(found.system, *end));
+        in_vain = arrivals.size() > before ? 0 : in_vain + 1;
+    }
+    return {problem, integers, arrivals.written()};
+}
+
+SolutionsRecord certify(const general::Problem& points, const IntegerImages& integers, int digits,
+                        std::span<const QuaternionCamera> cameras) {
+    IntegerSystem system(points, integers, std::pow(10.0, digits));
+    Arrivals arrivals(system);
+    for (const QuaternionCamera& camera : cameras)
+        arrivals.add(second_camera_with_depths(system.images(), camera));
+    return {points, integers, arrivals.written()};
+}
+
+std::string write_solutions(std::span<const SolutionsRecord> records) {
+    constexpr std::size_t digits_of_images = 9, digits_of_solutions = 18;
+    CertificateText text;
+    for (const SolutionsRecord& record : records) {
+        text.line("problem", general::notation(record.problem));
+        for (const std::vector<int>& view : record.views)
+            text.line("view", coordinates(view, digits_of_images));
+        for (const StartingValues& solution : record.solutions) {
+            std::vector<std::string> words;
+            for (const std::int64_t value : solution.values)
+                words.push_back(with_digits(value, digits_of_solutions, "a solution"));
+            text.line(solution.real ? "real" : "pair", solution.bits, words);
+        }
+    }
+    return certificate_file("solutions", text.take(), "ask for fewer solutions with --target");
+}
+
+} // namespace plprove::many_views

@@ -1,0 +1,42 @@
+// The solutions of a problem with complete visibility, by monodromy: where no theorem gives their
+// number, that none is missing is evidence, no proof.
+#pragma once
+
+#include "prover/many_views/system.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace plprove::many_views {
+
+/// What monodromy found. Two sets of random images are joined by several ways; the solutions of one
+/// end go to those of the other along each.
+struct MonodromyResult {
+    int solutions = 0; ///< known at the end where more are
+    int edges = 0;     ///< ways along which all of both ends are matched one to one
+    int ways = 0;      ///< all of them
+    int lost = 0;      ///< paths that got lost, or jumped
+    std::int64_t paths = 0;
+    Images<Complex> images;      ///< of the first end
+    System system;               ///< that these solve
+    std::vector<Point> points{}; ///< the solutions of the first end
+
+    /// Whether all ways agree: evidence that no solution is missing.
+    bool complete() const { return edges == ways; }
+};
+
+struct MonodromySettings {
+    int edges = 5;
+    /// Where few solutions are known: a loop may well leave each of two where it is.
+    int edges_of_few = 16;
+    int threads = 1;
+    int most_solutions = 1'000'000; ///< stops when more are known at the first end
+    std::function<void(int known, int edges)> report = {};
+};
+
+/// Assumes that the problem is minimal and that all views see everything. The same result for the
+/// same seed, whatever the number of threads.
+MonodromyResult run_monodromy(const general::Problem& problem, std::uint64_t seed,
+                              const MonodromySettings& settings);
+
+} // namespace plprove::many_views

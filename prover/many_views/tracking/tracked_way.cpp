@@ -1,0 +1,28 @@
+#include "prover/many_views/tracking/tracked_way.h"
+
+namespace plprove::many_views {
+
+int rows_size(const TrackedWay& way) {
+    int size = 0;
+    for (int v = 0; v < way.cameras; ++v)
+        size += way.camera[v].equations * (way.camera[v].coordinates + way.depths + 2);
+    return size;
+}
+
+std::size_t workspace_size(const TrackedWay& way) {
+    const int rows_of_depths = way.depths * (way.depths + 2);
+    const int points = 10; // three with their speeds, and what a step needs
+    const int numbers_of_place = 8;
+    return static_cast<std::size_t>(points * way.unknowns + numbers_of_place * way.places +
+                                    rows_size(way) + rows_of_depths);
+}
+
+TrackFunction* fastest_tracker() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f")) return avx512::track;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2::track;
+#endif
+    return portable::track;
+}
+
+} // namespace plprove::many_views

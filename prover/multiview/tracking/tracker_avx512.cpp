@@ -1,2 +1,0 @@
-// Eight paths at a time; compiled with the flags of AVX-512 (CMakeLists.txt).
-#include "prover/multiview/tracking/tracker_kernel.h"

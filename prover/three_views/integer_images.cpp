@@ -1,0 +1,253 @@
+#include "prover/three_views/integer_images.h"
+
+#include "prover/three_views/camera_loops.h"
+#include "prover/three_views/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace plprove {
+
+namespace {
+
+constexpr double small_imaginary_part = 1e-8; ///< of a real solution, relative; tried, not believed
+
+/// Which solutions are to be written.
+struct Demands {
+    double nondegeneracy = 0;  ///< at least; larger than for complex images, as the checker refuses
+                               ///< records with a solution that may be degenerate
+    bool sure = true;          ///< only those that Newton's method surely finds again
+    std::span<const int> bits; ///< how many bits to try after the binary point, ascending
+};
+
+constexpr std::array some_bits{3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 14, 16,
+                               19, 22, 26, 30, 35, 40, 44, 46, 48, 50, 52};
+constexpr std::array all_bits = [] {
+    std::array<int, 50> bits{};
+    std::iota(bits.begin(), bits.end(), 3);
+    return bits;
+}();
+
+/// If the checker refuses one of these, other images will do.
+constexpr Demands all{1e-13, false, some_bits};
+/// Nothing else will do. Solutions with a large coordinate have room for few bits.
+constexpr Demands for_given_images{1e-9, true, all_bits};
+
+/// The images as the certificate has them.
+std::vector<FeatureImage> feature_images(const CameraSystem& system,
+                                         const std::vector<IntegerVector>& vectors) {
+    std::vector<FeatureImage> result;
+    for (const Feature& feature : system.features)
+        result.push_back({feature, std::vector<ViewImage>(3)});
+    for (std::size_t f = 0; f < vectors.size(); ++f) {
+        const FreeVector& free = system.free[f];
+        ViewImage& image = result[static_cast<std::size_t>(free.feature)]
+                               .views[static_cast<std::size_t>(free.view)];
+        if (free.line < 0)
+            image.point = vectors[f];
+        else
+            image.lines.push_back(vectors[f]);
+    }
+    return result;
+}
+
+CameraPoint conjugate(const CameraPoint& point) {
+    CameraPoint result;
+    for (std::size_t k = 0; k < point.size(); ++k)
+        result[k] = std::conj(point[k]);
+    return result;
+}
+
+bool is_real(const CameraPoint& point) {
+    double imaginary = 0, size = 1;
+    for (const Complex& x : point) {
+        imaginary = std::max(imaginary, std::abs(x.imag()));
+        size = std::max(size, std::abs(x));
+    }
+    return imaginary < small_imaginary_part * size;
+}
+
+/// The coordinates as multiples of 2^-bits.
+CameraPoint rounded(const CameraPoint& point, int bits) {
+    CameraPoint result;
+    for (std::size_t k = 0; k < point.size(); ++k)
+        result[k] = {std::ldexp(std::nearbyint(std::ldexp(point[k].real(), bits)), -bits),
+                     std::ldexp(std::nearbyint(std::ldexp(point[k].imag(), bits)), -bits)};
+    return result;
+}
+
+/// A solution at the integer images.
+struct Found {
+    CameraPoint point;
+    bool real = false;
+    int bits = 0; ///< enough for Newton's method to find the point again; 0: not known yet
+};
+
+/// Solves the equations at fixed images from starting values nearby.
+class FixedImages {
+public:
+    FixedImages(const CameraSystem& system, const Images& images)
+        : system_(tracked_system(system, standard_chart())),
+          images_(moving_images(system, standard_constants(system), images, images)) {}
+
+    /// Newton's method from each start; nothing where it does not converge at once.
+    std::vector<std::optional<CameraPoint>> solve(const std::vector<CameraPoint>& starts,
+                                                  TrackFunction* track, double noise) const {
+        return newton(track, noise, system_, images_, starts);
+    }
+
+    /// The same to the last digits of a double, whatever the condition.
+    std::vector<std::optional<CameraPoint>>
+    solve_well(const std::vector<CameraPoint>& starts) const {
+        auto result = solve(starts, fastest_tracker(), 1e-11);
+        std::vector<CameraPoint> open;
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            if (!result[i]) open.push_back(starts[i]);
+        const auto ends = solve(open, fastest_double_double_tracker(), 1e-16);
+        auto end = ends.begin();
+        for (auto& point : result)
+            if (!point) point = *end++;
+        return result;
+    }
+
+private:
+    TrackedSystem system_;
+    TrackedImages images_;
+};
+
+/// Whether the coordinates are written with at most 18 digits.
+bool has_few_digits(const CameraPoint& point, int bits) {
+    constexpr double limit = 1e18;
+    return std::ranges::all_of(point, [&](const Complex& x) {
+        return std::ldexp(std::max(std::abs(x.real()), std::abs(x.imag())), bits) < limit;
+    });
+}
+
+/// Finds for each solution how many bits after the binary point are enough. A single success may be
+/// luck, as the region that Newton's method converges from has a ragged edge: two coarser roundings
+/// must lead to the solution as well. Unless that is demanded, the last success counts.
+void choose_bits(std::vector<Found>& found, const FixedImages& fixed, const Demands& demands) {
+    constexpr int wanted = 3;
+    constexpr int most_sure_bits = 44;
+    std::vector<int> successes(found.size(), 0), last(found.size(), 0);
+    for (const int bits : demands.bits) {
+        if (demands.sure && bits > most_sure_bits) break;
+        std::vector<std::size_t> open;
+        std::vector<CameraPoint> starts;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (found[i].bits == 0) {
+                open.push_back(i);
+                starts.push_back(rounded(found[i].point, bits));
+            }
+        // In the end few are left, which are ill-conditioned.
+        const auto ends = bits < 12 ? fixed.solve(starts, fastest_tracker(), 1e-7)
+                                    : fixed.solve(starts, fastest_double_double_tracker(), 1e-16);
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            Found& solution = found[open[k]];
+            int& count = successes[open[k]];
+            count = ends[k] && approximates(*ends[k], solution.point) ? count + 1 : 0;
+            if (!has_few_digits(solution.point, bits)) continue;
+            if (count > 0) last[open[k]] = bits;
+            if (count >= wanted) solution.bits = bits;
+        }
+    }
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i].bits == 0 && !demands.sure) found[i].bits = last[i];
+}
+
+ApproximateSolution approximate(const Found& solution) {
+    ApproximateSolution result{solution.real, solution.bits, {}};
+    const auto put = [&](double x) {
+        result.values.push_back(std::llrint(std::ldexp(x, solution.bits)));
+    };
+    for (const Complex& x : solution.point) {
+        put(x.real());
+        if (!solution.real) put(x.imag());
+    }
+    return result;
+}
+
+/// The solutions at the integer images, as they arrive there.
+class Arrivals {
+public:
+    Arrivals(const CameraSystem& system, const Images& images, const Demands& demands)
+        : system_(system), demands_(demands), fixed_(system, images),
+          vectors_(image_vectors(system, standard_constants(system), images)) {}
+
+    /// Adds solutions, in the standard chart, that are new, and their conjugates.
+    void add(const std::vector<CameraPoint>& approximations) {
+        for (const auto& point : fixed_.solve_well(approximations)) {
+            if (!point || seen_.find(*point) ||
+                nondegeneracy(system_, vectors_, standard_chart().cameras(*point)) <
+                    demands_.nondegeneracy)
+                continue;
+            Found solution{*point, is_real(*point), 0};
+            seen_.add(*point);
+            if (solution.real)
+                for (Complex& x : solution.point)
+                    x = x.real();
+            else
+                seen_.add(conjugate(*point));
+            found_.push_back(solution);
+        }
+    }
+
+    std::vector<ApproximateSolution> written() {
+        choose_bits(found_, fixed_, demands_);
+        std::ranges::sort(found_, {}, [](const Found& solution) {
+            return std::pair(solution.point[0].real(), std::abs(solution.point[0].imag()));
+        });
+        std::vector<ApproximateSolution> result;
+        for (const Found& solution : found_)
+            if (solution.bits > 0) result.push_back(approximate(solution));
+        return result;
+    }
+
+private:
+    const CameraSystem& system_;
+    Demands demands_;
+    FixedImages fixed_;
+    std::vector<Complex3> vectors_;
+    SolutionSet<CameraPoint> seen_;
+    std::vector<Found> found_;
+};
+
+DegreeCertificate certificate_of(const CameraSystem& system,
+                                 const std::vector<IntegerVector>& vectors,
+                                 const std::vector<CameraPoint>& zeros, const Demands& demands) {
+    Arrivals arrivals(system, unit_images(vectors), demands);
+    arrivals.add(zeros);
+    DegreeCertificate certificate;
+    certificate.images = feature_images(system, vectors);
+    certificate.solutions = arrivals.written();
+    return certificate;
+}
+
+} // namespace
+
+LowerBound find_for_integer_images(const CameraSystem& system, int wanted, std::uint64_t seed,
+                                   std::uint64_t stream,
+                                   const std::function<void(const MonodromyProgress&)>& progress) {
+    constexpr int most_edges = 6;
+    std::vector<IntegerVector> vectors;
+    CameraLoops loops(system, seed, stream, [&](const Images& scene, Random& random) {
+        vectors = vectors_near(system, scene, random);
+        return unit_images(vectors);
+    });
+    auto monodromy = camera_monodromy(std::move(loops), progress);
+    monodromy.reach(wanted, most_edges);
+    std::vector<CameraPoint> zeros;
+    for (const CameraPoint& point : monodromy.solutions().points())
+        zeros.push_back(standard_chart().point(monodromy.loops().chart().cameras(point)));
+    return {certificate_of(system, vectors, zeros, all), monodromy.loops().counts()};
+}
+
+DegreeCertificate certify_zeros(const CameraSystem& system,
+                                const std::vector<IntegerVector>& vectors,
+                                const std::vector<CameraPoint>& zeros) {
+    return certificate_of(system, vectors, zeros, for_given_images);
+}
+
+} // namespace plprove

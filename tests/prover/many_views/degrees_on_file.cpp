@@ -1,0 +1,68 @@
+// The degrees of the two families on file, compared with those of the engine for three views.
+#include "prover/many_views/degrees_on_file.h"
+
+#include "prover/catalogue/degrees.h"
+#include "prover/classification/decision.h"
+#include "prover/general/certificate.h"
+#include "prover/general/notation.h"
+#include "prover/general/spec.h"
+#include "prover/problem/spec.h"
+
+#include <doctest/doctest.h>
+#include <map>
+#include <set>
+
+using namespace plprove;
+using many_views::DegreeOnFile;
+
+namespace {
+
+std::vector<DegreeOnFile> all_on_file() {
+    std::vector<DegreeOnFile> all;
+    for (const std::string_view line : many_views::family_degree_lines())
+        all.push_back(many_views::parse_family_degree(line));
+    return all;
+}
+
+std::set<std::string> minimal_problems(general::Family family) {
+    std::set<std::string> problems;
+    for (const general::Problem& problem : general::family_problems(family))
+        if (general::is_minimal(general::certify(problem)))
+            problems.insert(general::notation(problem));
+    return problems;
+}
+
+} // namespace
+
+TEST_CASE("degrees of families on file are of different minimal problems of these families") {
+    std::map<std::string, std::set<std::string>> open{
+        {"plmp", minimal_problems(general::Family::plmp)},
+        {"projective", minimal_problems(general::Family::projective)}};
+    for (const DegreeOnFile& line : all_on_file()) {
+        CAPTURE(line.problem);
+        CHECK(open[std::string(line.family)].erase(std::string(line.problem)) == 1);
+        CHECK(line.degree > 0);
+        // What is certified exactly, tests of the checker compare with what it certifies.
+        const bool is_exact =
+            line.source.starts_with("by theorem") || line.source.starts_with("by certificates");
+        CHECK(line.status == (is_exact ? "certified" : "evidence"));
+        if (is_exact) CHECK(line.certified == line.degree);
+        CHECK(line.bound == "exact"); // two runs have to agree
+    }
+    CHECK(open.size() == 2);
+    CHECK(open["projective"].empty());
+    CHECK(open["plmp"].empty());
+}
+
+TEST_CASE("two engines agree on problems in three views with pins and free lines") {
+    int compared = 0;
+    for (const DegreeOnFile& line : all_on_file()) {
+        if (line.family != "plmp" || general::parse_spec(line.problem)) continue;
+        const Decision decision = decide(parse_spec(std::string(line.problem)));
+        if (!decision.classes) continue; // two views
+        CAPTURE(line.problem);
+        CHECK(degree_on_file(decision.classes->constraint) == line.degree);
+        ++compared;
+    }
+    CHECK(compared >= 12);
+}

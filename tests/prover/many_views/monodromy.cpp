@@ -1,0 +1,65 @@
+// Degrees that are known by other means, and results that threads do not change.
+#include "prover/many_views/monodromy.h"
+
+#include "prover/general/notation.h"
+
+#include <doctest/doctest.h>
+
+using namespace plprove;
+using namespace plprove::many_views;
+
+namespace {
+
+MonodromyResult found(const std::string& text, int edges, int threads = 2) {
+    MonodromySettings settings;
+    settings.edges = settings.edges_of_few = edges;
+    settings.threads = threads;
+    const MonodromyResult result = run_monodromy(general::parse(text), 1, settings);
+    CHECK(result.edges == edges);
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("monodromy finds degrees that are known") {
+    // Ten essential matrices with two rotations each.
+    CHECK(found("5*P/P", 5).solutions == 20);
+    // A cubic: det = 0 on a pencil of fundamental matrices (M. Chasles, 1855).
+    CHECK(found("projective: 7*P/P", 5).solutions == 3);
+    // Cleveland, as the three-view engine has it (certs/degrees.csv).
+    CHECK(found("3*P/P/P + a/a/a", 3).solutions == 216);
+}
+
+TEST_CASE("monodromy finds as many solutions of a system as its symmetries divide") {
+    // Two views of points: the solutions with the same essential matrix come in pairs.
+    for (const char* text : {"2*PL/PL + 2*P/P + PL/PL", "PLM/PLM + 2*PL/PL + 2*PM/PM"})
+        CHECK(found(text, 4).solutions % 2 == 0);
+}
+
+TEST_CASE("problems with few solutions are followed along more ways") {
+    // With five ways, one of these two solutions is missing for this seed.
+    const general::Problem problem =
+        general::parse("projective: 2*P/P/P + Pabcde/Pabcde/Pabcde + 2*a/a/a");
+    const MonodromyResult result = run_monodromy(problem, 1, {});
+    CHECK(result.ways == 16);
+    CHECK(result.edges == 16);
+    CHECK(result.solutions == 2);
+}
+
+TEST_CASE("threads do not change what monodromy finds") {
+    const MonodromyResult one = found("5*P/P", 3, 1);
+    const MonodromyResult three = found("5*P/P", 3, 3);
+    REQUIRE(one.points.size() == three.points.size());
+    for (std::size_t i = 0; i < one.points.size(); ++i)
+        CHECK((one.points[i] - three.points[i]).norm() == 0);
+    CHECK(one.paths == three.paths);
+}
+
+TEST_CASE("monodromy stops when it knows more solutions than wanted") {
+    MonodromySettings settings;
+    settings.most_solutions = 10;
+    const MonodromyResult result = run_monodromy(general::parse("3*P/P/P + a/a/a"), 1, settings);
+    CHECK(result.solutions > 10);
+    CHECK(result.solutions < 216);
+    CHECK(!result.complete());
+}
