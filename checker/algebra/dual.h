@@ -54,9 +54,12 @@ template <> inline Residue in_ring(int number) {
     return number < 0 ? -Residue{size} : Residue{size};
 }
 
-/// The numbers of a record, in order. The unknowns, the columns of J, are numbered as they come.
+/// The numbers of a record, in order. The unknowns, the columns of J, are numbered as they come. If
+/// only values are asked for, no number knows how it changes.
 template <class T> class Source {
 public:
+    explicit Source(bool only_values = false) : only_values_(only_values) {}
+
     void read(std::span<const int> numbers) { numbers_ = numbers; }
 
     Dual<T> fixed() {
@@ -69,6 +72,7 @@ public:
 
     /// The next unknown, with this value.
     Dual<T> varied(T value) {
+        if (only_values_) return constant(std::move(value));
         Dual<T> result{std::move(value), std::vector<T>(unknowns_ + 1)};
         result.change[unknowns_++] = T{1};
         return result;
@@ -77,6 +81,7 @@ public:
     std::size_t unknowns() const { return unknowns_; }
 
 private:
+    bool only_values_;
     std::span<const int> numbers_{};
     std::size_t unknowns_ = 0;
 };

@@ -42,13 +42,17 @@ static Pool pool_of(const std::vector<Numbers>& cameras, std::size_t line,
     Pool pool;
     std::size_t at = line;
     try {
+        require_cameras(cameras);
         for (const auto& [feature_line, index, placement] : placed) {
             const Feature& feature = features[index];
-            Jacobian<mpz_class> j = rows_of(feature, 3, {cameras, placement});
             at = feature_line;
             std::vector<Contribution>& contributions = pool.contributions[index];
-            if (contributions.size() < camera_unknowns / feature.weight())
-                contributions.push_back(contribution_of(j.own, std::move(j.rows)));
+            if (contributions.size() == camera_unknowns / feature.weight()) {
+                require_section_2(problem_of(feature, 3), {cameras, placement});
+                continue;
+            }
+            Jacobian<mpz_class> j = rows_of(feature, 3, {cameras, placement});
+            contributions.push_back(contribution_of(j.own, std::move(j.rows)));
         }
     } catch (const Refused& refused) {
         refusals.add(at, say("pool ", number, ": ", refused.reason));

@@ -151,13 +151,17 @@ static void require_images(const Problem& problem, const Scene<mpz_class>& scene
     }
 }
 
-void require_section_2(const Problem& problem, const Placement& placement) {
+void require_cameras(const std::vector<Numbers>& cameras) {
     const auto is_zero = [](int number) { return number == 0; };
-    for (const Numbers& camera : placement.cameras)
+    for (const Numbers& camera : cameras)
         if (std::all_of(camera.begin(), camera.begin() + 4, is_zero))
             throw Refused("a quaternion is zero");
-    if (placement.cameras[0][4] == 0) throw Refused("the translation of camera 2 begins with 0");
-    Source<mpz_class> source;
+    if (cameras[0][4] == 0) throw Refused("the translation of camera 2 begins with 0");
+}
+
+void require_section_2(const Problem& problem, const Placement& placement) {
+    require_cameras(placement.cameras);
+    Source<mpz_class> source(true);
     source.read(placement.scene);
     Indices things;
     const Scene<mpz_class> scene = place_scene(problem, source, things);

@@ -31,6 +31,9 @@ std::size_t scene_size(const Problem& problem);
 /// T is mpz_class or Residue.
 template <class T> Jacobian<T> jacobian(const Problem& problem, const Placement& placement);
 
+/// Throws Refused if calibrated cameras, from the second, violate the requirements of section 2.
+void require_cameras(const std::vector<Numbers>& cameras);
+
 /// Throws Refused if the requirements of section 2 are violated. Cameras must be calibrated.
 void require_section_2(const Problem& problem, const Placement& placement);
 } // namespace checker

@@ -271,6 +271,17 @@ TEST_CASE("coordinates and cameras") {
           "pool 1: an image of the point has third coordinate 0");
     CHECK(first_reason(altered(few_certificates(), "feature Pa/Pa/Pa point ", 6, "0")) ==
           "pool 1: a direction has third coordinate 0");
+
+    // Cameras are refused at the line of their pool, a feature at its own.
+    const auto first_line = [](const std::string& text) {
+        return replayed(text).refusals.first.at(0).line;
+    };
+    const std::string text = few_certificates();
+    const std::size_t pool = std::ranges::count(text.substr(0, text.find("pool 1")), '\n') + 1;
+    CHECK(first_line(altered(text, "camera 2 quaternion 0 0 1 1 translation ", 0, "0")) == pool);
+    const std::size_t feature =
+        std::ranges::count(text.substr(0, text.find("feature Pa/Pa/Pa point ")), '\n') + 1;
+    CHECK(first_line(altered(text, "feature Pa/Pa/Pa point ", 2, "0")) == feature);
 }
 
 TEST_CASE("features of the pool") {
