@@ -42,7 +42,7 @@ const std::map<std::string, Folders> other_claims{
 const Folders layers{"system",         "format",    "problem",      "geometry",  "general",
                      "classification", "bounds",    "tracking",     "monodromy", "three_views",
                      "many_views",     "catalogue", "degree_sweep", "solver",    "drawing",
-                     "library",        "scripts",   "bundle",       "cli"};
+                     "library",        "scripts",   "cli"};
 
 /// A line `#include "to"` in the file `from`; both are paths in the project.
 struct Arrow {

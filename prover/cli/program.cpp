@@ -2,9 +2,7 @@
 // here.
 #include "prover/cli/program.h"
 
-#include "prover/bundle/bundle.h"
 #include "prover/classification/classification_file.h"
-#include "prover/classification/problem_certificate.h"
 #include "prover/cli/arguments.h"
 #include "prover/cli/bounds_command.h"
 #include "prover/cli/catalogue_commands.h"
@@ -25,7 +23,6 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -94,52 +91,6 @@ Command export_command(CLI::App& program) {
             }};
 }
 
-struct BundleRequest {
-    std::string source = ".";
-    std::string path;
-    bool checker = false;
-};
-
-void write_bundle(const BundleRequest& request) {
-    const std::string folder =
-        request.checker ? std::string("plcheck-") + software_version : bundle_folder;
-    const Files files =
-        request.checker
-            ? checker_archive(request.source, write(certify_problem(parse_spec("2394"))))
-            : bundle(request.source);
-    deliver(request.path.empty() ? folder + ".tar.zst" : request.path, tar_zst(files, folder));
-}
-
-Command bundle_command(CLI::App& program) {
-    auto request = std::make_shared<BundleRequest>();
-    CLI::App* app = program.add_subcommand(
-        "bundle",
-        "Pack the certificates, the proofs and the checker's sources into one file to keep");
-    app->add_option("-o,--output", request->path,
-                    "the file to write, - for standard output (default: "
-                    "point-line-certificates.tar.zst, or plcheck-VERSION.tar.zst)");
-    app->add_flag("--checker", request->checker,
-                  "pack the checker alone: its sources, the format and one certificate");
-    app->add_option("--source", request->source, "the project's source folder")
-        ->capture_default_str();
-    app->footer("Examples:\n"
-                "  plprove bundle                       in the project's source folder\n"
-                "  tar -xf point-line-certificates.tar.zst\n"
-                "                                       its README says how to check everything\n"
-                "  plprove bundle --checker             for those who have certificates");
-    return {app, [request] {
-                write_bundle(*request);
-                return 0;
-            }};
-}
-
-/// What to call instead of a command that has another name now; nothing if there is none.
-std::optional<std::string> renamed(int argc, char** argv) {
-    if (argc > 1 && std::string_view(argv[1]) == "archive")
-        return "the command `archive` is called `bundle` now: run `plprove bundle`";
-    return std::nullopt;
-}
-
 std::string version_text() {
     return std::string("plprove ") + software_version + ", certificate format " + format_version;
 }
@@ -171,16 +122,10 @@ std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
             add_degrees_command(program, compute),
             add_solve_command(program, deliver),
             add_start_command(program, deliver),
-            export_command(program),
-            bundle_command(program)};
+            export_command(program)};
 }
 
 int run(int argc, char** argv, const ComputeDegree& compute) {
-    if (const std::optional<std::string> advice = renamed(argc, argv)) {
-        leave_words_to_rank_0(exit_usage);
-        std::cerr << "plprove: " << *advice << '\n';
-        return exit_usage;
-    }
     CLI::App program(summary, "plprove");
     const std::vector<Command> commands = set_up(program, compute);
     const std::vector<std::string> words = words_of(argc, argv);

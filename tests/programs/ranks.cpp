@@ -208,7 +208,7 @@ TEST_CASE("what rank 0 refuses, or any rank cannot write, is said once and ends 
 
 TEST_CASE("wrong usage is said once, and so is the help") {
     prepare_mpi();
-    for (const Arguments& wrong : {Arguments{"degrees", "--targte", "5"}, Arguments{"archive"}}) {
+    for (const Arguments& wrong : {Arguments{"degrees", "--targte", "5"}, Arguments{"bundle"}}) {
         const Outcome outcome = run(shell(by_ranks(3), wrong));
         CHECK(outcome.status == 3);
         CHECK(outcome.out.empty());
@@ -238,17 +238,6 @@ TEST_CASE("rank 0 shows its progress on the terminal of mpirun, and nothing in a
     CHECK(contains(on_terminal("shown.sh").out, "\rcomputing degrees: "));
     CHECK(!contains(on_terminal("piped.sh").out, "computing degrees"));
     CHECK(!contains(read_file(folder / "errors"), "computing degrees"));
-}
-
-TEST_CASE("the script for Slurm sweeps as one process does") {
-    const SweepByOne one;
-    const fs::path sweep = one.folder / "sweep";
-    const std::string line = "PLPROVE=" + std::string(PLPROVE_FAKE_ENGINE) + " ";
-    Arguments arguments = sweep_of(sweep);
-    arguments.erase(arguments.begin()); // "degrees" stands in the script
-    // What Slurm reads of the script is comments; without it, mpirun starts a rank a core.
-    CHECK(run(line + shell(SOURCE_DIR "/docs/slurm.sh", arguments)).status == 1);
-    one.check_same(sweep);
 }
 
 TEST_CASE("a plprove that was started alone does not start MPI") {
