@@ -1,6 +1,6 @@
 #include "checker/replay.h"
 
-#include "checker/file/sha256.h"
+#include "checker/sha256.h"
 
 namespace checker {
 /// Takes the first line, and replays the rest as its kind of file. Throws Malformed.
