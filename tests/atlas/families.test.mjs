@@ -136,7 +136,8 @@ test("a deep link wins over filters that hide its problem, and works within the 
 /** What the list says of the degree of a problem, from what the program says. */
 function degreeInWords({ degree }) {
     if (!degree) return "no degree on file";
-    const least = degree.bound === "at least" ? "at least " : "";
+    const words = { exact: "", "at-least": "at least " };
+    const least = words[degree.bound ?? "exact"]; // that of a class is exact
     return `degree ${least}${degree.value.toLocaleString("en-US")} ${degree.status}`;
 }
 

@@ -3,6 +3,7 @@
 #include "tests/packaging/installation.h"
 
 #include <algorithm>
+#include <cctype>
 #include <doctest/doctest.h>
 #include <regex>
 #include <set>
@@ -44,6 +45,24 @@ fs::path page_file(std::string command_line) {
     return installed() / "share/man/man1" / (command_line + ".1.gz");
 }
 
+/// Words and numbers in small letters, each as often as it occurs.
+std::multiset<std::string> words_in(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::regex word("[a-z0-9]+");
+    std::multiset<std::string> words;
+    for (std::sregex_iterator i(text.begin(), text.end(), word), end; i != end; ++i)
+        words.insert(i->str());
+    return words;
+}
+
+/// The help's own headings; a manual page has others.
+std::string without_headings(const std::string& help) {
+    const std::regex headings("^(Usage|Positionals|Options|Subcommands|OPTIONS|SUBCOMMANDS):"
+                              "|SUBCOMMAND$|\\[At least 1 of the following options are required\\]",
+                              std::regex::multiline);
+    return std::regex_replace(help, headings, "");
+}
+
 /// The files of the build that `cmake --install` takes without a component; of a folder of manual
 /// pages, the file that says that it is made.
 std::vector<std::string> taken_from_the_build() {
@@ -82,28 +101,38 @@ TEST_CASE("each program and each command has a manual page, and no other has") {
     CHECK(found == expected);
 }
 
-TEST_CASE("a manual page renders without a warning") {
+TEST_CASE("a manual page renders without a warning, and has all words of the help") {
     if (!has_program("groff")) {
         MESSAGE("left out: groff is not installed");
         return;
     }
     for (const std::string& page : pages()) {
         CAPTURE(page);
-        const Outcome rendered =
-            run("gzip -dc " + page_file(page).string() + " | groff -man -Tutf8 -wall");
+        const Outcome rendered = run("gzip -dc " + page_file(page).string() +
+                                     " | groff -man -Tutf8 -wall -rHY=0 -P-cbou");
         CHECK(rendered.status == 0);
         CHECK(rendered.err == "");
-        CHECK(rendered.out.size() > 500);
+        const std::multiset<std::string> words = words_in(rendered.out);
+        const std::multiset<std::string> wanted = words_in(without_headings(help_of(page)));
+        CHECK(wanted.size() > 20);
+        for (const std::string& word : wanted) {
+            CAPTURE(word);
+            CHECK(words.count(word) >= wanted.count(word));
+        }
     }
 }
 
-TEST_CASE("a manual page bears no date") {
+TEST_CASE("a manual page bears no date, and is made of a help that is the same on every run") {
     for (const std::string& page : pages()) {
         CAPTURE(page);
         const std::string bytes = read_file(page_file(page));
         CHECK(bytes.substr(4, 4) == std::string(4, '\0')); // when gzip was run
         const Outcome text = run("gzip -dc " + page_file(page).string());
         CHECK(text.out.find(" \"1\" \"\" \"") != std::string::npos);
+        const std::string help = help_of(page);
+        CHECK(help.size() > 100);
+        for (int i = 0; i < 5; ++i)
+            CHECK(help_of(page) == help);
     }
 }
 
