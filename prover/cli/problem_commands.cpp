@@ -1,13 +1,13 @@
 #include "prover/cli/problem_commands.h"
 
-#include "prover/classification/problem_certificate.h"
 #include "prover/cli/general_commands.h"
 #include "prover/cli/general_report.h"
 #include "prover/cli/problem_report.h"
 #include "prover/drawing/drawing.h"
-#include "prover/general/spec.h"
+#include "prover/minimal/problem_certificate.h"
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
+#include "prover/problem/spec_in_general.h"
 #include "prover/system/exit.h"
 #include "prover/system/words.h"
 
@@ -48,18 +48,18 @@ struct ProblemRequest {
     bool json = false;
 };
 
-void decide_general_problem(const ProblemRequest& request, const general::Problem& problem,
+void decide_general_problem(const ProblemRequest& request, const Problem& problem,
                             const Deliver& deliver) {
-    const general::Certificate certificate = general::certify(problem);
+    const ProblemRecord certificate = certify(problem);
     if (!request.certificate.empty())
-        deliver(request.certificate, general::write(std::span(&certificate, 1)));
+        deliver(request.certificate, write(std::span(&certificate, 1)));
     deliver("-", request.json ? json_report(certificate) : text_report(certificate));
 }
 
 void decide_problem(const ProblemRequest& request, const Deliver& deliver) {
-    if (const std::optional<general::Problem> problem = general::parse_spec(request.spec))
+    if (const std::optional<Problem> problem = parse_general_spec(request.spec))
         return decide_general_problem(request, *problem, deliver);
-    const Problem problem = parse_spec(request.spec);
+    const Features problem = parse_spec(request.spec);
     const ProblemReport report = report_on(problem);
     // The certificate first: where it fails, nothing is said that it was to prove.
     if (!request.certificate.empty()) deliver(request.certificate, write(certify_problem(problem)));
@@ -75,13 +75,13 @@ struct CertifyRequest {
 
 std::string certificate_text(const CertifyRequest& request) {
     if (!request.family.empty()) {
-        const general::Family family = family_named(request.family);
-        return general::write(certify_family(family), family);
+        const Family family = family_named(request.family);
+        return write(certify_family(family), family);
     }
-    if (!request.list.empty()) return general::write(certify_listed(request.list));
-    if (const std::optional<general::Problem> problem = general::parse_spec(request.spec)) {
-        const general::Certificate certificate = general::certify(*problem);
-        return general::write(std::span(&certificate, 1));
+    if (!request.list.empty()) return write(certify_listed(request.list));
+    if (const std::optional<Problem> problem = parse_general_spec(request.spec)) {
+        const ProblemRecord certificate = certify(*problem);
+        return write(std::span(&certificate, 1));
     }
     return write(certify_problem(parse_spec(request.spec)));
 }
@@ -94,10 +94,10 @@ struct ShowRequest {
 };
 
 void show(const ShowRequest& request, const Deliver& deliver) {
-    if (general::parse_spec(request.spec))
+    if (parse_general_spec(request.spec))
         throw BadInput("problems with shared lines, with more than three views or for projective "
                        "cameras are not drawn: `plprove problem` says what is known of them");
-    const Problem problem = parse_spec(request.spec);
+    const Features problem = parse_spec(request.spec);
     Highlight highlight = Highlight::nothing;
     if (!request.highlight.empty()) {
         if (!has_five_points(problem))

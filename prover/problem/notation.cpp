@@ -157,9 +157,9 @@ Feature parse_feature(std::string_view text) {
     return feature;
 }
 
-Problem parse_problem(std::string_view text) {
+Features parse_features(std::string_view text) {
     Cursor cursor(text);
-    Problem problem;
+    Features problem;
     do {
         cursor.skip_blanks();
         const std::size_t count = read_multiplicity(cursor).value_or(1);
@@ -175,7 +175,7 @@ Problem parse_problem(std::string_view text) {
     return problem;
 }
 
-std::string notation(const Problem& problem) {
+std::string notation(const Features& problem) {
     std::string text;
     for (std::size_t i = 0; i < problem.size();) {
         std::size_t same = i + 1;

@@ -17,7 +17,7 @@ public:
 };
 
 /// A sum of local features, each listed as often as it occurs.
-using Problem = std::vector<Feature>;
+using Features = std::vector<Feature>;
 
 /// The largest number of features of a problem: readers refuse more.
 inline constexpr std::size_t max_features = 1000;
@@ -27,9 +27,9 @@ Feature parse_feature(std::string_view text);
 
 /// Reads a sum of features with multiplicities; blanks around `+` and `*` may be left out or added.
 /// Throws NotationError.
-Problem parse_problem(std::string_view text);
+Features parse_features(std::string_view text);
 
 /// The sum in notation, equal neighbours joined: `2*Pa/Pa/Pa + P/P/P`.
-std::string notation(const Problem& problem);
+std::string notation(const Features& problem);
 
 } // namespace plprove

@@ -149,7 +149,7 @@ std::optional<ReductionStep> reduce_once(const Feature& feature) {
     return feature.lines == 1 ? reduce_point_with_pin(feature) : std::nullopt;
 }
 
-Reduction reduce(const Problem& problem) {
+Reduction reduce(const Features& problem) {
     Reduction reduction;
     for (const Feature& feature : problem) {
         std::optional<Feature> current = feature;
@@ -197,8 +197,8 @@ Feature terminal(const Feature& reduced) {
 namespace {
 
 template <class Transform>
-Problem transformed(const Problem& reduced, Transform transform) {
-    Problem problem;
+Features transformed(const Features& reduced, Transform transform) {
+    Features problem;
     for (const Feature& feature : reduced)
         problem.push_back(transform(feature));
     const auto index = [](const Feature& feature) {
@@ -211,11 +211,11 @@ Problem transformed(const Problem& reduced, Transform transform) {
 
 } // namespace
 
-Problem lifted(const Problem& reduced) {
+Features lifted(const Features& reduced) {
     return transformed(reduced, [](const Feature& feature) { return lifted(feature); });
 }
 
-Problem terminal(const Problem& reduced) {
+Features terminal(const Features& reduced) {
     return transformed(reduced, [](const Feature& feature) { return terminal(feature); });
 }
 

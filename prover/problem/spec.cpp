@@ -132,7 +132,7 @@ Feature point_with_pins(std::size_t point, const std::vector<int>& lines,
     return feature;
 }
 
-Problem problem_of_encoding(const NestedList& list) {
+Features problem_of_encoding(const NestedList& list) {
     if (list.items.size() != 2 || list.items[0].is_number || list.items[1].is_number)
         fail(list.column, "expected {lines, {view, view, view}}");
     constexpr int most = 999;
@@ -149,7 +149,7 @@ Problem problem_of_encoding(const NestedList& list) {
     std::vector<EncodedView> encoded;
     for (const NestedList& view : views)
         encoded.push_back(encoded_view(view, lines.size(), points));
-    Problem problem;
+    Features problem;
     for (std::size_t point = 0; point < points; ++point)
         problem.push_back(point_with_pins(point, lines, encoded, list.items[1].column));
     for (std::size_t line = 0; line < lines.size(); ++line)
@@ -158,15 +158,15 @@ Problem problem_of_encoding(const NestedList& list) {
     return problem;
 }
 
-Problem problem_of_counts(const std::vector<int>& counts) {
-    Problem problem;
+Features problem_of_counts(const std::vector<int>& counts) {
+    Features problem;
     for (std::size_t i = 0; i < feature_count; ++i)
         problem.insert(problem.end(), static_cast<std::size_t>(counts[i]), standard_features()[i]);
     if (problem.empty()) fail(1, "the signature is zero: expected at least one feature");
     return problem;
 }
 
-Problem problem_of_list(const NestedList& list) {
+Features problem_of_list(const NestedList& list) {
     if (!list.items.empty() && list.items[0].is_number) {
         if (list.items.size() != feature_count)
             fail(list.column,
@@ -176,7 +176,7 @@ Problem problem_of_list(const NestedList& list) {
     return problem_of_encoding(list);
 }
 
-Problem problem_of_number(std::string_view digits, std::size_t column) {
+Features problem_of_number(std::string_view digits, std::size_t column) {
     const std::vector<Signature>& classes = label_classes();
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
@@ -198,7 +198,7 @@ Problem problem_of_number(std::string_view digits, std::size_t column) {
                                      list_of_names()));
 }
 
-Problem parse_any_spec(std::string_view text) {
+Features parse_any_spec(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t");
     if (first == std::string_view::npos)
         fail(1, "expected a problem, such as '2*Pa/Pa/Pa + P/P/P', 2394 or Chicago");
@@ -218,16 +218,16 @@ Problem parse_any_spec(std::string_view text) {
         return problem_of_list(ListReader(list).read());
     }
     if (text.find('/') == std::string_view::npos) {
-        if (std::optional<Problem> problem = problem_named(text)) return *std::move(problem);
+        if (std::optional<Features> problem = problem_named(text)) return *std::move(problem);
         fail_on_unknown_name(text.substr(first));
     }
-    return parse_problem(text);
+    return parse_features(text);
 }
 
 } // namespace
 
-Problem parse_spec(std::string_view text) {
-    Problem problem = parse_any_spec(text);
+Features parse_spec(std::string_view text) {
+    Features problem = parse_any_spec(text);
     if (problem.size() > max_features)
         fail(1, "expected at most " + std::to_string(max_features) + " features");
     return problem;

@@ -15,6 +15,6 @@ namespace plprove {
 ///   index of its point (from 0) or -1 for a free line, each view is `{seen lines, seen points}`,
 ///   lists of 0 and 1.
 /// Throws NotationError with the column and what was expected, or with the name that was meant.
-Problem parse_spec(std::string_view text);
+Features parse_spec(std::string_view text);
 
 } // namespace plprove

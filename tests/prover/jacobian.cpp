@@ -1,7 +1,7 @@
 // Minors of the Jacobian: elimination by blocks against the whole matrix, and the laws of
 // certificates.
-#include "prover/classification/classification_file.h"
-#include "prover/classification/problem_certificate.h"
+#include "prover/minimal/classification_file.h"
+#include "prover/minimal/problem_certificate.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Features, notation, signatures and label classes: known counts and laws.
-#include "prover/classification/obstruction.h"
+#include "prover/minimal/obstruction.h"
 #include "prover/problem/signature.h"
 
 #include <algorithm>
@@ -30,8 +30,8 @@ TEST_CASE("notation survives a round trip, and names of pins do not matter") {
         CHECK(parse_feature(notation(feature)) == feature);
     CHECK(canonical(parse_feature("Pab/b/a")) == canonical(parse_feature("Pab/a/b")));
     CHECK(canonical(parse_feature("Pab/b/a")) != canonical(parse_feature("b/Pab/a")));
-    CHECK(notation(parse_problem(" 2 * Pa/Pa/Pa+P/P/P ")) == "2*Pa/Pa/Pa + P/P/P");
-    CHECK(notation(parse_problem("P/P + P/P")) == "2*P/P");
+    CHECK(notation(parse_features(" 2 * Pa/Pa/Pa+P/P/P ")) == "2*Pa/Pa/Pa + P/P/P");
+    CHECK(notation(parse_features("P/P + P/P")) == "2*P/P");
 }
 
 TEST_CASE("malformed notation is refused with the column and what was expected") {
@@ -58,7 +58,7 @@ TEST_CASE("malformed notation is refused with the column and what was expected")
     for (const auto& [text, reason] : refused) {
         CAPTURE(text);
         try {
-            parse_problem(text);
+            parse_features(text);
             FAIL("accepted");
         } catch (const NotationError& error) {
             CAPTURE(error.what());

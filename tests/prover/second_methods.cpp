@@ -1,6 +1,6 @@
 // The Jacobian by second methods: numerical differentiation of the joint camera map itself, and
 // ball arithmetic for a determinant.
-#include "prover/classification/classification_file.h"
+#include "prover/minimal/classification_file.h"
 
 #include <Eigen/Dense>
 #include <doctest/doctest.h>

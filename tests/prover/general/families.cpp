@@ -1,7 +1,7 @@
 // The families of completely visible problems: complete, and counted a second way.
-#include "prover/general/certificate.h"
-#include "prover/general/notation.h"
-#include "prover/general/skeleton.h"
+#include "prover/minimal/problem_record.h"
+#include "prover/problem/notation_in_general.h"
+#include "prover/problem/skeleton.h"
 #include "tests/prover/general/second_jacobian.h"
 
 #include <algorithm>
@@ -15,7 +15,6 @@
 #include <sstream>
 
 using namespace plprove;
-using namespace plprove::general;
 
 namespace {
 
@@ -88,9 +87,9 @@ std::string committed(const std::string& name) {
     return text.str();
 }
 
-std::vector<Certificate> certificates_of(Family family) {
-    std::vector<Certificate> certificates;
-    for (const general::Problem& problem : family_problems(family))
+std::vector<ProblemRecord> certificates_of(Family family) {
+    std::vector<ProblemRecord> certificates;
+    for (const Problem& problem : family_problems(family))
         certificates.push_back(certify(problem));
     return certificates;
 }
@@ -142,10 +141,10 @@ TEST_CASE("no problem is balanced beyond the bounds: equations of proofs/familie
 TEST_CASE("the families are balanced, completely visible, and no two problems are isomorphic") {
     for (const Family family : {Family::plmp, Family::projective}) {
         std::set<std::string> texts;
-        for (const general::Problem& problem : family_problems(family)) {
-            CAPTURE(general::notation(problem));
+        for (const Problem& problem : family_problems(family)) {
+            CAPTURE(notation(problem));
             CHECK(is_balanced(problem));
-            CHECK(texts.insert(general::notation(problem)).second);
+            CHECK(texts.insert(notation(problem)).second);
             for (const Line& line : problem.lines) {
                 CHECK(line.seen == all_views(problem.views));
                 CHECK(line.points.size() != 2);
@@ -156,8 +155,8 @@ TEST_CASE("the families are balanced, completely visible, and no two problems ar
 
 TEST_CASE("every verdict of the families agrees with a rank, written a second way") {
     for (const Family family : {Family::plmp, Family::projective})
-        for (const Certificate& certificate : certificates_of(family)) {
-            CAPTURE(general::notation(certificate.problem));
+        for (const ProblemRecord& certificate : certificates_of(family)) {
+            CAPTURE(notation(certificate.problem));
             const int corank = dimension_in_views(certificate.problem) -
                                SecondJacobian(certificate.problem, 5).rank();
             CHECK(is_minimal(certificate) == (corank == 0));
@@ -168,11 +167,11 @@ TEST_CASE("every verdict of the families agrees with a rank, written a second wa
 
 TEST_CASE("minimal problems: the papers' numbers, 30 and 291") {
     std::map<int, int> plmp;
-    for (const Certificate& certificate : certificates_of(Family::plmp))
+    for (const ProblemRecord& certificate : certificates_of(Family::plmp))
         plmp[certificate.problem.views] += is_minimal(certificate) ? 1 : 0;
     CHECK(plmp == std::map<int, int>{{2, 3}, {3, 17}, {4, 6}, {5, 3}, {6, 1}});
     int counted = 0, in_three_views = 0;
-    for (const Certificate& certificate : certificates_of(Family::projective)) {
+    for (const ProblemRecord& certificate : certificates_of(Family::projective)) {
         if (!is_minimal(certificate)) continue;
         const bool seven_in_three =
             certificate.problem.points.size() >= 7 && certificate.problem.views == 3;
@@ -183,7 +182,7 @@ TEST_CASE("minimal problems: the papers' numbers, 30 and 291") {
 }
 
 /// The same points and lines in `views` views that see everything.
-general::Problem in_views(general::Problem problem, int views) {
+Problem in_views(Problem problem, int views) {
     problem.views = views;
     std::ranges::fill(problem.points, all_views(views));
     for (Line& line : problem.lines)
@@ -193,12 +192,12 @@ general::Problem in_views(general::Problem problem, int views) {
 
 TEST_CASE("seven points: the verdict of three views holds for any number of views") {
     int problems = 0;
-    for (const Certificate& certificate : certificates_of(Family::projective)) {
+    for (const ProblemRecord& certificate : certificates_of(Family::projective)) {
         if (certificate.problem.points.size() != 7 || certificate.problem.views != 3) continue;
         ++problems;
-        CAPTURE(general::notation(certificate.problem));
+        CAPTURE(notation(certificate.problem));
         for (int views = 4; views <= most_views; ++views) {
-            const general::Problem more = in_views(certificate.problem, views);
+            const Problem more = in_views(certificate.problem, views);
             CHECK(is_balanced(more));
             CHECK(is_minimal(certify(more)) == is_minimal(certificate));
         }
@@ -216,8 +215,8 @@ TEST_CASE("seven points: the verdict of three views holds for any number of view
 
 TEST_CASE("not minimal, without four points on a line or six in a plane: the paper's 149") {
     int not_minimal = 0, counted = 0;
-    for (const Certificate& certificate : certificates_of(Family::projective)) {
-        const general::Problem& problem = certificate.problem;
+    for (const ProblemRecord& certificate : certificates_of(Family::projective)) {
+        const Problem& problem = certificate.problem;
         if (is_minimal(certificate) || problem.points.size() >= 7) continue;
         ++not_minimal;
         const bool four = std::ranges::any_of(

@@ -1,7 +1,7 @@
 // The notation for problems in general: what it means, that it is read as it is written, and what
 // is refused.
-#include "prover/general/notation.h"
-#include "prover/general/spec.h"
+#include "prover/problem/notation_in_general.h"
+#include "prover/problem/spec_in_general.h"
 #include "tests/prover/general/random_problems.h"
 
 #include <algorithm>
@@ -9,13 +9,12 @@
 #include <tuple>
 
 using namespace plprove;
-using namespace plprove::general;
 
 namespace {
 
 std::string refusal(const std::string& text) {
     try {
-        general::parse(text);
+        parse_problem(text);
     } catch (const NotationError& error) {
         return error.what();
     }
@@ -23,7 +22,7 @@ std::string refusal(const std::string& text) {
 }
 
 /// What an isomorphism keeps, in an order that does not depend on the numbers.
-auto invariants(const general::Problem& problem) {
+auto invariants(const Problem& problem) {
     std::vector<std::vector<ViewSet>> lines;
     for (const Line& line : problem.lines) {
         lines.push_back({line.seen});
@@ -43,46 +42,45 @@ auto invariants(const general::Problem& problem) {
 TEST_SUITE_BEGIN("problems in general: notation");
 
 TEST_CASE("what the notation means") {
-    const general::Problem collinear = general::parse("3*PL/PL/PL");
+    const Problem collinear = parse_problem("3*PL/PL/PL");
     CHECK(collinear.points == std::vector<ViewSet>{7, 7, 7});
     CHECK(collinear.lines == std::vector<Line>{{{0, 1, 2}, 7}});
     CHECK(dimension_in_space(collinear) == 7);
     CHECK(dimension_in_views(collinear) == 15);
 
-    const general::Problem pins = general::parse("projective: 2*Pab/Pa/P/a(c) + a/a/-/-");
+    const Problem pins = parse_problem("projective: 2*Pab/Pa/P/a(c) + a/a/-/-");
     CHECK(pins.model == CameraModel::projective);
     CHECK(pins.points == std::vector<ViewSet>{7, 7});
     CHECK(pins.lines ==
           std::vector<Line>{{{0}, 11}, {{0}, 1}, {{0}, 0}, {{1}, 11}, {{1}, 1}, {{1}, 0}, {{}, 3}});
 
     // Unseen points: mentioned, or the meet of two lines.
-    CHECK(general::parse("-/-(P)").points == std::vector<ViewSet>{0});
-    CHECK(general::parse("a/b").points == std::vector<ViewSet>{0});
-    CHECK(general::parse("a/a").points.empty());
+    CHECK(parse_problem("-/-(P)").points == std::vector<ViewSet>{0});
+    CHECK(parse_problem("a/b").points == std::vector<ViewSet>{0});
+    CHECK(parse_problem("a/a").points.empty());
 }
 
 TEST_CASE("dimensions do not depend on the order of the points") {
-    const general::Problem one = general::parse("2*PL/PL + PL/PL + PLM/PLM + PM/PM + PM/PM");
-    const general::Problem other = general::parse("2*PM/PM + PLM/PLM + PL/PL + 2*PL/PL");
+    const Problem one = parse_problem("2*PL/PL + PL/PL + PLM/PLM + PM/PM + PM/PM");
+    const Problem other = parse_problem("2*PM/PM + PLM/PLM + PL/PL + 2*PL/PL");
     CHECK(invariants(one) == invariants(other));
     CHECK(is_constructible_in_order(other));
     // Point 3 of the first text lies on two lines through earlier points: the points are put in
     // another order.
-    const general::Problem crossing = general::parse("2*PL/PL + 2*PM/PM + PLM/PLM");
+    const Problem crossing = parse_problem("2*PL/PL + 2*PM/PM + PLM/PLM");
     CHECK(is_constructible_in_order(crossing));
     CHECK(dimension_in_space(crossing) == 3 * 5 - 2 * 2);
 }
 
 TEST_CASE("what is written is read as the same problem") {
-    plprove::general::RandomProblems random(24);
+    plprove::RandomProblems random(24);
     for (int i = 0; i < 500; ++i) {
-        const general::Problem problem = random.problem();
-        const std::string text = general::notation(problem);
+        const Problem problem = random.problem();
+        const std::string text = notation(problem);
         CAPTURE(text);
-        const general::Problem again = general::parse(text);
+        const Problem again = parse_problem(text);
         CHECK(invariants(again) == invariants(problem));
-        CHECK(general::notation(general::parse(general::notation(again))) ==
-              general::notation(again));
+        CHECK(notation(parse_problem(notation(again))) == notation(again));
     }
 }
 
@@ -116,11 +114,11 @@ TEST_CASE("what cannot be is refused, with what to write instead") {
 }
 
 TEST_CASE("any text is a problem, or refused with a message") {
-    plprove::general::RandomProblems random(26);
+    plprove::RandomProblems random(26);
     const std::string letters = "PLMabc/-+*()0123: projective";
     int problems = 0;
     for (int i = 0; i < 20000; ++i) {
-        std::string text = general::notation(random.problem());
+        std::string text = notation(random.problem());
         for (int edits = random.below(4); edits > 0; --edits) {
             const auto place =
                 static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
@@ -133,7 +131,7 @@ TEST_CASE("any text is a problem, or refused with a message") {
         }
         CAPTURE(text);
         try {
-            const general::Problem problem = general::parse(text);
+            const Problem problem = parse_problem(text);
             CHECK(is_constructible_in_order(problem));
             CHECK(dimension_in_space(problem) >= 0);
             ++problems;
@@ -146,24 +144,22 @@ TEST_CASE("any text is a problem, or refused with a message") {
 }
 
 TEST_CASE("PLMP's encoding and names") {
-    const auto spec = [](const char* text) {
-        return general::notation(*general::parse_spec(text));
-    };
+    const auto spec = [](const char* text) { return notation(*parse_general_spec(text)); };
     CHECK(spec("(5,0,{})") == "5*P/P");
     CHECK(spec("(3, 1, {})") == "3*P/P/P + a/a/a");
     CHECK(spec("(1,2,{{0}})") == spec("1021_1"));
     CHECK(spec("(5,0,{{0,1,2,3}},2)") == "4*PL/PL + P/P");
     CHECK(spec("projective: (6,0,{},3)") == "projective: 6*P/P/P");
     CHECK(spec("5000_2") == "5*P/P");
-    CHECK_FALSE(general::parse_spec("3002_1")); // names.h has it
-    CHECK_FALSE(general::parse_spec("9999_9"));
-    CHECK_FALSE(general::parse_spec("Chicago"));
-    CHECK_FALSE(general::parse_spec("2*Pa/Pa/Pa + P/P/P"));
+    CHECK_FALSE(parse_general_spec("3002_1")); // names.h has it
+    CHECK_FALSE(parse_general_spec("9999_9"));
+    CHECK_FALSE(parse_general_spec("Chicago"));
+    CHECK_FALSE(parse_general_spec("2*Pa/Pa/Pa + P/P/P"));
     for (const char* wrong :
          {"(5,0,{{0,5}})", "(5,0", "(5,0,{}) x", "(0,0,{},3)", "(5,0,{{0,0}})", "(4,0,{})",
           "(3,0,{{0,1},{1,0}},3)", "(1,1,{},1)", "(5,100,{{0,4},{0,2}},3)"}) {
         CAPTURE(wrong);
-        CHECK_THROWS_AS(general::parse_spec(wrong), NotationError);
+        CHECK_THROWS_AS(parse_general_spec(wrong), NotationError);
     }
 }
 

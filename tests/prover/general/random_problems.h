@@ -1,12 +1,12 @@
 // Random problems in general, and points with random coordinates: the same for the same seed.
 #pragma once
 
-#include "prover/general/jacobian.h"
+#include "prover/minimal/jacobian.h"
 
 #include <algorithm>
 #include <random>
 
-namespace plprove::general {
+namespace plprove {
 
 class RandomProblems {
 public:
@@ -98,4 +98,4 @@ private:
     std::mt19937 random_;
 };
 
-} // namespace plprove::general
+} // namespace plprove

@@ -1,8 +1,8 @@
 // The Jacobian of problems in general, and the reasons against minimality, against ranks that are
 // computed a second way.
-#include "prover/classification/decision.h"
-#include "prover/general/certificate.h"
-#include "prover/general/notation.h"
+#include "prover/minimal/decision.h"
+#include "prover/minimal/problem_record.h"
+#include "prover/problem/notation_in_general.h"
 #include "prover/problem/signature.h"
 #include "tests/prover/general/random_problems.h"
 #include "tests/prover/general/second_jacobian.h"
@@ -11,21 +11,20 @@
 #include <doctest/doctest.h>
 
 using namespace plprove;
-using namespace plprove::general;
-using Random = plprove::general::RandomProblems;
+using Random = plprove::RandomProblems;
 
 namespace {
 
-int corank(const general::Problem& problem) {
+int corank(const Problem& problem) {
     return dimension_in_views(problem) - SecondJacobian(problem, 1).rank();
 }
 
 /// A part of the problem, and a motion that may keep its points, at random.
-std::pair<Part, Motion> random_motion(const general::Problem& problem, Random& random) {
-    Part part = whole(problem);
+std::pair<Subproblem, CameraMotion> random_motion(const Problem& problem, Random& random) {
+    Subproblem part = whole(problem);
     std::erase_if(part.points, [&](int) { return random.below(3) == 0; });
     std::erase_if(part.lines, [&](int) { return random.below(6) == 0; });
-    Motion motion;
+    CameraMotion motion;
     motion.moving = part.views;
     if (random.below(2) == 0) motion.moving &= static_cast<ViewSet>(1 + random.below(63));
     const bool star = !part.points.empty() && random.below(2) == 0;
@@ -47,8 +46,8 @@ TEST_SUITE_BEGIN("problems in general: ranks");
 TEST_CASE("the Jacobian has the rank of the joint camera map, written a second way") {
     Random random(20);
     for (int i = 0; i < 400; ++i) {
-        const general::Problem problem = random.problem();
-        CAPTURE(general::notation(problem));
+        const Problem problem = random.problem();
+        CAPTURE(notation(problem));
         const ResidueMatrix matrix = jacobian(problem, random.instance(problem));
         CHECK(nmod_mat_rank(matrix.get()) == SecondJacobian(problem, 7).rank());
     }
@@ -58,12 +57,12 @@ TEST_CASE("the Jacobian has a row for each dimension of the images: none is supe
     // The images of one view alone, with the scene free, are as many as its dimension.
     Random random(21);
     for (int i = 0; i < 100; ++i) {
-        general::Problem problem = random.problem();
+        Problem problem = random.problem();
         for (ViewSet& seen : problem.points)
             seen &= 1;
         for (Line& line : problem.lines)
             line.seen &= 1;
-        CAPTURE(general::notation(problem));
+        CAPTURE(notation(problem));
         CHECK(SecondJacobian(problem, 3).rank() == dimension_in_views(problem));
     }
 }
@@ -72,16 +71,16 @@ TEST_CASE("there are as many motions as a reason claims, or more") {
     Random random(22);
     int with_motions = 0;
     for (int i = 0; i < 4000; ++i) {
-        const general::Problem problem = random.problem();
+        const Problem problem = random.problem();
         const auto [part, motion] = random_motion(problem, random);
         if (motion.moving == 0 || !is_part(problem, part)) continue;
         const std::optional<int> claimed = motions(problem, part, motion);
         if (!claimed || *claimed < 1) continue;
         ++with_motions;
-        CAPTURE(general::notation(problem));
-        const general::Problem alone = problem_of(problem, part);
+        CAPTURE(notation(problem));
+        const Problem alone = problem_of(problem, part);
         const int parameters =
-            dimension_in_space(alone) + general::camera_dimension(alone.model, alone.views);
+            dimension_in_space(alone) + dimension_of_cameras(alone.model, alone.views);
         CHECK(SecondJacobian(alone, 1).rank() <= parameters - *claimed);
     }
     CHECK(with_motions > 200);
@@ -91,19 +90,19 @@ TEST_CASE("the images of a problem satisfy the conditions of its parts") {
     Random random(25);
     int overconstrained = 0;
     for (int i = 0; i < 1500; ++i) {
-        const general::Problem problem = random.problem();
-        const Part part = random_motion(problem, random).first;
+        const Problem problem = random.problem();
+        const Subproblem part = random_motion(problem, random).first;
         if (!is_part(problem, part) || *excess(problem, part, {}) < 1) continue;
         ++overconstrained;
-        CAPTURE(general::notation(problem));
+        CAPTURE(notation(problem));
         CHECK(*excess(problem, part, {}) <= corank(problem));
     }
     CHECK(overconstrained > 100);
 }
 
 TEST_CASE("three lines that meet in a point stay together: the point is no part to leave out") {
-    const general::Problem problem = general::parse("PLMN/PLMN + 2*PL/PL + 2*PM/PM + 2*PN/PN");
-    Part part = whole(problem);
+    const Problem problem = parse_problem("PLMN/PLMN + 2*PL/PL + 2*PM/PM + 2*PN/PN");
+    Subproblem part = whole(problem);
     std::erase(part.points, 0);
     CHECK_FALSE(is_part(problem, part));
     part.lines = {0, 1};
@@ -116,10 +115,10 @@ TEST_CASE("balanced problems at random: the certificate agrees with the rank") {
     Random random(23);
     int balanced = 0, decided = 0;
     for (int i = 0; i < 3000; ++i) {
-        const general::Problem problem = random.problem();
+        const Problem problem = random.problem();
         if (!is_balanced(problem)) continue;
         ++balanced;
-        CAPTURE(general::notation(problem));
+        CAPTURE(notation(problem));
         const bool minimal = corank(problem) == 0;
         std::optional<bool> certified; // nothing where no reason is found
         try {
@@ -140,7 +139,7 @@ TEST_CASE("label classes have the same verdict as problems in general") {
         const plprove::Problem problem = plprove::problem_of(classes[number]);
         const std::string text = plprove::notation(problem);
         CAPTURE(text);
-        const bool minimal = is_minimal(certify(parse(text)));
+        const bool minimal = is_minimal(certify(parse_problem(text)));
         CHECK(minimal == (decide(problem).verdict == Verdict::minimal));
         not_minimal += minimal ? 0 : 1;
     }
@@ -148,7 +147,7 @@ TEST_CASE("label classes have the same verdict as problems in general") {
     for (const std::size_t number : {0, 1, 3, 5093, 130456}) {
         const std::string text = plprove::notation(plprove::problem_of(classes[number]));
         CAPTURE(text);
-        CHECK(is_minimal(certify(parse(text))) ==
+        CHECK(is_minimal(certify(parse_problem(text))) ==
               (decide(plprove::problem_of(classes[number])).verdict == Verdict::minimal));
     }
 }

@@ -2,14 +2,14 @@
 // coordinates for points and cameras, no gauge, and every seen point and line with two coordinates.
 #pragma once
 
-#include "prover/general/arrangement.h"
 #include "prover/geometry/flint.h"
+#include "prover/problem/problem.h"
 
 #include <array>
 #include <random>
 #include <vector>
 
-namespace plprove::general {
+namespace plprove {
 
 /// a + b epsilon modulo q, epsilon^2 = 0.
 struct Dual {
@@ -146,4 +146,4 @@ private:
     std::size_t moving_ = 0;
 };
 
-} // namespace plprove::general
+} // namespace plprove
