@@ -9,7 +9,6 @@
 #include "prover/minimal/problem_certificate.h"
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
-#include "prover/problem/spec_in_general.h"
 #include "prover/scripts/scripts.h"
 
 namespace atlas {

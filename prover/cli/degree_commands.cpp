@@ -7,9 +7,8 @@
 #include "prover/cli/two_view_report.h"
 #include "prover/degree_sweep/write.h"
 #include "prover/problem/five_points.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
-#include "prover/problem/spec_in_general.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
 

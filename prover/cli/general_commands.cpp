@@ -1,7 +1,7 @@
 #include "prover/cli/general_commands.h"
 
-#include "prover/problem/notation_in_general.h"
-#include "prover/problem/spec_in_general.h"
+#include "prover/problem/notation.h"
+#include "prover/problem/spec.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
 

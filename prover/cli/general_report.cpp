@@ -3,9 +3,8 @@
 #include "prover/cli/problem_report.h"
 #include "prover/cli/sections.h"
 #include "prover/many_views/degrees_on_file.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
-#include "prover/problem/spec_in_general.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -14,14 +13,10 @@ namespace plprove {
 
 namespace {
 
-const char* model_name(const Problem& problem) {
-    return problem.model == CameraModel::calibrated ? "calibrated" : "projective";
-}
-
 std::string balance(const Problem& problem) {
     const bool balanced = is_balanced(problem);
     return "scene " + std::to_string(dimension_in_space(problem)) + " + cameras " +
-           std::to_string(dimension_of_cameras(problem.model, problem.views)) +
+           std::to_string(problem.cameras->dimension(problem.views)) +
            (balanced ? " = " : " against ") + "images " +
            std::to_string(dimension_in_views(problem)) + (balanced ? ": balanced" : ": unbalanced");
 }
@@ -91,7 +86,7 @@ std::string text_report(const ProblemRecord& certificate) {
     const Problem& problem = certificate.problem;
     std::ostringstream out;
     section(out, "problem") << notation(problem) << '\n';
-    section(out, "cameras") << problem.views << ' ' << model_name(problem) << '\n';
+    section(out, "cameras") << problem.views << ' ' << problem.cameras->name << '\n';
     section(out, "dimensions") << balance(problem) << '\n';
     section(out, "verdict") << verdict(certificate) << '\n';
     section(out, "");
@@ -102,18 +97,17 @@ std::string text_report(const ProblemRecord& certificate) {
 
 std::string json_report(const ProblemRecord& certificate) {
     const Problem& problem = certificate.problem;
-    nlohmann::ordered_json report = {
-        {"problem", notation(problem)},
-        {"name", name(problem)},
-        {"cameras", model_name(problem)},
-        {"views", problem.views},
-        {"dimensions",
-         {{"scene", dimension_in_space(problem)},
-          {"cameras", dimension_of_cameras(problem.model, problem.views)},
-          {"images", dimension_in_views(problem)}}},
-        {"verdict", verdict(certificate)},
-        {"minimal", is_minimal(certificate)},
-        {"reason", explanation(certificate)}};
+    nlohmann::ordered_json report = {{"problem", notation(problem)},
+                                     {"name", name(problem)},
+                                     {"cameras", problem.cameras->name},
+                                     {"views", problem.views},
+                                     {"dimensions",
+                                      {{"scene", dimension_in_space(problem)},
+                                       {"cameras", problem.cameras->dimension(problem.views)},
+                                       {"images", dimension_in_views(problem)}}},
+                                     {"verdict", verdict(certificate)},
+                                     {"minimal", is_minimal(certificate)},
+                                     {"reason", explanation(certificate)}};
     const auto degree = many_views::degree_on_file(notation(problem));
     if (degree)
         report["degree"] = {{"value", degree->degree},

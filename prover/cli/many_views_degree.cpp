@@ -3,7 +3,7 @@
 #include "prover/cli/sections.h"
 #include "prover/many_views/certificate.h"
 #include "prover/minimal/problem_record.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
 
@@ -100,7 +100,7 @@ int propose_upper_bound(const Problem& problem, const many_views::Powers& powers
                         std::uint64_t seed, const std::string& path, const Deliver& deliver) {
     require_minimal(problem);
     require_complete_visibility(problem);
-    if (problem.model == CameraModel::calibrated)
+    if (problem.cameras == &calibrated_cameras)
         throw BadInput("--at-most is for projective cameras: write `projective:` in front of the "
                        "problem");
     const auto record = many_views::propose_upper_bound(problem, powers, seed);

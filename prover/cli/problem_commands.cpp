@@ -7,7 +7,6 @@
 #include "prover/minimal/problem_certificate.h"
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
-#include "prover/problem/spec_in_general.h"
 #include "prover/system/exit.h"
 #include "prover/system/words.h"
 

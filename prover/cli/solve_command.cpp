@@ -3,7 +3,7 @@
 #include "prover/cli/solve_report.h"
 #include "prover/degree_sweep/write.h"
 #include "prover/many_views/certificate.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/certificate.h"
 #include "prover/solver/images_file.h"

@@ -83,15 +83,15 @@ void CameraChart::add(Chart chart) {
     charts_.push_back(std::move(chart));
 }
 
-CameraChart::CameraChart(CameraModel model, int views, Random& random) : model_(model) {
+CameraChart::CameraChart(const CameraModel& model, int views, Random& random) : model_(&model) {
     for (int view = 1; view < views; ++view)
-        add(model == CameraModel::calibrated ? calibrated(view == 1, random)
-                                             : projective(view == 1, random));
+        add(&model == &calibrated_cameras ? calibrated(view == 1, random)
+                                          : projective(view == 1, random));
 }
 
-CameraChart CameraChart::standard(CameraModel model, int views) {
+CameraChart CameraChart::standard(const CameraModel& model, int views) {
     CameraChart result(model);
-    const bool calibrated = model == CameraModel::calibrated;
+    const bool calibrated = &model == &calibrated_cameras;
     for (int view = 1; view < views; ++view) {
         std::vector<Index> ones{0}, free;
         if (calibrated && view == 1) ones = {0, 4};
@@ -119,7 +119,7 @@ CameraWithDerivatives CameraChart::camera(std::size_t view, const VectorXcd& coo
     const Chart& chart = charts_[view - 1];
     const VectorXcd numbers = this->numbers(view, coordinates);
     CameraWithDerivatives result;
-    if (model_ == CameraModel::projective) {
+    if (model_ == &projective_cameras) {
         result.camera = matrix(numbers);
         for (Index k = 0; k < chart.basis.cols(); ++k)
             result.by_coordinate.push_back(matrix(chart.basis.col(k)));

@@ -25,11 +25,11 @@ struct CameraWithDerivatives {
 /// 0 0 0 1: so motions and scalings of space leave no freedom.
 class CameraChart {
 public:
-    CameraChart(CameraModel model, int views, Random& random);
+    CameraChart(const CameraModel& model, int views, Random& random);
 
     /// The one of certs/FORMAT.md, section 14: quaternions begin with 1, matrices too, and so does
     /// t of camera 2, or its second row.
-    static CameraChart standard(CameraModel model, int views);
+    static CameraChart standard(const CameraModel& model, int views);
 
     /// The numbers that make a camera, a quaternion and t, or the matrix row by row:
     /// origin + basis · coordinates.
@@ -51,14 +51,14 @@ public:
     CameraWithDerivatives camera(std::size_t view, const Eigen::VectorXcd& coordinates) const;
 
 private:
-    explicit CameraChart(CameraModel model) : model_(model) {}
+    explicit CameraChart(const CameraModel& model) : model_(&model) {}
 
     void add(Chart chart);
 
     static Chart calibrated(bool second, Random& random);
     static Chart projective(bool second, Random& random);
 
-    CameraModel model_;
+    const CameraModel* model_;
     std::vector<Chart> charts_;
     std::vector<Eigen::Index> offsets_{0}; ///< and the sum of all
 };

@@ -4,7 +4,7 @@
 #include "prover/many_views/integer_pictures.h"
 #include "prover/many_views/path.h"
 #include "prover/monodromy/solution_set.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -26,7 +26,7 @@ bool is_real(const Point& point) {
 
 /// The same cameras and places in the standard chart.
 Point in_standard_chart(const System& system, const Point& point) {
-    const bool calibrated = system.problem().model == CameraModel::calibrated;
+    const bool calibrated = system.problem().cameras == &calibrated_cameras;
     Point result(point.size());
     Complex depth_factor = 1; // of all translations: fixes the scale of space
     for (std::size_t view = 1; view < static_cast<std::size_t>(system.chart().views()); ++view) {
@@ -62,7 +62,7 @@ Point in_standard_chart(const System& system, const Point& point) {
 class IntegerSystem {
 public:
     IntegerSystem(const Problem& problem, const IntegerImages& integers, double scale)
-        : system_(problem, CameraChart::standard(problem.model, problem.views)), scale_(scale),
+        : system_(problem, CameraChart::standard(*problem.cameras, problem.views)), scale_(scale),
           images_(scaled(problem, integers, scale)), still_(on_the_way(images_, images_, 0)) {}
 
     const Images<Complex>& images() const { return images_; }
@@ -153,7 +153,7 @@ Eigen::Vector3cd vector(const Vector<Complex>& x) {
 /// The point of the standard chart with this second camera. The depth d of a point is such that
 /// the camera sees it where the second view does: M x + d t = s y.
 Point second_camera_with_depths(const Images<Complex>& images, const QuaternionCamera& camera) {
-    const auto chart = CameraChart::standard(CameraModel::calibrated, 2);
+    const auto chart = CameraChart::standard(calibrated_cameras, 2);
     const auto& [q, t] = camera;
     Eigen::VectorXcd coordinates(5);
     coordinates << q[1] / q[0], q[2] / q[0], q[3] / q[0], t[1] / t[0], t[2] / t[0];

@@ -91,7 +91,7 @@ Images<Polynomial> straight_way(const Images<Complex>& from, const Images<Comple
 }
 
 System::System(Problem problem, Random& random)
-    : System(problem, CameraChart(problem.model, problem.views, random)) {}
+    : System(problem, CameraChart(*problem.cameras, problem.views, random)) {}
 
 System::System(Problem problem, CameraChart chart)
     : problem_(std::move(problem)), depths_(static_cast<Index>(unknown_depths(problem_))),
@@ -136,7 +136,7 @@ void System::evaluate_row(Index row, const Incidence<Moving>& equation,
 
 bool System::has_null_quaternion(const Point& point) const {
     constexpr double small = 1e-8;
-    if (problem_.model != CameraModel::calibrated) return false;
+    if (problem_.cameras != &calibrated_cameras) return false;
     for (std::size_t view = 1; view < static_cast<std::size_t>(chart_.views()); ++view) {
         const Eigen::Index first = depths_ + chart_.offset(view);
         const Eigen::VectorXcd coordinates = point.segment(first, chart_.coordinates(view));

@@ -1,7 +1,7 @@
 #include "prover/many_views/upper_bound.h"
 
 #include "prover/format/certificate_text.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 namespace plprove::many_views {
 

@@ -1,78 +1,13 @@
 #include "prover/minimal/block.h"
 
+#include "prover/minimal/jacobian.h"
+
 #include <algorithm>
 #include <numeric>
 
 namespace plprove {
 
 namespace {
-
-/// A block under construction, which knows where the unknowns of the feature and of a camera are.
-class BlockBuilder {
-public:
-    explicit BlockBuilder(const Feature& feature) : has_point_(feature.has_point) {
-        block_.own = dimension_in_space(feature);
-        block_.cameras = camera_unknowns(feature.views());
-    }
-
-    /// line . d(P_v X) = 0, where y = R_v X and `rotation` is R_v.
-    void point_row(int view, const Vector3& line, const Matrix3& rotation, const Vector3& y) {
-        begin_row();
-        // Of the point on a free line only the first two coordinates move.
-        for (int i = 0; i < (has_point_ ? 3 : 2); ++i)
-            entry(i) = dot_column(line, rotation, i);
-        add_rotation(view, cross(y, line));
-        if (view == 0) return;
-        // The first coordinate of t_2 is kept.
-        for (int i = view == 1 ? 1 : 0; i < 3; ++i)
-            entry(translation_column(view) + i) = line[static_cast<std::size_t>(i)];
-    }
-
-    /// line . d(R_v D) = 0, where e = R_v D and D is the direction of line number `index`.
-    void direction_row(int view, const Vector3& line, const Matrix3& rotation, const Vector3& e,
-                       int index) {
-        begin_row();
-        const int start = (has_point_ ? 3 : 2) + 2 * index;
-        for (int i = 0; i < 2; ++i)
-            entry(start + i) = dot_column(line, rotation, i);
-        add_rotation(view, cross(e, line));
-    }
-
-    FeatureBlock take() { return std::move(block_); }
-
-private:
-    void begin_row() {
-        ++block_.rows;
-        block_.entries.resize(
-            static_cast<std::size_t>(block_.rows * (block_.own + block_.cameras)));
-    }
-
-    std::int64_t& entry(int column) {
-        return block_.entries[static_cast<std::size_t>(
-            (block_.rows - 1) * (block_.own + block_.cameras) + column)];
-    }
-
-    // Columns of camera v = 1, 2, ... (from 0): omega from here on, then the translation. That of
-    // camera 1 lacks its first coordinate.
-    int rotation_column(int view) const { return block_.own + (view == 1 ? 0 : 6 * view - 7); }
-    int translation_column(int view) const {
-        return rotation_column(view) + 3 - (view == 1 ? 1 : 0);
-    }
-
-    void add_rotation(int view, const Vector3& coefficients) {
-        if (view == 0) return;
-        for (int i = 0; i < 3; ++i)
-            entry(rotation_column(view) + i) = coefficients[static_cast<std::size_t>(i)];
-    }
-
-    static std::int64_t dot_column(const Vector3& line, const Matrix3& m, int column) {
-        const auto c = static_cast<std::size_t>(column);
-        return line[0] * m[0][c] + line[1] * m[1][c] + line[2] * m[2][c];
-    }
-
-    bool has_point_;
-    FeatureBlock block_;
-};
 
 /// The residue of an integer modulo q.
 Residue residue_of(const fmpz* value) {
@@ -112,26 +47,15 @@ bool is_odd(std::span<const int> permutation) {
 } // namespace
 
 FeatureBlock feature_block(const PlacedFeature& placed, const Cameras& cameras) {
-    const Feature& feature = placed.feature;
-    BlockBuilder builder(feature);
-    for (int view = 0; view < feature.views(); ++view) {
-        const Camera camera = view == 0 ? Camera{} : cameras[static_cast<std::size_t>(view - 1)];
-        const Matrix3 rotation = rotation_matrix(camera.quaternion);
-        const Vector3 y = rotation * placed.point;
-        const Vector3 x = y + camera.translation;
-        if (feature.sees_point(view)) {
-            builder.point_row(view, {0, x[2], -x[1]}, rotation, y);
-            builder.point_row(view, {-x[2], 0, x[0]}, rotation, y);
-        }
-        for (int line = 0; line < feature.lines; ++line) {
-            if (!feature.sees_line(view, line)) continue;
-            const Vector3 e = rotation * placed.directions[static_cast<std::size_t>(line)];
-            const Vector3 image = cross(x, e);
-            if (!feature.sees_point(view)) builder.point_row(view, image, rotation, y);
-            builder.direction_row(view, image, rotation, e, line);
-        }
-    }
-    return builder.take();
+    Instance instance;
+    for (const auto& [q, t] : cameras)
+        instance.cameras.push_back({q[0], q[1], q[2], q[3], t[0], t[1], t[2]});
+    instance.scene.assign(placed.point.begin(), placed.point.end());
+    for (const Vector3& direction : placed.directions)
+        instance.scene.insert(instance.scene.end(), direction.begin(), direction.end());
+    Matrix<std::int64_t> matrix = jacobian<std::int64_t>(problem_of({placed.feature}), instance);
+    const int own = dimension_in_space(placed.feature);
+    return {matrix.rows, own, matrix.columns - own, std::move(matrix.entries)};
 }
 
 std::optional<CameraPart> eliminate(const FeatureBlock& block) {

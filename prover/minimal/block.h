@@ -35,12 +35,6 @@ struct FeatureBlock {
     }
 };
 
-/// The number of camera unknowns for `views` views: 6 for each camera but the first, less 1 for the
-/// scale.
-constexpr int camera_unknowns(int views) {
-    return 6 * (views - 1) - 1;
-}
-
 /// The block of a placed feature in the chart of FORMAT.md, section 3. Assumes that neither the
 /// cameras nor the feature have a defect and that no coordinate exceeds max_coordinate.
 FeatureBlock feature_block(const PlacedFeature& placed, const Cameras& cameras);

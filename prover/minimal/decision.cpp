@@ -9,8 +9,7 @@ namespace plprove {
 
 namespace {
 
-template <class Function>
-int total(const Features& problem, Function function) {
+int total(const Features& problem, int (*function)(const Feature&)) {
     int sum = 0;
     for (const Feature& feature : problem)
         sum += function(feature);
@@ -91,7 +90,7 @@ Decision decide(const Features& problem) {
     decision.space_dimension = total(problem, dimension_in_space);
     decision.image_dimension = total(problem, dimension_in_images);
     const int views = problem.front().views();
-    decision.camera_dimension = camera_unknowns(views);
+    decision.camera_dimension = calibrated_cameras.dimension(views);
     decision.constraints = total(decision.lifted, weight);
     decision.obstruction = obstruction(decision.lifted);
     // Of a problem that is not balanced, a star says nothing about the rank.

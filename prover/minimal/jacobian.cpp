@@ -1,30 +1,63 @@
 #include "prover/minimal/jacobian.h"
 
-#include "prover/geometry/quaternion.h"
-#include "prover/minimal/moving.h"
-
 namespace plprove {
 
 namespace {
 
-/// A line in motion: a point and a direction.
-struct MovingLine {
-    Moving point;
-    Moving direction;
+template <class T>
+using Vector3Of = std::array<T, 3>;
+
+template <class T>
+T dot(const Vector3Of<T>& a, const Vector3Of<T>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class T>
+Vector3Of<T> cross(const Vector3Of<T>& a, const Vector3Of<T>& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// A vector of space and its derivatives by the unknowns of the scene.
+template <class T>
+struct Moving {
+    Vector3Of<T> value{};
+    std::vector<Vector3Of<T>> derivative;
 };
 
+/// a + s b, where s does not move.
+template <class T>
+Moving<T> plus_multiple(const Moving<T>& a, const T& s, const Moving<T>& b) {
+    Moving<T> sum = a;
+    for (std::size_t i = 0; i < 3; ++i) {
+        sum.value[i] = sum.value[i] + s * b.value[i];
+        for (std::size_t k = 0; k < sum.derivative.size(); ++k)
+            sum.derivative[k][i] = sum.derivative[k][i] + s * b.derivative[k][i];
+    }
+    return sum;
+}
+
+/// A line in motion: a point and a direction.
+template <class T>
+struct MovingLine {
+    Moving<T> point;
+    Moving<T> direction;
+};
+
+template <class T>
 struct Scene {
-    std::vector<Moving> points;
-    std::vector<MovingLine> lines;
+    std::vector<Moving<T>> points;
+    std::vector<MovingLine<T>> lines;
 };
 
 /// Builds the scene in the order of its unknowns.
+template <class T>
 class SceneBuilder {
 public:
     SceneBuilder(const Problem& problem, const Instance& instance)
-        : problem_(problem), instance_(instance), unknowns_(dimension_in_space(problem)) {}
+        : problem_(problem), instance_(instance),
+          unknowns_(static_cast<std::size_t>(dimension_in_space(problem))) {}
 
-    Scene build() {
+    Scene<T> build() {
         for (int point = 0; point < static_cast<int>(problem_.points.size()); ++point)
             scene_.points.push_back(next_point(point));
         for (const Line& line : problem_.lines)
@@ -33,129 +66,81 @@ public:
     }
 
 private:
-    Residue next_coordinate() { return residue(instance_.scene[next_coordinate_++]); }
+    T next_coordinate() { return T(instance_.scene[next_coordinate_++]); }
 
-    /// A vector from the file of which the first `moving` coordinates are unknowns.
-    Moving next_vector(std::size_t moving) {
-        Moving vector(unknowns_);
-        for (std::size_t i = 0; i < 3; ++i)
-            vector.value[i] = next_coordinate();
+    /// A vector from the file. Its first coordinates, `moving` of them, are unknowns.
+    Moving<T> next_vector(std::size_t moving) {
+        Moving<T> vector{{}, std::vector<Vector3Of<T>>(unknowns_)};
+        for (T& coordinate : vector.value)
+            coordinate = next_coordinate();
         for (std::size_t i = 0; i < moving; ++i)
-            vector.derivative[next_unknown_++][i] = 1;
+            vector.derivative[next_unknown_++][i] = T(1);
         return vector;
     }
 
-    const Moving& point(int number) const {
+    const Moving<T>& point(int number) const {
         return scene_.points[static_cast<std::size_t>(number)];
     }
 
-    Moving next_point(int number) {
+    Moving<T> next_point(int number) {
         const std::optional<int> on = carrier(problem_, number);
         if (!on) return next_vector(3);
         const std::vector<int>& base = problem_.lines[static_cast<std::size_t>(*on)].points;
-        const Moving direction = difference(point(base[1]), point(base[0]));
-        Moving result = plus_multiple(point(base[0]), next_coordinate(), direction);
+        const Moving<T> direction = plus_multiple(point(base[1]), T(-1), point(base[0]));
+        Moving<T> result = plus_multiple(point(base[0]), next_coordinate(), direction);
         result.derivative[next_unknown_++] = direction.value;
         return result;
     }
 
-    MovingLine next_line(const Line& line) {
+    MovingLine<T> next_line(const Line& line) {
         if (line.points.empty()) {
-            Moving start = next_vector(2);
+            Moving<T> start = next_vector(2);
             return {std::move(start), next_vector(2)};
         }
-        const Moving& start = point(line.points[0]);
+        const Moving<T>& start = point(line.points[0]);
         if (line.points.size() == 1) return {start, next_vector(2)};
-        return {start, difference(point(line.points[1]), start)};
+        return {start, plus_multiple(point(line.points[1]), T(-1), start)};
     }
 
     const Problem& problem_;
     const Instance& instance_;
-    int unknowns_;
+    std::size_t unknowns_;
     std::size_t next_coordinate_ = 0;
     std::size_t next_unknown_ = 0;
-    Scene scene_;
+    Scene<T> scene_;
 };
 
-/// The matrix of section 2 for a quaternion, and the translation.
-CameraMatrix calibrated_matrix(const std::vector<std::int64_t>& numbers) {
-    const auto rotation =
-        quaternion_matrix(std::array{numbers[0], numbers[1], numbers[2], numbers[3]});
-    CameraMatrix matrix{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j)
-            matrix[i][j] = residue(rotation[i][j]);
-        matrix[i][3] = residue(numbers[4 + i]);
-    }
-    return matrix;
-}
-
-/// Turns by [w]x R, and translations; the first coordinate of the second camera's translation is
-/// kept.
-MovingCamera calibrated_camera(int view, const std::vector<std::int64_t>& numbers) {
-    MovingCamera camera{calibrated_matrix(numbers), {}};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        ResidueVector w{};
-        w[axis] = 1;
-        CameraMatrix turn{};
-        for (std::size_t j = 0; j < 3; ++j) {
-            const ResidueVector column{camera.matrix[0][j], camera.matrix[1][j],
-                                       camera.matrix[2][j]};
-            const ResidueVector turned = cross(w, column);
-            for (std::size_t i = 0; i < 3; ++i)
-                turn[i][j] = turned[i];
-        }
-        camera.derivative.push_back(turn);
-    }
-    for (std::size_t i = view == 1 ? 1 : 0; i < 3; ++i) {
-        CameraMatrix shift{};
-        shift[i][3] = 1;
-        camera.derivative.push_back(shift);
-    }
-    return camera;
-}
-
-/// All entries move, but the first five of camera 2 and the first of the others.
-MovingCamera projective_camera(int view, const std::vector<std::int64_t>& numbers) {
-    MovingCamera camera;
-    for (std::size_t i = 0; i < 12; ++i)
-        camera.matrix[i / 4][i % 4] = residue(numbers[i]);
-    for (std::size_t i = view == 1 ? 5 : 1; i < 12; ++i) {
-        CameraMatrix entry{};
-        entry[i / 4][i % 4] = 1;
-        camera.derivative.push_back(entry);
-    }
-    return camera;
-}
-
-MovingCamera camera_of_view(CameraModel model, int view, const Instance& instance) {
-    if (view == 0) {
-        MovingCamera first;
-        for (std::size_t i = 0; i < 3; ++i)
-            first.matrix[i][i] = 1;
-        return first;
-    }
-    const std::vector<std::int64_t>& numbers = instance.cameras[static_cast<std::size_t>(view) - 1];
-    return model == CameraModel::calibrated ? calibrated_camera(view, numbers)
-                                            : projective_camera(view, numbers);
+template <class T>
+MovingCamera<T> camera_of_view(const Problem& problem, int view, const Instance& instance) {
+    if (view > 0)
+        return place<T>(*problem.cameras, instance.cameras[static_cast<std::size_t>(view - 1)],
+                        view == 1);
+    MovingCamera<T> first;
+    for (std::size_t i = 0; i < 3; ++i)
+        first.matrix[i][i] = T(1);
+    return first;
 }
 
 /// The image of a point (weight 1) or of a direction (weight 0).
-ResidueVector image(const CameraMatrix& camera, const ResidueVector& x, Residue weight) {
-    ResidueVector result{};
-    for (std::size_t i = 0; i < 3; ++i)
-        result[i] =
-            plus(dot({camera[i][0], camera[i][1], camera[i][2]}, x), times(weight, camera[i][3]));
+template <class T>
+Vector3Of<T> image(const CameraMatrix<T>& camera, const Vector3Of<T>& x, int weight) {
+    Vector3Of<T> result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        result[i] = dot<T>({camera[i][0], camera[i][1], camera[i][2]}, x);
+        if (weight != 0) result[i] = result[i] + camera[i][3];
+    }
     return result;
 }
 
 /// Writes the rows of one view after another.
+template <class T>
 class RowWriter {
 public:
-    RowWriter(ResidueMatrix& matrix, int scene_unknowns)
+    RowWriter(Matrix<T>& matrix, int scene_unknowns)
         : matrix_(matrix), next_column_(scene_unknowns) {}
 
-    void write_view(const Problem& problem, const Scene& scene, int view, MovingCamera camera) {
+    void write_view(const Problem& problem, const Scene<T>& scene, int view,
+                    MovingCamera<T> camera) {
         camera_ = std::move(camera);
         for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
             if (contains(problem.points[static_cast<std::size_t>(point)], view))
@@ -178,27 +163,26 @@ private:
         return false;
     }
 
-    void write_point(const Moving& point, bool on_known_line) {
-        const ResidueVector x = image(camera_.matrix, point.value, 1);
-        write_row({0, x[2], minus(0, x[1])}, point, 1);
-        if (!on_known_line) write_row({minus(0, x[2]), 0, x[0]}, point, 1);
+    void write_point(const Moving<T>& point, bool on_known_line) {
+        const Vector3Of<T> x = image(camera_.matrix, point.value, 1);
+        write_row({T{}, x[2], T{} - x[1]}, point, 1);
+        if (!on_known_line) write_row({T{} - x[2], T{}, x[0]}, point, 1);
     }
 
-    void write_line(const MovingLine& line, std::size_t seen_points) {
+    void write_line(const MovingLine<T>& line, std::size_t seen_points) {
         if (seen_points >= 2) return;
-        const ResidueVector x = image(camera_.matrix, line.point.value, 1);
-        const ResidueVector e = image(camera_.matrix, line.direction.value, 0);
-        const ResidueVector l = cross(x, e);
+        const Vector3Of<T> l = cross(image(camera_.matrix, line.point.value, 1),
+                                     image(camera_.matrix, line.direction.value, 0));
         if (seen_points == 0) write_row(l, line.point, 1);
         write_row(l, line.direction, 0);
     }
 
     /// l . d(P (X, weight)), where P and X move.
-    void write_row(const ResidueVector& l, const Moving& x, Residue weight) {
-        const CameraMatrix& p = camera_.matrix;
-        ResidueVector pulled{};
+    void write_row(const Vector3Of<T>& l, const Moving<T>& x, int weight) {
+        const CameraMatrix<T>& p = camera_.matrix;
+        Vector3Of<T> pulled{};
         for (std::size_t j = 0; j < 3; ++j)
-            pulled[j] = dot(l, {p[0][j], p[1][j], p[2][j]});
+            pulled[j] = dot<T>(l, {p[0][j], p[1][j], p[2][j]});
         for (std::size_t k = 0; k < x.derivative.size(); ++k)
             matrix_.at(next_row_, static_cast<int>(k)) = dot(pulled, x.derivative[k]);
         for (std::size_t k = 0; k < camera_.derivative.size(); ++k)
@@ -207,8 +191,8 @@ private:
         ++next_row_;
     }
 
-    ResidueMatrix& matrix_;
-    MovingCamera camera_;
+    Matrix<T>& matrix_;
+    MovingCamera<T> camera_;
     int next_row_ = 0;
     int next_column_;
 };
@@ -224,15 +208,28 @@ int scene_coordinates(const Problem& problem) {
     return count;
 }
 
-ResidueMatrix jacobian(const Problem& problem, const Instance& instance) {
+template <class T>
+Matrix<T> jacobian(const Problem& problem, const Instance& instance) {
     const int scene_unknowns = dimension_in_space(problem);
-    ResidueMatrix matrix(dimension_in_views(problem),
-                         scene_unknowns + dimension_of_cameras(problem.model, problem.views));
-    const Scene scene = SceneBuilder(problem, instance).build();
-    RowWriter rows(matrix, scene_unknowns);
+    Matrix<T> matrix(dimension_in_views(problem),
+                     scene_unknowns + problem.cameras->dimension(problem.views));
+    const Scene<T> scene = SceneBuilder<T>(problem, instance).build();
+    RowWriter<T> rows(matrix, scene_unknowns);
     for (int view = 0; view < problem.views; ++view)
-        rows.write_view(problem, scene, view, camera_of_view(problem.model, view, instance));
+        rows.write_view(problem, scene, view, camera_of_view<T>(problem, view, instance));
     return matrix;
+}
+
+template Matrix<std::int64_t> jacobian(const Problem&, const Instance&);
+template Matrix<Modular> jacobian(const Problem&, const Instance&);
+
+ResidueMatrix jacobian_modulo_q(const Problem& problem, const Instance& instance) {
+    const Matrix<Modular> matrix = jacobian<Modular>(problem, instance);
+    ResidueMatrix result(matrix.rows, matrix.columns);
+    for (int i = 0; i < matrix.rows; ++i)
+        for (int j = 0; j < matrix.columns; ++j)
+            result.at(i, j) = matrix.at(i, j).value();
+    return result;
 }
 
 } // namespace plprove

@@ -1,7 +1,8 @@
 #include "prover/minimal/problem_record.h"
 
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
+#include <algorithm>
 #include <random>
 #include <stdexcept>
 
@@ -14,12 +15,12 @@ constexpr std::int64_t small = 9;
 constexpr std::int64_t large = 999999;
 
 /// Random integers of at most this size, the same on every machine.
-class Coordinates {
+class RandomCoordinates {
 public:
-    Coordinates(unsigned seed, std::int64_t largest) : engine_(seed), largest_(largest) {}
+    RandomCoordinates(unsigned seed, std::int64_t largest) : engine_(seed), largest_(largest) {}
 
-    std::vector<std::int64_t> take(int count) {
-        std::vector<std::int64_t> result;
+    Coordinates take(int count) {
+        Coordinates result;
         const auto range = static_cast<std::uint64_t>(2 * largest_ + 1);
         for (int i = 0; i < count; ++i)
             result.push_back(static_cast<std::int64_t>(engine_() % range) - largest_);
@@ -32,22 +33,17 @@ private:
 };
 
 Instance random_instance(const Problem& problem, unsigned seed, std::int64_t largest) {
-    Coordinates coordinates(seed, largest);
+    RandomCoordinates coordinates(seed, largest);
     Instance instance;
-    const bool calibrated = problem.model == CameraModel::calibrated;
     for (int view = 1; view < problem.views; ++view)
-        instance.cameras.push_back(coordinates.take(calibrated ? 7 : 12));
-    if (!calibrated) {
-        const std::vector<std::int64_t> fixed_row{0, 0, 0, 1};
-        std::copy(fixed_row.begin(), fixed_row.end(), instance.cameras.front().begin());
-    }
+        instance.cameras.push_back(coordinates.take(problem.cameras->numbers));
+    std::ranges::copy(problem.cameras->start_of_second, instance.cameras.front().begin());
     instance.scene = coordinates.take(scene_coordinates(problem));
     return instance;
 }
 
 Residue minor_at(const Problem& problem, const Instance& instance) {
-    const ResidueMatrix matrix = jacobian(problem, instance);
-    return nmod_mat_det(matrix.get());
+    return nmod_mat_det(jacobian_modulo_q(problem, instance).get());
 }
 
 /// A point with small coordinates and full rank. Large coordinates tell whether there is one.
@@ -82,7 +78,7 @@ struct Explain {
     }
     std::string operator()(const Unbalanced&) const {
         const int parameters =
-            dimension_in_space(problem) + dimension_of_cameras(problem.model, problem.views);
+            dimension_in_space(problem) + problem.cameras->dimension(problem.views);
         const int images = dimension_in_views(problem);
         return "cameras and scene have " + plural(parameters, "parameter") + ", the images " +
                std::to_string(images);
@@ -116,7 +112,7 @@ struct Explain {
         if (motion.kind == MotionKind::plane)
             return "looks the same when cameras move and keep the images of a plane";
         const std::string point = " point " + std::to_string(motion.centre + 1);
-        return problem.model == CameraModel::calibrated
+        return !problem.cameras->keeps_lines
                    ? "looks the same when cameras slide along their rays to" + point
                    : "looks the same when cameras move and keep the images of all lines through" +
                          point;

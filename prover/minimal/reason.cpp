@@ -118,12 +118,12 @@ struct Freedom {
     int space = 0;
 };
 
-Freedom freedom(CameraModel model, const CameraMotion& motion, int rank, int resting) {
+Freedom freedom(const CameraModel& model, const CameraMotion& motion, int rank, int resting) {
     if (motion.kind == MotionKind::plane) {
         if (resting == 0) return {3, 4};
         return {3, resting == 1 ? 1 : 0};
     }
-    const int camera = model == CameraModel::calibrated ? 1 : 4 - rank;
+    const int camera = model.keeps_lines ? 4 - rank : 1;
     return {camera, resting == 0 ? camera : 0};
 }
 
@@ -148,7 +148,7 @@ Problem problem_of(const Problem& problem, const Subproblem& part) {
             if (contains(seen, views[i])) result |= ViewSet{1} << i;
         return result;
     };
-    Problem result{problem.model, static_cast<int>(views.size()), {}, {}};
+    Problem result{problem.cameras, static_cast<int>(views.size()), {}, {}};
     for (const int point : part.points)
         result.points.push_back(seen_in_part(problem.points[static_cast<std::size_t>(point)]));
     for (const int number : part.lines) {
@@ -192,19 +192,19 @@ bool is_part(const Problem& problem, const Subproblem& part) {
 std::optional<int> motions(const Problem& problem, const Subproblem& part,
                            const CameraMotion& motion) {
     if (motion.kind == MotionKind::none) return 0;
-    const bool calibrated = problem.model == CameraModel::calibrated;
-    if (calibrated && motion.kind == MotionKind::plane) return std::nullopt;
+    const CameraModel& cameras = *problem.cameras;
+    if (!cameras.keeps_planes && motion.kind == MotionKind::plane) return std::nullopt;
     const Span span = spanned_by(problem, part, motion);
-    if (span.rank() > (calibrated ? 0 : 3)) return std::nullopt;
+    if (span.rank() > (cameras.keeps_lines ? 3 : 0)) return std::nullopt;
     const std::vector<int> costly = costly_lines(problem, part, motion, span);
     if (!keeps_points(problem, part, motion, span, costly)) return std::nullopt;
     const int resting = std::popcount(part.views & ~motion.moving);
-    const Freedom free = freedom(problem.model, motion, span.rank(), resting);
+    const Freedom free = freedom(*problem.cameras, motion, span.rank(), resting);
     int result = free.camera * std::popcount(motion.moving) - free.space;
     for (const int number : costly) {
         const Line& line = problem.lines[static_cast<std::size_t>(number)];
-        const bool pivots =
-            motion.kind == MotionKind::plane || calibrated || span.rank() == 3 || span.meets(line);
+        const bool pivots = motion.kind == MotionKind::plane || !cameras.keeps_lines ||
+                            span.rank() == 3 || span.meets(line);
         const int views = std::popcount(line.seen & part.views);
         result -= (pivots ? 1 : 2) * std::max(0, views - 2);
     }
@@ -217,7 +217,7 @@ std::optional<int> excess(const Problem& problem, const Subproblem& part,
     if (!kept) return std::nullopt;
     const Problem alone = problem_of(problem, part);
     return dimension_in_views(alone) - dimension_in_space(alone) -
-           dimension_of_cameras(alone.model, alone.views) + *kept;
+           alone.cameras->dimension(alone.views) + *kept;
 }
 
 } // namespace plprove

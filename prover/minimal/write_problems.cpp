@@ -1,6 +1,6 @@
 #include "prover/format/certificate_text.h"
 #include "prover/minimal/problem_record.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 namespace plprove {
 

@@ -1,6 +1,6 @@
 #include "prover/problem/complete_visibility.h"
 
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/skeleton.h"
 
 #include <algorithm>
@@ -17,10 +17,10 @@ constexpr int most_points_of(Family family) {
     return family == Family::plmp ? 5 : 8;
 }
 
-Problem problem_of(const Skeleton& any_order, int free_lines, CameraModel model, int views) {
+Problem problem_of(const Skeleton& any_order, int free_lines, const CameraModel& model, int views) {
     const Skeleton skeleton = in_order_of_lines(any_order);
     const ViewSet all = all_views(views);
-    Problem problem{model, views, {}, {}};
+    Problem problem{&model, views, {}, {}};
     for (int point = 0; point < skeleton.points(); ++point) {
         problem.points.push_back(all);
         const int pins = skeleton.pins[static_cast<std::size_t>(point)];
@@ -40,15 +40,15 @@ struct Balance {
     int pin;
 };
 
-Balance balance(const Skeleton& skeleton, CameraModel model, int views) {
+Balance balance(const Skeleton& skeleton, const CameraModel& model, int views) {
     const int dependent = dependent_points(skeleton);
     const int free = skeleton.points() - dependent;
     const int points = (2 * views - 3) * free + (views - 1) * dependent;
-    return {dimension_of_cameras(model, views) - points, 2 * views - 4, views - 2};
+    return {model.dimension(views) - points, 2 * views - 4, views - 2};
 }
 
 /// The balanced problems with this skeleton, and any free lines and pins.
-void add_balanced(const Skeleton& skeleton, CameraModel model, int views,
+void add_balanced(const Skeleton& skeleton, const CameraModel& model, int views,
                   std::vector<Problem>& problems) {
     const Balance needed = balance(skeleton, model, views);
     if (views == 2) {
@@ -66,8 +66,7 @@ void add_balanced(const Skeleton& skeleton, CameraModel model, int views,
 } // namespace
 
 std::vector<Problem> family_problems(Family family) {
-    const CameraModel model =
-        family == Family::plmp ? CameraModel::calibrated : CameraModel::projective;
+    const CameraModel& model = family == Family::plmp ? calibrated_cameras : projective_cameras;
     const std::vector<std::vector<Skeleton>> by_points = skeletons(most_points_of(family));
     std::vector<Problem> problems;
     for (int views = 2; views <= most_views_of(family); ++views)

@@ -1,36 +1,23 @@
-// Point-line problems in general: calibrated or projective cameras, any number of views, lines with
-// any number of points, and what each view sees. docs/notation.md says how they are written.
+// Point-line problems: calibrated or projective cameras, any number of views, lines with any number
+// of points, and what each view sees. docs/notation.md says how they are written.
 //
 // A problem is a plain value. Its points are in an order of construction: a point is free (3
 // parameters), or it lies on one line through two earlier points (1 parameter). All dimensions
 // follow from this order (certs/FORMAT.md, section 13).
 #pragma once
 
-#include <compare>
-#include <cstdint>
+#include "prover/cameras/camera_model.h"
+#include "prover/problem/feature.h"
+
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace plprove {
 
-enum class CameraModel : std::uint8_t { calibrated, projective };
-
 inline constexpr int most_views = 12;
 inline constexpr int most_points = 100;
 inline constexpr int most_lines = 100;
-
-/// A set of views: bit v stands for view v + 1.
-using ViewSet = std::uint32_t;
-
-/// Whether the set contains view `view`, counted from 0.
-constexpr bool contains(ViewSet views, int view) {
-    return (views >> view & 1U) != 0;
-}
-
-/// The set of the first `views` views.
-constexpr ViewSet all_views(int views) {
-    return (ViewSet{1} << views) - 1;
-}
 
 /// A line: the points on it, ascending, and the views that see it.
 struct Line {
@@ -43,12 +30,32 @@ struct Line {
 /// view that sees two points of a line sees the line; a view that sees two lines of a point sees
 /// the point.
 struct Problem {
-    CameraModel model = CameraModel::calibrated;
+    const CameraModel* cameras = &calibrated_cameras;
     int views = 0;
     std::vector<ViewSet> points; ///< of each point, the views that see it
     std::vector<Line> lines;
     auto operator<=>(const Problem&) const = default;
 };
+
+/// A text that is not a problem: what was found, at which column (from 1), and what was expected;
+/// or points and lines that cannot be, and what to write instead.
+class NotationError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The sum of these features, in this order. Throws NotationError if there are too many points or
+/// lines; whether they can be, see refuse_invalid().
+Problem problem_of(const Features& features, const CameraModel& cameras = calibrated_cameras);
+
+/// The features of the problem: first the points in their order, each with its pins, then the free
+/// lines. Throws NotationError if there are too many lines to name them by letters.
+Features features_of(const Problem& problem);
+
+/// Throws NotationError if there are too many points or lines, two lines share two points, a view
+/// sees two points of a line that it does not see, or two lines of a point that it does not see, or
+/// the points have no order of construction.
+void refuse_invalid(const Problem& problem);
 
 /// Whether the line contains the point.
 bool contains(const Line& line, int point);
@@ -82,10 +89,6 @@ int dimension_in_view(const Problem& problem, int view);
 
 /// The sum of dimension_in_view over all views.
 int dimension_in_views(const Problem& problem);
-
-/// Parameters of so many cameras, up to the motions of space that change no image: 6m - 7
-/// calibrated, 11m - 15 projective. Assumes at least two views.
-int dimension_of_cameras(CameraModel model, int views);
 
 /// Whether images put as many constraints as cameras and scene have parameters.
 bool is_balanced(const Problem& problem);

@@ -1,9 +1,8 @@
-#include "prover/problem/spec_in_general.h"
+#include "prover/problem/spec.h"
 
 #include "prover/problem/complete_visibility.h"
 #include "prover/problem/names.h"
-#include "prover/problem/notation_in_general.h"
-#include "prover/problem/validity.h"
+#include "prover/problem/notation.h"
 #include "prover/system/words.h"
 
 #include <algorithm>
@@ -13,8 +12,6 @@ namespace plprove {
 
 namespace {
 
-constexpr std::string_view projective_prefix = "projective:";
-
 /// Reads PLMP's encoding without its blanks.
 class EncodingReader {
 public:
@@ -23,7 +20,7 @@ public:
             if (c != ' ' && c != '\t') text_ += c;
     }
 
-    Problem read(CameraModel model) {
+    Problem read(const CameraModel& model) {
         take('(');
         const int points = number("the number of points", most_points);
         take(',');
@@ -93,10 +90,10 @@ private:
         return result;
     }
 
-    static Problem problem(CameraModel model, int views, int points,
+    static Problem problem(const CameraModel& model, int views, int points,
                            const std::vector<std::vector<int>>& lines) {
         const ViewSet all = all_views(views);
-        Problem result{model, views, {}, {}};
+        Problem result{&model, views, {}, {}};
         result.points.assign(static_cast<std::size_t>(points), all);
         for (const std::vector<int>& line : lines)
             result.lines.push_back({line, all});
@@ -104,7 +101,7 @@ private:
         return *in_order_of_construction(result);
     }
 
-    static Problem balanced(CameraModel model, int points,
+    static Problem balanced(const CameraModel& model, int points,
                             const std::vector<std::vector<int>>& lines) {
         std::vector<Problem> found;
         for (int views = 2; views <= most_views; ++views) {
@@ -169,11 +166,10 @@ std::optional<Problem> parse_general_spec(std::string_view text) {
         return part.substr(first, part.find_last_not_of(" \t") + 1 - first);
     };
     text = trim(text);
-    const bool projective = text.starts_with(projective_prefix);
-    const std::string_view rest = projective ? trim(text.substr(projective_prefix.size())) : text;
-    const CameraModel model = projective ? CameraModel::projective : CameraModel::calibrated;
-    if (rest.starts_with('(')) return EncodingReader(rest).read(model);
-    if (projective || is_general_notation(text)) return parse_problem(text);
+    const CameraModel& cameras = cameras_of(text);
+    const std::string_view rest = trim(text.substr(cameras.prefix.size()));
+    if (rest.starts_with('(')) return EncodingReader(rest).read(cameras);
+    if (!cameras.prefix.empty() || is_general_notation(text)) return parse_problem(text);
     return problem_of_plmp(text);
 }
 

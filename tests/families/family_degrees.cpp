@@ -7,7 +7,7 @@
 // out; so are those with more than MOST solutions, which it names on stderr.
 #include "prover/many_views/monodromy.h"
 #include "prover/minimal/problem_record.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -7,7 +7,7 @@
 // how many solutions it finds of each; the status is 1 if they are too few of some.
 #include "prover/many_views/certificate.h"
 #include "prover/many_views/degrees_on_file.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -8,7 +8,7 @@
 // a missing solution would let it.
 #include "prover/many_views/monodromy.h"
 #include "prover/many_views/pencil_trace.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -3,8 +3,8 @@
 // checker accepts its certificate; what is not is refused with a message.
 #include "checker/replay.h"
 #include "prover/minimal/problem_record.h"
-#include "prover/problem/notation_in_general.h"
-#include "prover/problem/spec_in_general.h"
+#include "prover/problem/notation.h"
+#include "prover/problem/spec.h"
 #include "tests/fuzz/require.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void check_notation(const Problem& problem) {
     const std::string text = notation(problem);
     const Problem again = parse_problem(text);
     require(again.points == problem.points && again.views == problem.views &&
-                again.model == problem.model && again.lines.size() == problem.lines.size(),
+                again.cameras == problem.cameras && again.lines.size() == problem.lines.size(),
             "notation does not survive a round trip");
     require(notation(again) == text, "the same problem has two notations");
     require(dimension_in_space(again) == dimension_in_space(problem) &&

@@ -39,7 +39,7 @@ Counts count(const Features& problem) {
         counts.equations += weight(feature) + dimension_in_space(feature);
         counts.feature_unknowns += dimension_in_space(feature);
     }
-    counts.camera_unknowns = camera_unknowns(problem.front().views());
+    counts.camera_unknowns = calibrated_cameras.dimension(problem.front().views());
     return counts;
 }
 

@@ -1,6 +1,6 @@
 // The families of completely visible problems: complete, and counted a second way.
 #include "prover/minimal/problem_record.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/skeleton.h"
 #include "tests/prover/general/second_jacobian.h"
 

@@ -1,7 +1,7 @@
 // The notation for problems in general: what it means, that it is read as it is written, and what
 // is refused.
-#include "prover/problem/notation_in_general.h"
-#include "prover/problem/spec_in_general.h"
+#include "prover/problem/notation.h"
+#include "prover/problem/spec.h"
 #include "tests/prover/general/random_problems.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ auto invariants(const Problem& problem) {
     std::ranges::sort(lines);
     std::vector<ViewSet> points = problem.points;
     std::ranges::sort(points);
-    return std::tuple(problem.model, problem.views, points, lines, dimension_in_space(problem),
+    return std::tuple(problem.cameras, problem.views, points, lines, dimension_in_space(problem),
                       dimension_in_views(problem));
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("what the notation means") {
     CHECK(dimension_in_views(collinear) == 15);
 
     const Problem pins = parse_problem("projective: 2*Pab/Pa/P/a(c) + a/a/-/-");
-    CHECK(pins.model == CameraModel::projective);
+    CHECK(pins.cameras == &projective_cameras);
     CHECK(pins.points == std::vector<ViewSet>{7, 7});
     CHECK(pins.lines ==
           std::vector<Line>{{{0}, 11}, {{0}, 1}, {{0}, 0}, {{1}, 11}, {{1}, 1}, {{1}, 0}, {{}, 3}});
@@ -89,7 +89,7 @@ TEST_CASE("what cannot be is refused, with what to write instead") {
         {"P", "expected '/'"},
         {"", "found the end, expected what a view sees"},
         {"P/P + P/P/P", "column 7: found 3 views, expected 2"},
-        {"P/P/P/P/P/P/P/P/P/P/P/P/P", "13 views: write at most 12 views"},
+        {"P/P/P/P/P/P/P/P/P/P/P/P/P", "expected at most 12 views"},
         {"PL/P/PL + PL/P/PL", "view 2 sees point 1 and point 2, so it sees the line through them"},
         {"PL/P/PL + PL/PL/PL", "write L in the same views at each of its points"},
         {"2*PLM/PLM", "point 1 and point 2 lie on two lines"},
@@ -105,7 +105,7 @@ TEST_CASE("what cannot be is refused, with what to write instead") {
         {"0*P/P", "a multiplicity from 1 to 1000"},
         {"P/P + ", "found the end"},
         {"101*P/P", "at most 100 points"},
-        {"P/P\xc3\xa9", "the byte 195"},
+        {"P/P\xc3\xa9", "U+00E9 (no ASCII)"},
     };
     for (const auto& [text, message] : refused) {
         CAPTURE(text);

@@ -17,7 +17,7 @@ public:
     /// Up to 6 views and 10 features, both camera models, any visibility that the rules allow.
     Problem problem() {
         Problem problem;
-        problem.model = below(2) == 0 ? CameraModel::calibrated : CameraModel::projective;
+        problem.cameras = below(2) == 0 ? &calibrated_cameras : &projective_cameras;
         problem.views = 2 + below(5);
         const int points = below(9);
         for (int point = 0; point < points; ++point)
@@ -31,13 +31,9 @@ public:
 
     Instance instance(const Problem& problem) {
         Instance instance;
-        const bool calibrated = problem.model == CameraModel::calibrated;
         for (int view = 1; view < problem.views; ++view)
-            instance.cameras.push_back(coordinates(calibrated ? 7 : 12));
-        if (!calibrated) {
-            const std::vector<std::int64_t> row{0, 0, 0, 1};
-            std::ranges::copy(row, instance.cameras.front().begin());
-        }
+            instance.cameras.push_back(coordinates(problem.cameras->numbers));
+        std::ranges::copy(problem.cameras->start_of_second, instance.cameras.front().begin());
         instance.scene = coordinates(scene_coordinates(problem));
         return instance;
     }

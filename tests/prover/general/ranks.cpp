@@ -2,7 +2,7 @@
 // computed a second way.
 #include "prover/minimal/decision.h"
 #include "prover/minimal/problem_record.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/signature.h"
 #include "tests/prover/general/random_problems.h"
 #include "tests/prover/general/second_jacobian.h"
@@ -31,7 +31,7 @@ std::pair<Subproblem, CameraMotion> random_motion(const Problem& problem, Random
     motion.kind = star ? MotionKind::star : MotionKind::plane;
     const int points = static_cast<int>(part.points.size());
     if (star) motion.centre = part.points[static_cast<std::size_t>(random.below(points))];
-    if (problem.model == CameraModel::calibrated) return {part, motion};
+    if (problem.cameras == &calibrated_cameras) return {part, motion};
     for (const int point : part.points)
         if (!star || point != motion.centre) motion.points.push_back(point);
     for (const int line : part.lines)
@@ -48,7 +48,7 @@ TEST_CASE("the Jacobian has the rank of the joint camera map, written a second w
     for (int i = 0; i < 400; ++i) {
         const Problem problem = random.problem();
         CAPTURE(notation(problem));
-        const ResidueMatrix matrix = jacobian(problem, random.instance(problem));
+        const ResidueMatrix matrix = jacobian_modulo_q(problem, random.instance(problem));
         CHECK(nmod_mat_rank(matrix.get()) == SecondJacobian(problem, 7).rank());
     }
 }
@@ -79,8 +79,7 @@ TEST_CASE("there are as many motions as a reason claims, or more") {
         ++with_motions;
         CAPTURE(notation(problem));
         const Problem alone = problem_of(problem, part);
-        const int parameters =
-            dimension_in_space(alone) + dimension_of_cameras(alone.model, alone.views);
+        const int parameters = dimension_in_space(alone) + alone.cameras->dimension(alone.views);
         CHECK(SecondJacobian(alone, 1).rank() <= parameters - *claimed);
     }
     CHECK(with_motions > 200);
@@ -136,7 +135,7 @@ TEST_CASE("label classes have the same verdict as problems in general") {
     const std::vector<Signature>& classes = label_classes();
     int not_minimal = 0;
     for (std::size_t number = 0; number < classes.size(); number += 409) {
-        const plprove::Problem problem = plprove::problem_of(classes[number]);
+        const Features problem = problem_of(classes[number]);
         const std::string text = plprove::notation(problem);
         CAPTURE(text);
         const bool minimal = is_minimal(certify(parse_problem(text)));
@@ -145,10 +144,10 @@ TEST_CASE("label classes have the same verdict as problems in general") {
     }
     CHECK(not_minimal > 0);
     for (const std::size_t number : {0, 1, 3, 5093, 130456}) {
-        const std::string text = plprove::notation(plprove::problem_of(classes[number]));
+        const std::string text = plprove::notation(problem_of(classes[number]));
         CAPTURE(text);
         CHECK(is_minimal(certify(parse_problem(text))) ==
-              (decide(plprove::problem_of(classes[number])).verdict == Verdict::minimal));
+              (decide(problem_of(classes[number])).verdict == Verdict::minimal));
     }
 }
 

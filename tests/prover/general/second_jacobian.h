@@ -76,7 +76,7 @@ private:
     }
 
     Camera camera() {
-        if (problem_.model == CameraModel::projective)
+        if (problem_.cameras == &projective_cameras)
             return {free_point(), free_point(), free_point()};
         const Dual a = parameter(), b = parameter(), c = parameter(), d = parameter();
         const Dual two{2, 0};

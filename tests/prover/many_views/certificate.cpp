@@ -5,7 +5,7 @@
 #include "checker/degrees/krawczyk.h"
 #include "checker/replay.h"
 #include "prover/many_views/integer_pictures.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 #include "tests/support/all_classes.h"
 
 #include <doctest/doctest.h>

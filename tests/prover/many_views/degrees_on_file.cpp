@@ -4,9 +4,8 @@
 #include "prover/catalogue/degrees.h"
 #include "prover/minimal/decision.h"
 #include "prover/minimal/problem_record.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
-#include "prover/problem/spec_in_general.h"
 
 #include <doctest/doctest.h>
 #include <map>

@@ -3,7 +3,7 @@
 
 #include "prover/many_views/monodromy.h"
 #include "prover/monodromy/solution_set.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // Degrees that are known by other means, and results that threads do not change.
 #include "prover/many_views/monodromy.h"
 
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 
 #include "prover/many_views/incidences.h"
 #include "prover/many_views/way.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 #include <doctest/doctest.h>
 

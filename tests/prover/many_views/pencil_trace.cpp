@@ -4,7 +4,7 @@
 
 #include "prover/many_views/monodromy.h"
 #include "prover/many_views/path.h"
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 #include <Eigen/LU>
 #include <doctest/doctest.h>

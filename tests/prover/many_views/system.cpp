@@ -2,7 +2,7 @@
 // right.
 #include "prover/many_views/system.h"
 
-#include "prover/problem/notation_in_general.h"
+#include "prover/problem/notation.h"
 
 #include <Eigen/LU>
 #include <doctest/doctest.h>
@@ -80,7 +80,7 @@ TEST_CASE("derivatives are limits of differences") {
 TEST_CASE("a camera whose quaternion has norm zero is told from one that is nearly so") {
     Random random(5, 1);
     const System system(parse_problem("3*PL/PL/PL/PL + a/a/a/a"),
-                        many_views::CameraChart::standard(CameraModel::calibrated, 4));
+                        many_views::CameraChart::standard(calibrated_cameras, 4));
     Point point = system.random_scene(random).solution;
     CHECK(!system.has_null_quaternion(point));
     const Eigen::Index last = system.depths() + system.chart().offset(3);
