@@ -37,6 +37,9 @@ Proved prove(const Classification& classes, const Findings& findings,
     if (!found) return proved;
     proved.verdict = found->minimal ? "minimal" : "not-minimal";
     proved.file = found->file;
+    const auto features = canonical(*expected.in_general);
+    if (found->minimal && !proved.number && features)
+        proved.number = class_of(classes, *features);
     return proved;
 }
 

@@ -4,7 +4,6 @@
 #include "prover/cli/sections.h"
 #include "prover/many_views/degrees_on_file.h"
 #include "prover/problem/notation.h"
-#include "prover/problem/spec.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -29,15 +28,12 @@ struct Known {
     int certified = 0; ///< at least so many; 0: none
 };
 
-/// Of a problem that has a reduction to label classes the degree of these, which is certified; else
-/// what certs/family-degrees.csv says; nothing if neither has it.
+/// The degree of the features, which is certified; else what certs/family-degrees.csv says; nothing
+/// if neither has it.
 std::optional<Known> known_degree(const ProblemRecord& certificate) {
-    const std::string notation = plprove::notation(certificate.problem);
-    if (is_minimal(certificate) && !parse_general_spec(notation)) {
-        if (const auto degree = degree_of(decide(parse_spec(notation))))
-            return Known{*degree, true, "certified", *degree};
-    }
-    const auto found = many_views::degree_on_file(notation);
+    if (const auto degree = degree_of_features(certificate))
+        return Known{*degree, true, "certified", *degree};
+    const auto found = many_views::degree_on_file(notation(certificate.problem));
     if (!found) return std::nullopt;
     return Known{found->degree, found->bound == "exact", std::string(found->status),
                  found->certified};
@@ -68,19 +64,31 @@ std::string in_words(const many_views::DegreeOnFile& degree) {
     return (degree.bound == "exact" ? "" : "at least ") + std::to_string(degree.degree);
 }
 
-void write_degree(std::ostream& out, const std::string& notation) {
+std::string source_of_features(const ProblemRecord& certificate) {
+    return "that of " + notation(*local_features(certificate.problem));
+}
+
+void write_degree(std::ostream& out, const ProblemRecord& certificate) {
     section(out, "degree");
-    const auto degree = many_views::degree_on_file(notation);
-    if (!degree) {
+    const auto degree = many_views::degree_on_file(notation(certificate.problem));
+    const auto of_features = degree_of_features(certificate);
+    if (!degree && of_features)
+        out << *of_features << " certified: " << source_of_features(certificate) << '\n';
+    else if (!degree)
         out << "none on file\n";
-        return;
-    }
+    if (!degree) return;
     out << in_words(*degree) << ' ' << degree->status << ": " << degree->source << '\n';
     if (degree->certified > 0 && degree->status != "certified")
         section(out, "") << "at least " << degree->certified << " certified\n";
 }
 
 } // namespace
+
+std::optional<int> degree_of_features(const ProblemRecord& certificate) {
+    if (!is_minimal(certificate)) return std::nullopt;
+    const std::optional<Features> features = local_features(certificate.problem);
+    return features ? degree_of(decide(*features)) : std::nullopt;
+}
 
 std::string text_report(const ProblemRecord& certificate) {
     const Problem& problem = certificate.problem;
@@ -91,7 +99,7 @@ std::string text_report(const ProblemRecord& certificate) {
     section(out, "verdict") << verdict(certificate) << '\n';
     section(out, "");
     write_wrapped(out, explanation(certificate));
-    if (is_minimal(certificate)) write_degree(out, notation(problem));
+    if (is_minimal(certificate)) write_degree(out, certificate);
     return out.str();
 }
 
@@ -115,6 +123,12 @@ std::string json_report(const ProblemRecord& certificate) {
                             {"status", degree->status},
                             {"certified_at_least", degree->certified},
                             {"source", degree->source}};
+    else if (const auto of_features = degree_of_features(certificate))
+        report["degree"] = {{"value", *of_features},
+                            {"bound", "exact"},
+                            {"status", "certified"},
+                            {"certified_at_least", *of_features},
+                            {"source", source_of_features(certificate)}};
     return report.dump(2) + '\n';
 }
 

@@ -3,10 +3,15 @@
 
 #include "prover/minimal/problem_record.h"
 
+#include <optional>
 #include <span>
 #include <string>
 
 namespace plprove {
+
+/// The degree of a minimal problem in at most three calibrated views whose points share no lines,
+/// but such as two points imply: that of its features, which is certified. Nothing for others.
+std::optional<int> degree_of_features(const ProblemRecord& certificate);
 
 /// The verdict on one problem, with its dimensions and the reason, for people and as JSON.
 std::string text_report(const ProblemRecord& certificate);

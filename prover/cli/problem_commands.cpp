@@ -3,6 +3,7 @@
 #include "prover/cli/general_commands.h"
 #include "prover/cli/general_report.h"
 #include "prover/cli/problem_report.h"
+#include "prover/cli/sections.h"
 #include "prover/drawing/drawing.h"
 #include "prover/minimal/problem_certificate.h"
 #include "prover/problem/names.h"
@@ -47,12 +48,26 @@ struct ProblemRequest {
     bool json = false;
 };
 
+/// The command that certifies the degree, from the certificate alone: there is one in three views.
+std::string how_to_check(const ProblemRequest& request, const std::string& notation, int views,
+                         std::optional<int> degree) {
+    if (request.certificate.empty() || request.certificate == "-" || views != 3 || !degree)
+        return {};
+    std::ostringstream out;
+    section(out, "check") << "plcheck --expect '" << notation << "' --degree " << *degree << ' '
+                          << request.certificate << '\n';
+    return out.str();
+}
+
 void decide_general_problem(const ProblemRequest& request, const Problem& problem,
                             const Deliver& deliver) {
     const ProblemRecord certificate = certify(problem);
     if (!request.certificate.empty())
         deliver(request.certificate, write(std::span(&certificate, 1)));
-    deliver("-", request.json ? json_report(certificate) : text_report(certificate));
+    deliver("-", request.json ? json_report(certificate)
+                              : text_report(certificate) +
+                                    how_to_check(request, notation(certificate.problem),
+                                                 problem.views, degree_of_features(certificate)));
 }
 
 void decide_problem(const ProblemRequest& request, const Deliver& deliver) {
@@ -62,7 +77,10 @@ void decide_problem(const ProblemRequest& request, const Deliver& deliver) {
     const ProblemReport report = report_on(problem);
     // The certificate first: where it fails, nothing is said that it was to prove.
     if (!request.certificate.empty()) deliver(request.certificate, write(certify_problem(problem)));
-    deliver("-", request.json ? json_report(report) : text_report(report));
+    deliver("-", request.json ? json_report(report)
+                              : text_report(report) + how_to_check(request, notation(problem),
+                                                                   problem.front().views(),
+                                                                   degree_of(report.decision)));
 }
 
 struct CertifyRequest {

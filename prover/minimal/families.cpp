@@ -1,5 +1,7 @@
 #include "prover/minimal/families.h"
 
+#include "prover/problem/complete_visibility.h"
+
 #include <algorithm>
 
 namespace plprove {
@@ -34,24 +36,14 @@ bool linear_in_first_view(const Signature& signature) {
     return true;
 }
 
-/// The name in Table 1 of "PLMP": points, dependent points (none), free lines, pins, and as index
-/// the largest number of pins at a point.
+/// The name in Table 1 of PLMP, if all views see everything.
 std::optional<std::string> plmp_name(const Features& problem) {
-    int points = 0;
-    int free_lines = 0;
-    int pins = 0;
-    int most_pins = 0;
     for (const Feature& feature : problem) {
         const Sight all{feature.has_point, (1U << feature.lines) - 1};
         if (std::ranges::any_of(feature.sights, [&](const Sight& sight) { return sight != all; }))
             return std::nullopt;
-        points += feature.has_point;
-        free_lines += !feature.has_point;
-        pins += feature.has_point ? feature.lines : 0;
-        most_pins = std::max(most_pins, feature.has_point ? feature.lines : 0);
     }
-    return std::to_string(points) + "0" + std::to_string(free_lines) + std::to_string(pins) + "_" +
-           std::to_string(most_pins);
+    return name(problem_of(problem));
 }
 
 } // namespace

@@ -171,6 +171,19 @@ Features features_of(const Problem& problem) {
     return features;
 }
 
+std::optional<Features> local_features(const Problem& problem) {
+    if (problem.cameras != &calibrated_cameras || problem.views > 3) return std::nullopt;
+    Problem rest = problem;
+    std::erase_if(rest.lines, [&](const Line& line) {
+        return line.points.size() == 2 && std::ranges::all_of(line.points, [&](int point) {
+                   return (line.seen & ~problem.points[static_cast<std::size_t>(point)]) == 0;
+               });
+    });
+    const bool shared =
+        std::ranges::any_of(rest.lines, [](const Line& line) { return line.points.size() > 1; });
+    return shared ? std::nullopt : std::optional(features_of(rest));
+}
+
 void refuse_invalid(const Problem& problem) {
     refuse_too_many(problem);
     for (std::size_t i = 0; i < problem.lines.size(); ++i)

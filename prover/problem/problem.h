@@ -52,6 +52,11 @@ Problem problem_of(const Features& features, const CameraModel& cameras = calibr
 /// lines. Throws NotationError if there are too many lines to name them by letters.
 Features features_of(const Problem& problem);
 
+/// The features of the problem without its implied lines. Such a line has two points, and each view
+/// that sees it sees both: it has no parameters in space and in images. Nothing if points share
+/// other lines, cameras are not calibrated, or there are more than three views.
+std::optional<Features> local_features(const Problem& problem);
+
 /// Throws NotationError if there are too many points or lines, two lines share two points, a view
 /// sees two points of a line that it does not see, or two lines of a point that it does not see, or
 /// the points have no order of construction.

@@ -52,7 +52,7 @@ public:
             std::iota(names.begin(), names.end(), 0);
             shuffle(names);
             for (Sight& sight : feature.sights) {
-                std::uint32_t pins = 0;
+                std::uint64_t pins = 0;
                 for (std::size_t line = 0; line < names.size(); ++line)
                     pins |= (sight.pins >> line & 1U) << names[line];
                 sight.pins = pins;

@@ -2,7 +2,7 @@
 // is refused.
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
-#include "tests/prover/general/random_problems.h"
+#include "tests/prover/minimal/random_arrangements.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -73,7 +73,7 @@ TEST_CASE("dimensions do not depend on the order of the points") {
 }
 
 TEST_CASE("what is written is read as the same problem") {
-    plprove::RandomProblems random(24);
+    RandomArrangements random(24);
     for (int i = 0; i < 500; ++i) {
         const Problem problem = random.problem();
         const std::string text = notation(problem);
@@ -114,7 +114,7 @@ TEST_CASE("what cannot be is refused, with what to write instead") {
 }
 
 TEST_CASE("any text is a problem, or refused with a message") {
-    plprove::RandomProblems random(26);
+    RandomArrangements random(26);
     const std::string letters = "PLMabc/-+*()0123: projective";
     int problems = 0;
     for (int i = 0; i < 20000; ++i) {

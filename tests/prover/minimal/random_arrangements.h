@@ -8,9 +8,9 @@
 
 namespace plprove {
 
-class RandomProblems {
+class RandomArrangements {
 public:
-    explicit RandomProblems(unsigned seed) : random_(seed) {}
+    explicit RandomArrangements(unsigned seed) : random_(seed) {}
 
     int below(int bound) { return static_cast<int>(random_() % static_cast<unsigned>(bound)); }
 

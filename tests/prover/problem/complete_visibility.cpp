@@ -2,7 +2,7 @@
 #include "prover/minimal/problem_record.h"
 #include "prover/problem/notation.h"
 #include "prover/problem/skeleton.h"
-#include "tests/prover/general/second_jacobian.h"
+#include "tests/prover/minimal/second_jacobian.h"
 
 #include <algorithm>
 #include <bit>
