@@ -50,9 +50,9 @@ Json explanations_of(const Reduction& reduction) {
 Json extensions_of(const Decision& decision) {
     Json rows = Json::array();
     if (decision.verdict != Verdict::minimal) return rows;
-    for (const Extension& extension : extensions(decision.problem))
+    for (const Change& extension : extensions(decision.problem))
         rows.push_back({{"words", in_words(extension)},
-                        {"problem", notation(extended(decision.problem, extension))}});
+                        {"problem", notation(changed(decision.problem, extension))}});
     return rows;
 }
 

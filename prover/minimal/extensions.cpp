@@ -63,22 +63,8 @@ bool is_reduced_to(const Feature& feature, const std::optional<Feature>& rest) {
 
 } // namespace
 
-std::string in_words(const Extension& extension) {
-    if (!extension.replaced) return "add " + notation(extension.added);
-    return "put " + notation(extension.added) + " for " + notation(*extension.replaced);
-}
-
-Features extended(const Features& problem, const Extension& extension) {
-    Features result = problem;
-    if (extension.replaced)
-        *std::ranges::find(result, *extension.replaced) = extension.added;
-    else
-        result.push_back(extension.added);
-    return result;
-}
-
-std::vector<Extension> extensions(const Features& problem) {
-    std::vector<Extension> result;
+std::vector<Change> extensions(const Features& problem) {
+    std::vector<Change> result;
     for (const Feature& added : small_features(problem.front().views()))
         if (weight(added) == 0 && is_reduced_to(added, std::nullopt))
             result.push_back({std::nullopt, added});

@@ -28,20 +28,6 @@ int constraints_of(const Feature& feature) {
     return sum;
 }
 
-Features changed(const Features& problem, const Hint& hint) {
-    Features result = problem;
-    if (hint.dropped) {
-        const auto place = std::ranges::find(result, *hint.dropped);
-        if (hint.added)
-            *place = *hint.added;
-        else
-            result.erase(place);
-    } else if (hint.added) {
-        result.push_back(*hint.added);
-    }
-    return result;
-}
-
 /// The changes that bring as many constraints as are missing: candidates.
 std::vector<Hint> candidates(const Decision& decision) {
     std::vector<Hint> result;
@@ -50,19 +36,19 @@ std::vector<Hint> candidates(const Decision& decision) {
     const std::vector<Feature> others = features_to_add(decision.problem.front().views());
     if (missing > 0)
         for (const Feature& feature : others)
-            if (constraints_of(feature) == missing) result.push_back({{}, feature, {}});
+            if (constraints_of(feature) == missing) result.push_back({{{}, feature}, {}});
     if (missing <= 0)
         for (const Feature& feature : own)
-            if (constraints_of(feature) == -missing) result.push_back({feature, {}, {}});
+            if (constraints_of(feature) == -missing) result.push_back({{feature, {}}, {}});
     if (decision.verdict == Verdict::camera_minimal)
         for (const Feature& feature : own)
             if (!reduce_once(feature) && lifted(feature) != feature)
-                result.push_back({feature, lifted(feature), {}});
+                result.push_back({{feature, lifted(feature)}, {}});
     if (decision.verdict == Verdict::obstructed)
         for (const Feature& feature : own)
             for (const Feature& other : others)
                 if (constraints_of(feature) == weight(other))
-                    result.push_back({feature, other, {}});
+                    result.push_back({{feature, other}, {}});
     return result;
 }
 
@@ -78,13 +64,6 @@ bool alike(const Hint& a, const Hint& b) {
 }
 
 } // namespace
-
-std::string in_words(const Hint& hint) {
-    if (hint.added && hint.dropped)
-        return "put " + notation(*hint.added) + " for " + notation(*hint.dropped);
-    if (hint.added) return "add " + notation(*hint.added);
-    return "drop " + notation(*hint.dropped);
-}
 
 std::vector<Hint> hints(const Decision& decision) {
     std::vector<Hint> result;

@@ -1,22 +1,17 @@
 // Minimal problems one feature away from one that is not: what a user might add, drop or exchange.
 #pragma once
 
+#include "prover/minimal/change.h"
 #include "prover/minimal/decision.h"
 
-#include <optional>
 #include <vector>
 
 namespace plprove {
 
 /// A change by one feature, and what it makes of the problem.
-struct Hint {
-    std::optional<Feature> dropped;
-    std::optional<Feature> added;
+struct Hint : Change {
     Decision decision; ///< minimal, or camera-minimal if reducing the rest leaves the scene open
 };
-
-/// `add P/P/-`, `drop a/a/a`, `put Pa/P/a for P/P/a`.
-std::string in_words(const Hint& hint);
 
 /// Larger problems get no hints.
 inline constexpr std::size_t most_features_with_hints = 40;

@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::string> words(const std::string& problem) {
     std::vector<std::string> result;
-    for (const Extension& extension : extensions(parse_features(problem)))
+    for (const Change& extension : extensions(parse_features(problem)))
         result.push_back(in_words(extension));
     std::ranges::sort(result);
     return result;
@@ -41,10 +41,10 @@ TEST_CASE("extensions are minimal, and of the same class") {
         const Features problem = parse_features(text);
         const Decision before = decide(problem);
         REQUIRE(before.verdict == Verdict::minimal);
-        for (const Extension& extension : extensions(problem)) {
+        for (const Change& extension : extensions(problem)) {
             CAPTURE(in_words(extension));
-            const Features larger = extended(problem, extension);
-            CHECK(larger.size() == problem.size() + (extension.replaced ? 0 : 1));
+            const Features larger = changed(problem, extension);
+            CHECK(larger.size() == problem.size() + (extension.dropped ? 0 : 1));
             const Decision after = decide(larger);
             CHECK(after.verdict == Verdict::minimal);
             CHECK(after.space_dimension > before.space_dimension);
