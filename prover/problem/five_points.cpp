@@ -1,5 +1,6 @@
 #include "prover/problem/five_points.h"
 
+#include "prover/problem/notation.h"
 #include "prover/problem/signature.h"
 
 namespace plprove {

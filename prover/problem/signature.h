@@ -2,7 +2,7 @@
 // the relabeling of views and the swap of Corollary 1 acting on them.
 #pragma once
 
-#include "prover/problem/notation.h"
+#include "prover/problem/feature.h"
 
 #include <array>
 #include <cstdint>

@@ -2,6 +2,7 @@
 #include "prover/catalogue/degrees.h"
 #include "prover/cli/filter_options.h"
 #include "prover/degree_sweep/collect.h"
+#include "prover/problem/notation.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/program.h"
 

@@ -1,5 +1,6 @@
 // Features, notation, signatures and label classes: known counts and laws.
 #include "prover/minimal/obstruction.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/signature.h"
 
 #include <algorithm>
