@@ -37,9 +37,9 @@ Proved prove(const Classification& classes, const Findings& findings,
     if (!found) return proved;
     proved.verdict = found->minimal ? "minimal" : "not-minimal";
     proved.file = found->file;
-    const auto features = canonical(*expected.in_general);
-    if (found->minimal && !proved.number && features)
-        proved.number = class_of(classes, *features);
+    const auto without_implied = canonical(*expected.in_general);
+    if (found->minimal && !proved.number && without_implied)
+        proved.number = class_of(classes, *without_implied);
     return proved;
 }
 

@@ -1,11 +1,12 @@
 // Kinds of cameras. A kind is one value of CameraModel, in a file of its own, and an entry of the
-// list below: how many numbers and unknowns it has, how a certificate places it, and how it moves.
+// list below: how many numbers and unknowns it has, how a certificate places it, how it moves, and
+// which complex numbers are such cameras.
 #pragma once
 
 #include "prover/geometry/modular.h"
 
 #include <array>
-#include <span>
+#include <complex>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +45,16 @@ struct CameraModel {
     /// fixed by moving space. Entries of the derivatives are integers, or residues modulo q.
     MovingCamera<std::int64_t> (*over_integers)(const Coordinates& numbers, bool second) = nullptr;
     MovingCamera<Modular> (*modulo_q)(const Coordinates& numbers, bool second) = nullptr;
+
+    using Complex = std::complex<double>;
+
+    /// Runs of a camera's numbers that count up to a common factor: the first of each, and how
+    /// many. One of the factors is fixed by moving space if the camera is the second.
+    std::vector<std::array<int, 2>> (*scaled_runs)(bool second) = nullptr;
+
+    /// The matrix of complex numbers, and its derivative along a direction.
+    CameraMatrix<Complex> (*matrix)(const Complex* numbers) = nullptr;
+    CameraMatrix<Complex> (*derivative)(const Complex* numbers, const Complex* direction) = nullptr;
 
     /// Parameters of so many cameras, two or more, up to the motions of space.
     int dimension(int views) const { return unknowns * views - motions_of_space; }

@@ -19,10 +19,9 @@ struct CameraWithDerivatives {
     std::vector<Camera> by_coordinate;
 };
 
-/// Affine coordinates of the cameras 2, 3, ...: a calibrated one is [R | t], R the matrix (times
-/// its norm) of a quaternion in an affine space that misses 0; a projective one is in an affine
-/// space of matrices that misses 0. Of camera 2, t is in such a space, or the first row is
-/// 0 0 0 1: so motions and scalings of space leave no freedom.
+/// Affine coordinates of the cameras 2, 3, ...: of each run of numbers that count up to a common
+/// factor (CameraModel::scaled_runs), in an affine space that misses 0. Motions and scalings of
+/// space leave no freedom.
 class CameraChart {
 public:
     CameraChart(const CameraModel& model, int views, Random& random);
@@ -54,9 +53,6 @@ private:
     explicit CameraChart(const CameraModel& model) : model_(&model) {}
 
     void add(Chart chart);
-
-    static Chart calibrated(bool second, Random& random);
-    static Chart projective(bool second, Random& random);
 
     const CameraModel* model_;
     std::vector<Chart> charts_;

@@ -16,14 +16,6 @@ struct Traced {
     SourceFeature source;
 };
 
-/// The views that see a line, as bits.
-unsigned views_of(const Feature& feature, int line) {
-    unsigned mask = 0;
-    for (int view = 0; view < feature.views(); ++view)
-        if (feature.sees_line(view, line)) mask |= 1U << view;
-    return mask;
-}
-
 /// Which line the step from `before` to `after` forgets. Lines that the same views see are alike.
 int forgotten_line(const Feature& before, const Feature& after) {
     for (int line = 0; line < after.lines; ++line)
