@@ -163,7 +163,7 @@ private:
         if (cursor_.peek() == '/') cursor_.fail("at most " + std::to_string(most) + " views");
         if (!cursor_.take('(')) return text;
         text.unseen.point = cursor_.take('P');
-        text.unseen.letters = letters();
+        text.unseen.letters = letters(true);
         const bool empty = !text.unseen.point && text.unseen.letters.empty();
         if (empty || !cursor_.take(')'))
             cursor_.fail("what no view sees, 'P' or letters of lines, and ')'");
@@ -174,19 +174,19 @@ private:
         Symbol seen;
         if (cursor_.take('-')) return seen;
         seen.point = cursor_.take('P');
-        seen.letters = letters();
-        if (!seen.point && seen.letters.size() > 1)
-            cursor_.fail("'P' before two lines: a view that sees two lines of a point sees the "
-                         "point (Definition 1 of the paper)");
+        seen.letters = letters(seen.point);
         if (!seen.point && seen.letters.empty())
             cursor_.fail("what a view sees: 'P' for a point, letters for lines, or '-' for "
                          "nothing");
         return seen;
     }
 
-    std::string letters() {
+    std::string letters(bool may_be_several) {
         std::string read;
         while (is_small(cursor_.peek()) || (in_general_ && is_capital(cursor_.peek()))) {
+            if (!read.empty() && !may_be_several)
+                cursor_.fail("'P' before two lines: a view that sees two lines of a point sees the "
+                             "point (Definition 1 of the paper)");
             if (!read.empty() && read.back() >= cursor_.peek())
                 cursor_.fail("the letters of lines in alphabetical order, capitals first, each "
                              "once");
