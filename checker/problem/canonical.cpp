@@ -12,31 +12,6 @@ CanonicalProblem canonical(unsigned views, const Features& list) {
     return result;
 }
 
-/// Whether the line is known from its points, two of them, wherever it is seen.
-static bool is_implied(const Problem& problem, const Line& line) {
-    return line.points.size() == 2 && std::ranges::all_of(line.points, [&](std::size_t point) {
-               return (line.seen_by & ~problem.points[point].seen_by) == 0;
-           });
-}
-
-std::optional<CanonicalProblem> canonical(const Problem& problem) {
-    if (problem.cameras != &calibrated_cameras) return std::nullopt;
-    CanonicalProblem result{.views = static_cast<unsigned>(problem.view_count())};
-    for (const Line& line : problem.lines) {
-        if (line.points.size() > 1 && !is_implied(problem, line)) return std::nullopt;
-        if (line.points.empty()) ++result.features[{.free_line = true, .pins = {line.seen_by}}];
-    }
-    for (const Point& point : problem.points) {
-        CanonicalFeature seen{.point = point.seen_by};
-        for (const std::size_t line : point.lines)
-            if (problem.lines[line].points.size() == 1)
-                seen.pins.push_back(problem.lines[line].seen_by);
-        std::ranges::sort(seen.pins);
-        ++result.features[seen];
-    }
-    return result;
-}
-
 static std::size_t index_of(const CanonicalFeature& canonical) {
     Feature feature{.free_line = canonical.free_line, .point = canonical.point};
     std::ranges::copy(canonical.pins, feature.pin.begin());

@@ -27,11 +27,6 @@ struct CanonicalProblem {
 
 CanonicalProblem canonical(unsigned views, const Features& list);
 
-/// The same of a problem of section 13, without its lines with two points: each view sees both
-/// points of such a line, or does not see the line, so it has no parameters in space and in images.
-/// None if other cameras are meant, other views see such a line, or a line has more points.
-std::optional<CanonicalProblem> canonical(const Problem& problem);
-
 /// The number of the label class to which the problem belongs as it stands; none if it is not
 /// balanced, or has other features than the 27.
 std::optional<std::size_t> class_of(const Classification& classes, const CanonicalProblem& problem);

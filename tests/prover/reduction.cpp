@@ -190,7 +190,7 @@ TEST_CASE("malformed specifications are refused with a column") {
         {"{{0},{{{2},{1}},{{1},{1}},{{1},{1}}}}", "0 or 1 for each line"},
         {"{{{{{{{{{{{{", "nested too deeply"},
         {"{{},{{{},{}},{{},{}},{{},{}}}}", "at least one point or line"},
-        {"P/P/P(", "')' after what no view sees"},
+        {"P/P/P(", "what no view sees, 'P' or letters of lines, and ')'"},
         {"-/-/-", "'(P)' for a point"},
     };
     for (const auto& [text, reason] : refused) {

@@ -79,15 +79,15 @@ TEST_CASE("a problem is the same in both notations, with implied lines or withou
     for (int i = 0; i < 200; ++i) {
         const std::string text = plprove::notation(random.around_a_class(2));
         CAPTURE(text);
-        CHECK(canonical(parse_general_problem(text)) == parse_problem(text));
+        CHECK(without_implied_lines(parse_general_problem(text)) == parse_problem(text));
     }
-    CHECK(canonical(parse_general_problem("2*PL/PL/PL + P/P/P + a/a/a")) ==
+    CHECK(without_implied_lines(parse_general_problem("2*PL/PL/PL + P/P/P + a/a/a")) ==
           parse_problem("3*P/P/P + a/a/a"));
-    CHECK(canonical(parse_general_problem("PLa/PLa/- + PL/PL/P + P/P/P")) ==
+    CHECK(without_implied_lines(parse_general_problem("PLa/PLa/- + PL/PL/P + P/P/P")) ==
           parse_problem("Pa/Pa/- + 2*P/P/P"));
     for (const char* other :
          {"3*PL/PL/PL + a/a/a", "PL/PL/PL + PL/PL/L + 2*P/P/P", "projective: 3*P/P/P + a/a/a"})
-        CHECK_FALSE(canonical(parse_general_problem(other)).has_value());
+        CHECK_FALSE(without_implied_lines(parse_general_problem(other)).has_value());
 }
 
 TEST_CASE("a problem is read with any blanks, and with equal features side by side") {
