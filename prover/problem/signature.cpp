@@ -142,6 +142,7 @@ private:
 
 Features problem_of(const Signature& signature) {
     Features problem;
+    problem.reserve(std::reduce(signature.begin(), signature.end(), std::size_t{0}));
     for (std::size_t i = 0; i < feature_count; ++i)
         problem.insert(problem.end(), signature[i], standard_features()[i]);
     return problem;
