@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<ReplayedFile> files{replay(problem ? all : few, "fuzzed", bytes)};
     require_sense(files.front(), bytes);
     try { // the same bytes as the problem of --expect
-        parse_features(bytes);
+        parse_problem(bytes);
     } catch (const Malformed& malformed) {
         require_fit(malformed.complaint, 1);
     }
