@@ -21,7 +21,7 @@ private:
 
 /// {"spec": ...}, a problem in any of the ways of parse_spec: what `plprove problem --json` says of
 /// it, its names, what each view sees, what may be added to it, and a picture (SVG). Of a problem
-/// that only general::parse_spec reads: what the program says of it, as `general`, and its
+/// that only parse_general_spec reads: what the program says of it, as `general`, and its
 /// certificate. Throws NotationError.
 Json problem_answer(const Json& request);
 

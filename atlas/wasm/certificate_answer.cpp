@@ -1,6 +1,6 @@
 #include "atlas/wasm/answers.h"
 
-#include "prover/classification/problem_certificate.h"
+#include "prover/minimal/problem_certificate.h"
 #include "prover/problem/spec.h"
 
 namespace atlas {

@@ -1,13 +1,12 @@
 #include "atlas/wasm/answers.h"
 
-#include "prover/classification/extensions.h"
-#include "prover/classification/problem_certificate.h"
 #include "prover/cli/general_report.h"
 #include "prover/cli/problem_facts.h"
 #include "prover/cli/problem_report.h"
 #include "prover/drawing/caption.h"
 #include "prover/drawing/drawing.h"
-#include "prover/general/spec.h"
+#include "prover/minimal/extensions.h"
+#include "prover/minimal/problem_certificate.h"
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
 #include "prover/scripts/scripts.h"
@@ -19,15 +18,15 @@ using namespace plprove;
 namespace {
 
 /// The names of the problem in the literature.
-Json names_of(const Problem& problem) {
+Json names_of(const Features& problem) {
     Json names = Json::array();
     for (const NamedProblem& named : named_problems())
-        if (same_features(problem, parse_problem(named.notation))) names.push_back(named.name);
+        if (same_features(problem, parse_features(named.notation))) names.push_back(named.name);
     return names;
 }
 
 /// The features one by one, as a drawing board needs them: what each view sees.
-Json features_of(const Problem& problem) {
+Json features_of(const Features& problem) {
     Json features = Json::array();
     for (const Feature& feature : problem) {
         Json views = Json::array();
@@ -51,24 +50,24 @@ Json explanations_of(const Reduction& reduction) {
 Json extensions_of(const Decision& decision) {
     Json rows = Json::array();
     if (decision.verdict != Verdict::minimal) return rows;
-    for (const Extension& extension : extensions(decision.problem))
+    for (const Change& extension : extensions(decision.problem))
         rows.push_back({{"words", in_words(extension)},
-                        {"problem", notation(extended(decision.problem, extension))}});
+                        {"problem", notation(changed(decision.problem, extension))}});
     return rows;
 }
 
-Json answer_in_general(const general::Problem& problem) {
-    const general::Certificate certificate = general::certify(problem);
+Json answer_in_general(const Problem& problem) {
+    const ProblemRecord certificate = certify(problem);
     return {{"general", Json::parse(json_report(certificate))},
-            {"certificate", general::write(std::span(&certificate, 1))}};
+            {"certificate", write(std::span(&certificate, 1))}};
 }
 
 } // namespace
 
 Json problem_answer(const Json& request) {
     const std::string spec = request.at("spec");
-    if (const auto problem = general::parse_spec(spec)) return answer_in_general(*problem);
-    const Problem problem = parse_spec(spec);
+    if (const auto problem = parse_general_spec(spec)) return answer_in_general(*problem);
+    const Features problem = parse_spec(spec);
     const ProblemReport report = report_on(problem);
     return {{"report", Json::parse(json_report(report))},
             {"description", describe(problem)},
@@ -80,7 +79,7 @@ Json problem_answer(const Json& request) {
 }
 
 Json file_answer(const Json& request) {
-    const Problem problem = parse_spec(request.at("spec").get<std::string>());
+    const Features problem = parse_spec(request.at("spec").get<std::string>());
     const std::string kind = request.at("kind");
     if (kind == "svg") return {{"text", draw_svg(problem)}};
     if (kind == "tikz") return {{"text", draw_tikz(problem)}};

@@ -22,6 +22,31 @@ general::Problem parse_general_problem(std::string_view notation) {
     return general::read_notation(reader).problem;
 }
 
+/// Whether the line is known from its points, two of them, wherever it is seen.
+static bool is_implied(const general::Problem& problem, const general::Line& line) {
+    return line.points.size() == 2 && std::ranges::all_of(line.points, [&](std::size_t point) {
+               return (line.seen_by & ~problem.points[point].seen_by) == 0;
+           });
+}
+
+std::optional<CanonicalProblem> without_implied_lines(const general::Problem& problem) {
+    if (problem.cameras != &calibrated_cameras) return std::nullopt;
+    CanonicalProblem result{.views = static_cast<unsigned>(problem.view_count())};
+    for (const general::Line& line : problem.lines) {
+        if (line.points.size() > 1 && !is_implied(problem, line)) return std::nullopt;
+        if (line.points.empty()) ++result.features[{.free_line = true, .pins = {line.seen_by}}];
+    }
+    for (const general::Point& point : problem.points) {
+        CanonicalFeature seen{.point = point.seen_by};
+        for (const std::size_t line : point.lines)
+            if (problem.lines[line].points.size() == 1)
+                seen.pins.push_back(problem.lines[line].seen_by);
+        std::ranges::sort(seen.pins);
+        ++result.features[seen];
+    }
+    return result;
+}
+
 /// The files of a kind that count.
 template <class Kind> static std::vector<const ReplayedFile*> files_of(const Findings& findings) {
     std::vector<const ReplayedFile*> files;

@@ -7,6 +7,11 @@ namespace checker {
 /// The problem of a notation of section 13; blanks do not matter. Throws Malformed.
 general::Problem parse_general_problem(std::string_view notation);
 
+/// The problem without its implied lines (FORMAT.md, section 10): each has two points, and each
+/// view that sees it sees both, so it has no parameters in space and in images. None if other
+/// cameras are meant, other views see such a line, or a line has more points.
+std::optional<CanonicalProblem> without_implied_lines(const general::Problem& problem);
+
 /// A verdict on a problem, and the file that proves it.
 struct ProvedInGeneral {
     bool minimal = false;

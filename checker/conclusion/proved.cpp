@@ -37,6 +37,8 @@ Proved prove(const Classification& classes, const Findings& findings,
     if (!found) return proved;
     proved.verdict = found->minimal ? "minimal" : "not-minimal";
     proved.file = found->file;
+    const auto summands = without_implied_lines(*expected.in_general);
+    if (found->minimal && !proved.number && summands) proved.number = class_of(classes, *summands);
     return proved;
 }
 

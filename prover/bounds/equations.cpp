@@ -1,6 +1,6 @@
 #include "prover/bounds/equations.h"
 
-#include "prover/classification/pool.h"
+#include "prover/minimal/pool.h"
 
 #include <algorithm>
 #include <optional>

@@ -5,7 +5,7 @@
 
 #include "prover/bounds/registration.h"
 #include "prover/bounds/rotation_ring.h"
-#include "prover/geometry/camera.h"
+#include "prover/minimal/placement.h"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
 #include "prover/bounds/registration.h"
 
-#include "prover/classification/obstruction.h"
+#include "prover/minimal/obstruction.h"
 
 #include <algorithm>
 #include <array>
@@ -67,7 +67,7 @@ Registration registration(const Signature& signature, int third) {
 std::map<Registration, int> registration_types(const std::vector<Signature>& classes) {
     std::map<Registration, int> counts;
     for (const Signature& signature : classes) {
-        const Problem problem = problem_of(signature);
+        const Features problem = problem_of(signature);
         if (obstruction(problem).deficiency() > 0) continue;
         const std::array<int, 3> shared = shared_points(problem); // by the pairs 12, 13, 23
         std::set<Registration> types;

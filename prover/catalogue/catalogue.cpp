@@ -34,7 +34,7 @@ Entry entry_of(std::size_t number, const std::vector<Signature>& classes) {
 
 Counts counts(const Signature& signature) {
     Counts result;
-    const Problem problem = problem_of(signature);
+    const Features problem = problem_of(signature);
     for (const Feature& feature : problem)
         add(result, feature);
     result.shared_points = shared_points(problem);

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "prover/catalogue/degrees.h"
-#include "prover/classification/families.h"
+#include "prover/minimal/families.h"
 
 namespace plprove {
 

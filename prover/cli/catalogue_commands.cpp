@@ -69,9 +69,9 @@ std::string list(const ListRequest& request) {
 std::string list_family(const ListRequest& request) {
     if (request.format == "json")
         throw BadInput("a family is not written as JSON: write --format csv");
-    std::vector<general::Certificate> chosen = certify_family(family_named(request.family));
-    std::erase_if(chosen, [&](const general::Certificate& certificate) {
-        const bool minimal = general::is_minimal(certificate);
+    std::vector<ProblemRecord> chosen = certify_family(family_named(request.family));
+    std::erase_if(chosen, [&](const ProblemRecord& certificate) {
+        const bool minimal = is_minimal(certificate);
         return (request.filter.minimal && !minimal) || (request.filter.not_minimal && minimal);
     });
     return request.count ? std::to_string(chosen.size()) + '\n' : list_of(chosen, request.format);

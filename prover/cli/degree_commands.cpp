@@ -6,9 +6,8 @@
 #include "prover/cli/many_views_degree.h"
 #include "prover/cli/two_view_report.h"
 #include "prover/degree_sweep/write.h"
-#include "prover/general/notation.h"
-#include "prover/general/spec.h"
 #include "prover/problem/five_points.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
@@ -89,7 +88,7 @@ DegreeReport computed(const Decision& decision, std::size_t number, DegreeOption
     return report;
 }
 
-int find_degree_in_general(const DegreeRequest& request, const general::Problem& problem,
+int find_degree_in_general(const DegreeRequest& request, const Problem& problem,
                            const Deliver& deliver) {
     if (request.powers)
         return propose_upper_bound(problem, *request.powers, request.options.seed, request.path,
@@ -102,7 +101,7 @@ int find_degree_in_general(const DegreeRequest& request, const general::Problem&
 
 int find_degree(const DegreeRequest& request, const Deliver& deliver,
                 const ComputeDegree& compute) {
-    if (const std::optional<general::Problem> problem = general::parse_spec(request.spec))
+    if (const std::optional<Problem> problem = parse_general_spec(request.spec))
         return find_degree_in_general(request, *problem, deliver);
     if (request.powers)
         throw BadInput("--at-most is for projective cameras: write `projective:` in front of the "

@@ -1,7 +1,7 @@
 // What `plprove degree` says: for people and for machines.
 #pragma once
 
-#include "prover/classification/decision.h"
+#include "prover/minimal/decision.h"
 #include "prover/three_views/degree.h"
 
 #include <string>

@@ -1,5 +1,7 @@
 #include "prover/cli/filter_options.h"
 
+#include "prover/problem/notation.h"
+
 #include <algorithm>
 #include <map>
 #include <sstream>

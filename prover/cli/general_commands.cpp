@@ -1,7 +1,7 @@
 #include "prover/cli/general_commands.h"
 
-#include "prover/general/notation.h"
-#include "prover/general/spec.h"
+#include "prover/problem/notation.h"
+#include "prover/problem/spec.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
 
@@ -13,15 +13,15 @@ namespace plprove {
 
 namespace {
 
-std::vector<general::Problem> problems_of(std::istream& in, const std::string& name) {
-    std::vector<general::Problem> problems;
+std::vector<Problem> problems_of(std::istream& in, const std::string& name) {
+    std::vector<Problem> problems;
     std::size_t number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
         if (line.empty() || line.front() == '#') continue;
         try {
-            const std::optional<general::Problem> named = general::parse_spec(line);
-            problems.push_back(named ? *named : general::parse(line));
+            const std::optional<Problem> named = parse_general_spec(line);
+            problems.push_back(named ? *named : parse_problem(line));
         } catch (const NotationError& error) {
             throw BadInput(name + ", line " + std::to_string(number) + ": " + error.what());
         }
@@ -30,11 +30,11 @@ std::vector<general::Problem> problems_of(std::istream& in, const std::string& n
     return problems;
 }
 
-std::vector<general::Certificate> certify_all(const std::vector<general::Problem>& problems) {
+std::vector<ProblemRecord> certify_all(const std::vector<Problem>& problems) {
     ProgressLine line("certifying problems", problems.size());
-    std::vector<general::Certificate> certificates;
-    for (const general::Problem& problem : problems) {
-        certificates.push_back(general::certify(problem));
+    std::vector<ProblemRecord> certificates;
+    for (const Problem& problem : problems) {
+        certificates.push_back(certify(problem));
         line.show(certificates.size());
     }
     return certificates;
@@ -42,15 +42,15 @@ std::vector<general::Certificate> certify_all(const std::vector<general::Problem
 
 } // namespace
 
-general::Family family_named(const std::string& name) {
-    return name == "plmp" ? general::Family::plmp : general::Family::projective;
+Family family_named(const std::string& name) {
+    return name == "plmp" ? Family::plmp : Family::projective;
 }
 
-std::vector<general::Certificate> certify_family(general::Family family) {
-    return certify_all(general::family_problems(family));
+std::vector<ProblemRecord> certify_family(Family family) {
+    return certify_all(family_problems(family));
 }
 
-std::vector<general::Certificate> certify_listed(const std::string& path) {
+std::vector<ProblemRecord> certify_listed(const std::string& path) {
     if (path == "-") return certify_all(problems_of(std::cin, "standard input"));
     std::ifstream file(path);
     if (!file) throw BadInput("cannot read " + path + ": name a file with one problem a line");

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "prover/cli/command.h"
-#include "prover/general/certificate.h"
+#include "prover/minimal/problem_record.h"
 
 namespace plprove {
 
@@ -10,15 +10,15 @@ namespace plprove {
 inline constexpr const char* family_names[] = {"plmp", "projective"};
 
 /// The family with this name, which must be one of family_names.
-general::Family family_named(const std::string& name);
+Family family_named(const std::string& name);
 
 /// Certificates of all problems of the family; shows progress on a terminal.
-std::vector<general::Certificate> certify_family(general::Family family);
+std::vector<ProblemRecord> certify_family(Family family);
 
 /// Certificates of the problems in a file, or in standard input for the name "-": one a line, as
-/// general::parse_spec and general::parse read it; empty lines and lines that begin with # mean
+/// parse_general_spec and parse_problem read it; empty lines and lines that begin with # mean
 /// nothing. Throws BadInput with the line's number, or if the file cannot be read or has none.
-std::vector<general::Certificate> certify_listed(const std::string& path);
+std::vector<ProblemRecord> certify_listed(const std::string& path);
 
 /// Adds `--family NAME` to a command or a group of options.
 CLI::Option* add_family_option(CLI::App& app, std::string& family, const std::string& help);

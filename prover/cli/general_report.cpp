@@ -2,10 +2,8 @@
 
 #include "prover/cli/problem_report.h"
 #include "prover/cli/sections.h"
-#include "prover/general/notation.h"
-#include "prover/general/spec.h"
 #include "prover/many_views/degrees_on_file.h"
-#include "prover/problem/spec.h"
+#include "prover/problem/notation.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -14,17 +12,12 @@ namespace plprove {
 
 namespace {
 
-const char* model_name(const general::Problem& problem) {
-    return problem.model == general::CameraModel::calibrated ? "calibrated" : "projective";
-}
-
-std::string balance(const general::Problem& problem) {
-    const bool balanced = general::is_balanced(problem);
-    return "scene " + std::to_string(general::dimension_in_space(problem)) + " + cameras " +
-           std::to_string(general::camera_dimension(problem.model, problem.views)) +
+std::string balance(const Problem& problem) {
+    const bool balanced = is_balanced(problem);
+    return "scene " + std::to_string(dimension_in_space(problem)) + " + cameras " +
+           std::to_string(problem.cameras->dimension(problem.views)) +
            (balanced ? " = " : " against ") + "images " +
-           std::to_string(general::dimension_in_views(problem)) +
-           (balanced ? ": balanced" : ": unbalanced");
+           std::to_string(dimension_in_views(problem)) + (balanced ? ": balanced" : ": unbalanced");
 }
 
 /// What is on file of a degree.
@@ -35,33 +28,30 @@ struct Known {
     int certified = 0; ///< at least so many; 0: none
 };
 
-/// Of a problem that has a reduction to label classes the degree of these, which is certified; else
-/// what certs/family-degrees.csv says; nothing if neither has it.
-std::optional<Known> known_degree(const general::Certificate& certificate) {
-    const std::string notation = general::notation(certificate.problem);
-    if (general::is_minimal(certificate) && !general::parse_spec(notation)) {
-        if (const auto degree = degree_of(decide(parse_spec(notation))))
-            return Known{*degree, true, "certified", *degree};
-    }
-    const auto found = many_views::degree_on_file(notation);
+/// The degree of the features, which is certified; else what certs/family-degrees.csv says; nothing
+/// if neither has it.
+std::optional<Known> known_degree(const ProblemRecord& certificate) {
+    if (const auto degree = degree_of_features(certificate))
+        return Known{*degree, true, "certified", *degree};
+    const auto found = many_views::degree_on_file(notation(certificate.problem));
     if (!found) return std::nullopt;
     return Known{found->degree, found->bound == "exact", std::string(found->status),
                  found->certified};
 }
 
-std::string csv_line(const general::Certificate& certificate) {
-    const general::Problem& problem = certificate.problem;
-    const general::Counts counts = general::counts(problem);
+std::string csv_line(const ProblemRecord& certificate) {
+    const Problem& problem = certificate.problem;
+    const PlmpNumbers counts = plprove::counts(problem);
     std::string line;
     for (const int number : {problem.views, counts.free_points, counts.dependent_points,
                              counts.free_lines, counts.adjacent_lines})
         line += std::to_string(number) + ',';
-    line += general::is_minimal(certificate) ? "1," : "0,";
+    line += is_minimal(certificate) ? "1," : "0,";
     const std::optional<Known> degree = known_degree(certificate);
     if (degree) line += std::to_string(degree->degree);
     line += ',';
-    line += general::name(problem) + ',' + general::notation(problem) + ',';
-    if (!general::is_minimal(certificate)) line += '"' + general::explanation(certificate) + '"';
+    line += name(problem) + ',' + notation(problem) + ',';
+    if (!is_minimal(certificate)) line += '"' + explanation(certificate) + '"';
     line += ',';
     if (degree) line += (degree->exact ? "" : "at least: ") + degree->status;
     line += ',';
@@ -74,13 +64,19 @@ std::string in_words(const many_views::DegreeOnFile& degree) {
     return (degree.bound == "exact" ? "" : "at least ") + std::to_string(degree.degree);
 }
 
-void write_degree(std::ostream& out, const std::string& notation) {
+std::string source_of_features(const ProblemRecord& certificate) {
+    return "that of " + notation(*local_features(certificate.problem));
+}
+
+void write_degree(std::ostream& out, const ProblemRecord& certificate) {
     section(out, "degree");
-    const auto degree = many_views::degree_on_file(notation);
-    if (!degree) {
+    const auto degree = many_views::degree_on_file(notation(certificate.problem));
+    const auto of_features = degree_of_features(certificate);
+    if (!degree && of_features)
+        out << *of_features << " certified: " << source_of_features(certificate) << '\n';
+    else if (!degree)
         out << "none on file\n";
-        return;
-    }
+    if (!degree) return;
     out << in_words(*degree) << ' ' << degree->status << ": " << degree->source << '\n';
     if (degree->certified > 0 && degree->status != "certified")
         section(out, "") << "at least " << degree->certified << " certified\n";
@@ -88,53 +84,64 @@ void write_degree(std::ostream& out, const std::string& notation) {
 
 } // namespace
 
-std::string text_report(const general::Certificate& certificate) {
-    const general::Problem& problem = certificate.problem;
+std::optional<int> degree_of_features(const ProblemRecord& certificate) {
+    if (!is_minimal(certificate)) return std::nullopt;
+    const std::optional<Features> features = local_features(certificate.problem);
+    return features ? degree_of(decide(*features)) : std::nullopt;
+}
+
+std::string text_report(const ProblemRecord& certificate) {
+    const Problem& problem = certificate.problem;
     std::ostringstream out;
-    section(out, "problem") << general::notation(problem) << '\n';
-    section(out, "cameras") << problem.views << ' ' << model_name(problem) << '\n';
+    section(out, "problem") << notation(problem) << '\n';
+    section(out, "cameras") << problem.views << ' ' << problem.cameras->name << '\n';
     section(out, "dimensions") << balance(problem) << '\n';
-    section(out, "verdict") << general::verdict(certificate) << '\n';
+    section(out, "verdict") << verdict(certificate) << '\n';
     section(out, "");
-    write_wrapped(out, general::explanation(certificate));
-    if (general::is_minimal(certificate)) write_degree(out, general::notation(problem));
+    write_wrapped(out, explanation(certificate));
+    if (is_minimal(certificate)) write_degree(out, certificate);
     return out.str();
 }
 
-std::string json_report(const general::Certificate& certificate) {
-    const general::Problem& problem = certificate.problem;
-    nlohmann::ordered_json report = {
-        {"problem", general::notation(problem)},
-        {"name", general::name(problem)},
-        {"cameras", model_name(problem)},
-        {"views", problem.views},
-        {"dimensions",
-         {{"scene", general::dimension_in_space(problem)},
-          {"cameras", general::camera_dimension(problem.model, problem.views)},
-          {"images", general::dimension_in_views(problem)}}},
-        {"verdict", general::verdict(certificate)},
-        {"minimal", general::is_minimal(certificate)},
-        {"reason", general::explanation(certificate)}};
-    const auto degree = many_views::degree_on_file(general::notation(problem));
+std::string json_report(const ProblemRecord& certificate) {
+    const Problem& problem = certificate.problem;
+    nlohmann::ordered_json report = {{"problem", notation(problem)},
+                                     {"name", name(problem)},
+                                     {"cameras", problem.cameras->name},
+                                     {"views", problem.views},
+                                     {"dimensions",
+                                      {{"scene", dimension_in_space(problem)},
+                                       {"cameras", problem.cameras->dimension(problem.views)},
+                                       {"images", dimension_in_views(problem)}}},
+                                     {"verdict", verdict(certificate)},
+                                     {"minimal", is_minimal(certificate)},
+                                     {"reason", explanation(certificate)}};
+    const auto degree = many_views::degree_on_file(notation(problem));
     if (degree)
         report["degree"] = {{"value", degree->degree},
                             {"bound", degree->bound},
                             {"status", degree->status},
                             {"certified_at_least", degree->certified},
                             {"source", degree->source}};
+    else if (const auto of_features = degree_of_features(certificate))
+        report["degree"] = {{"value", *of_features},
+                            {"bound", "exact"},
+                            {"status", "certified"},
+                            {"certified_at_least", *of_features},
+                            {"source", source_of_features(certificate)}};
     return report.dump(2) + '\n';
 }
 
-std::string list_of(std::span<const general::Certificate> certificates, const std::string& format) {
+std::string list_of(std::span<const ProblemRecord> certificates, const std::string& format) {
     std::string text;
     if (format == "csv")
         text = "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,name,"
                "notation,reason,degree_status,degree_certified\n";
-    for (const general::Certificate& certificate : certificates) {
-        const general::Problem& problem = certificate.problem;
+    for (const ProblemRecord& certificate : certificates) {
+        const Problem& problem = certificate.problem;
         text += format == "csv"        ? csv_line(certificate)
-                : format == "notation" ? general::notation(problem)
-                                       : general::name(problem);
+                : format == "notation" ? notation(problem)
+                                       : name(problem);
         text += '\n';
     }
     return text;

@@ -1,20 +1,25 @@
 // What plprove prints of problems in general (prover/general).
 #pragma once
 
-#include "prover/general/certificate.h"
+#include "prover/minimal/problem_record.h"
 
+#include <optional>
 #include <span>
 #include <string>
 
 namespace plprove {
 
+/// The degree of a minimal problem in at most three calibrated views whose points share no lines,
+/// but such as two points imply: that of its features, which is certified. Nothing for others.
+std::optional<int> degree_of_features(const ProblemRecord& certificate);
+
 /// The verdict on one problem, with its dimensions and the reason, for people and as JSON.
-std::string text_report(const general::Certificate& certificate);
-std::string json_report(const general::Certificate& certificate);
+std::string text_report(const ProblemRecord& certificate);
+std::string json_report(const ProblemRecord& certificate);
 
 /// One problem a line. Formats: `name`, `notation`, and `csv` with a header: views, free_points,
 /// dependent_points, free_lines, adjacent_lines, minimal (1 or 0), degree (empty: not computed),
 /// name, notation, reason, degree_status, degree_certified (empty: no lower bound is certified).
-std::string list_of(std::span<const general::Certificate> certificates, const std::string& format);
+std::string list_of(std::span<const ProblemRecord> certificates, const std::string& format);
 
 } // namespace plprove

@@ -1,9 +1,9 @@
 #include "prover/cli/many_views_degree.h"
 
 #include "prover/cli/sections.h"
-#include "prover/general/certificate.h"
-#include "prover/general/notation.h"
 #include "prover/many_views/certificate.h"
+#include "prover/minimal/problem_record.h"
+#include "prover/problem/notation.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
 
@@ -16,21 +16,20 @@ namespace plprove {
 
 namespace {
 
-void require_minimal(const general::Problem& problem) {
-    const general::Certificate certificate = general::certify(problem);
-    if (general::is_minimal(certificate)) return;
-    throw BadInput("only minimal problems have a degree, and " + general::notation(problem) +
-                   " is none: " + general::explanation(certificate));
+void require_minimal(const Problem& problem) {
+    const ProblemRecord certificate = certify(problem);
+    if (is_minimal(certificate)) return;
+    throw BadInput("only minimal problems have a degree, and " + notation(problem) +
+                   " is none: " + explanation(certificate));
 }
 
-void require_complete_visibility(const general::Problem& problem) {
-    const general::ViewSet all = general::all_views(problem.views);
+void require_complete_visibility(const Problem& problem) {
+    const ViewSet all = all_views(problem.views);
     const bool complete =
-        std::ranges::all_of(problem.points, [&](general::ViewSet seen) { return seen == all; }) &&
-        std::ranges::all_of(problem.lines,
-                            [&](const general::Line& line) { return line.seen == all; });
+        std::ranges::all_of(problem.points, [&](ViewSet seen) { return seen == all; }) &&
+        std::ranges::all_of(problem.lines, [&](const Line& line) { return line.seen == all; });
     if (complete) return;
-    throw BadInput("some view misses a point or a line of " + general::notation(problem) +
+    throw BadInput("some view misses a point or a line of " + notation(problem) +
                    ", and such degrees are computed only for at most three calibrated views and "
                    "one point on a line: let all views see everything");
 }
@@ -39,7 +38,7 @@ int all_threads() {
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-many_views::MonodromyResult computed(const general::Problem& problem,
+many_views::MonodromyResult computed(const Problem& problem,
                                      const ManyViewsDegreeRequest& request) {
     ProgressLine line("finding solutions", 0);
     many_views::MonodromySettings settings;
@@ -63,10 +62,10 @@ many_views::SolutionsRecord record_of(const many_views::MonodromyResult& found,
 }
 
 /// The `certified` last is how many solutions the certificate shows; 0 if there is none.
-std::string json_report(const general::Problem& problem, const many_views::MonodromyResult& found,
+std::string json_report(const Problem& problem, const many_views::MonodromyResult& found,
                         int certified) {
-    const nlohmann::ordered_json report = {{"problem", general::notation(problem)},
-                                           {"name", general::name(problem)},
+    const nlohmann::ordered_json report = {{"problem", notation(problem)},
+                                           {"name", name(problem)},
                                            {"solutions", found.solutions},
                                            {"complete", found.complete() ? "evidence" : "unknown"},
                                            {"ways", found.ways},
@@ -77,10 +76,10 @@ std::string json_report(const general::Problem& problem, const many_views::Monod
     return report.dump(2) + '\n';
 }
 
-std::string text_report(const general::Problem& problem, const many_views::MonodromyResult& found,
+std::string text_report(const Problem& problem, const many_views::MonodromyResult& found,
                         int certified) {
     std::ostringstream out;
-    section(out, "problem") << general::notation(problem) << '\n';
+    section(out, "problem") << notation(problem) << '\n';
     section(out, "degree") << (found.complete() ? "" : "at least ") << found.solutions
                            << " by evidence\n";
     section(out, "evidence") << found.edges << " of " << found.ways
@@ -97,11 +96,11 @@ std::string text_report(const general::Problem& problem, const many_views::Monod
 
 } // namespace
 
-int propose_upper_bound(const general::Problem& problem, const many_views::Powers& powers,
+int propose_upper_bound(const Problem& problem, const many_views::Powers& powers,
                         std::uint64_t seed, const std::string& path, const Deliver& deliver) {
     require_minimal(problem);
     require_complete_visibility(problem);
-    if (problem.model == general::CameraModel::calibrated)
+    if (problem.cameras == &calibrated_cameras)
         throw BadInput("--at-most is for projective cameras: write `projective:` in front of the "
                        "problem");
     const auto record = many_views::propose_upper_bound(problem, powers, seed);
@@ -109,7 +108,7 @@ int propose_upper_bound(const general::Problem& problem, const many_views::Power
     return 0;
 }
 
-int find_many_views_degree(const general::Problem& problem, const ManyViewsDegreeRequest& request,
+int find_many_views_degree(const Problem& problem, const ManyViewsDegreeRequest& request,
                            const Deliver& deliver) {
     require_minimal(problem);
     require_complete_visibility(problem);

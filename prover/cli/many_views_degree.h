@@ -3,8 +3,8 @@
 #pragma once
 
 #include "prover/cli/command.h"
-#include "prover/general/arrangement.h"
 #include "prover/many_views/upper_bound.h"
+#include "prover/problem/problem.h"
 
 #include <cstdint>
 #include <string>
@@ -21,12 +21,12 @@ struct ManyViewsDegreeRequest {
 
 /// Writes a certificate of an upper bound, for projective cameras that all see everything. Throws
 /// BadInput for other problems. Returns the exit status.
-int propose_upper_bound(const general::Problem& problem, const many_views::Powers& powers,
+int propose_upper_bound(const Problem& problem, const many_views::Powers& powers,
                         std::uint64_t seed, const std::string& path, const Deliver& deliver);
 
 /// Computes the degree, writes the certificate, and prints both. Throws BadInput if the problem is
 /// not minimal, or if a view misses something. Returns the exit status.
-int find_many_views_degree(const general::Problem& problem, const ManyViewsDegreeRequest& request,
+int find_many_views_degree(const Problem& problem, const ManyViewsDegreeRequest& request,
                            const Deliver& deliver);
 
 } // namespace plprove

@@ -1,11 +1,11 @@
 #include "prover/cli/problem_commands.h"
 
-#include "prover/classification/problem_certificate.h"
 #include "prover/cli/general_commands.h"
 #include "prover/cli/general_report.h"
 #include "prover/cli/problem_report.h"
+#include "prover/cli/sections.h"
 #include "prover/drawing/drawing.h"
-#include "prover/general/spec.h"
+#include "prover/minimal/problem_certificate.h"
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
@@ -48,22 +48,39 @@ struct ProblemRequest {
     bool json = false;
 };
 
-void decide_general_problem(const ProblemRequest& request, const general::Problem& problem,
+/// The command that certifies the degree, from the certificate alone: there is one in three views.
+std::string how_to_check(const ProblemRequest& request, const std::string& notation, int views,
+                         std::optional<int> degree) {
+    if (request.certificate.empty() || request.certificate == "-" || views != 3 || !degree)
+        return {};
+    std::ostringstream out;
+    section(out, "check") << "plcheck --expect '" << notation << "' --degree " << *degree << ' '
+                          << request.certificate << '\n';
+    return out.str();
+}
+
+void decide_general_problem(const ProblemRequest& request, const Problem& problem,
                             const Deliver& deliver) {
-    const general::Certificate certificate = general::certify(problem);
+    const ProblemRecord certificate = certify(problem);
     if (!request.certificate.empty())
-        deliver(request.certificate, general::write(std::span(&certificate, 1)));
-    deliver("-", request.json ? json_report(certificate) : text_report(certificate));
+        deliver(request.certificate, write(std::span(&certificate, 1)));
+    deliver("-", request.json ? json_report(certificate)
+                              : text_report(certificate) +
+                                    how_to_check(request, notation(certificate.problem),
+                                                 problem.views, degree_of_features(certificate)));
 }
 
 void decide_problem(const ProblemRequest& request, const Deliver& deliver) {
-    if (const std::optional<general::Problem> problem = general::parse_spec(request.spec))
+    if (const std::optional<Problem> problem = parse_general_spec(request.spec))
         return decide_general_problem(request, *problem, deliver);
-    const Problem problem = parse_spec(request.spec);
+    const Features problem = parse_spec(request.spec);
     const ProblemReport report = report_on(problem);
     // The certificate first: where it fails, nothing is said that it was to prove.
     if (!request.certificate.empty()) deliver(request.certificate, write(certify_problem(problem)));
-    deliver("-", request.json ? json_report(report) : text_report(report));
+    deliver("-", request.json ? json_report(report)
+                              : text_report(report) + how_to_check(request, notation(problem),
+                                                                   problem.front().views(),
+                                                                   degree_of(report.decision)));
 }
 
 struct CertifyRequest {
@@ -75,13 +92,13 @@ struct CertifyRequest {
 
 std::string certificate_text(const CertifyRequest& request) {
     if (!request.family.empty()) {
-        const general::Family family = family_named(request.family);
-        return general::write(certify_family(family), family);
+        const Family family = family_named(request.family);
+        return write(certify_family(family), family);
     }
-    if (!request.list.empty()) return general::write(certify_listed(request.list));
-    if (const std::optional<general::Problem> problem = general::parse_spec(request.spec)) {
-        const general::Certificate certificate = general::certify(*problem);
-        return general::write(std::span(&certificate, 1));
+    if (!request.list.empty()) return write(certify_listed(request.list));
+    if (const std::optional<Problem> problem = parse_general_spec(request.spec)) {
+        const ProblemRecord certificate = certify(*problem);
+        return write(std::span(&certificate, 1));
     }
     return write(certify_problem(parse_spec(request.spec)));
 }
@@ -94,10 +111,10 @@ struct ShowRequest {
 };
 
 void show(const ShowRequest& request, const Deliver& deliver) {
-    if (general::parse_spec(request.spec))
+    if (parse_general_spec(request.spec))
         throw BadInput("problems with shared lines, with more than three views or for projective "
                        "cameras are not drawn: `plprove problem` says what is known of them");
-    const Problem problem = parse_spec(request.spec);
+    const Features problem = parse_spec(request.spec);
     Highlight highlight = Highlight::nothing;
     if (!request.highlight.empty()) {
         if (!has_five_points(problem))

@@ -4,7 +4,7 @@
 
 namespace plprove {
 
-std::vector<FeatureRow> feature_rows(const Problem& problem) {
+std::vector<FeatureRow> feature_rows(const Features& problem) {
     std::vector<FeatureRow> rows;
     for (const Feature& feature : problem) {
         const std::string text = notation(feature);
@@ -21,9 +21,9 @@ bool is_camera_minimal(const Decision& decision) {
     return decision.verdict == Verdict::minimal || decision.verdict == Verdict::camera_minimal;
 }
 
-bool same_features(const Problem& a, const Problem& b) {
-    const auto sorted = [](const Problem& problem) {
-        Problem result;
+bool same_features(const Features& a, const Features& b) {
+    const auto sorted = [](const Features& problem) {
+        Features result;
         for (const Feature& feature : problem)
             result.push_back(canonical(feature));
         std::ranges::sort(result);

@@ -1,7 +1,7 @@
 // What text and JSON say of a decision, in other words.
 #pragma once
 
-#include "prover/classification/decision.h"
+#include "prover/minimal/decision.h"
 
 #include <string>
 #include <vector>
@@ -16,12 +16,12 @@ struct FeatureRow {
     int images = 0;
 };
 
-std::vector<FeatureRow> feature_rows(const Problem& problem);
+std::vector<FeatureRow> feature_rows(const Features& problem);
 
 bool is_camera_minimal(const Decision& decision);
 
 /// Whether two problems differ by the order of their features and the names of pins at most.
-bool same_features(const Problem& a, const Problem& b);
+bool same_features(const Features& a, const Features& b);
 
 /// What the problem has to do with the label class that it is decided by.
 enum class Standing { member, terminal, dangling, reducible };

@@ -22,7 +22,7 @@ std::vector<std::string> family_names(const Families& families) {
     return names;
 }
 
-std::string or_nothing(const Problem& problem) {
+std::string or_nothing(const Features& problem) {
     return problem.empty() ? "nothing" : notation(problem);
 }
 
@@ -180,7 +180,7 @@ std::optional<int> degree_of(const Decision& decision) {
     return degree_in_two_views;
 }
 
-ProblemReport report_on(const Problem& problem) {
+ProblemReport report_on(const Features& problem) {
     Decision decision = decide(problem);
     std::vector<Hint> changes = hints(decision);
     return {std::move(decision), std::move(changes)};

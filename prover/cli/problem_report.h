@@ -2,7 +2,7 @@
 #pragma once
 
 #include "prover/catalogue/degrees.h"
-#include "prover/classification/hints.h"
+#include "prover/minimal/hints.h"
 
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ struct ProblemReport {
 std::optional<int> degree_of(const Decision& decision);
 
 /// Decides, and looks for hints.
-ProblemReport report_on(const Problem& problem);
+ProblemReport report_on(const Features& problem);
 
 /// The decision in words, one fact a paragraph.
 std::string text_report(const ProblemReport& report);

@@ -2,7 +2,6 @@
 // here.
 #include "prover/cli/program.h"
 
-#include "prover/classification/classification_file.h"
 #include "prover/cli/arguments.h"
 #include "prover/cli/bounds_command.h"
 #include "prover/cli/catalogue_commands.h"
@@ -11,6 +10,8 @@
 #include "prover/cli/problem_commands.h"
 #include "prover/cli/solve_command.h"
 #include "prover/format/version.h"
+#include "prover/minimal/classification_file.h"
+#include "prover/minimal/problem_certificate.h"
 #include "prover/problem/spec.h"
 #include "prover/scripts/scripts.h"
 #include "prover/system/atomic_file.h"

@@ -2,8 +2,8 @@
 
 #include "prover/cli/solve_report.h"
 #include "prover/degree_sweep/write.h"
-#include "prover/general/notation.h"
 #include "prover/many_views/certificate.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/certificate.h"
 #include "prover/solver/images_file.h"
@@ -51,7 +51,7 @@ struct SolveRequest {
     SolveOptions options;
 };
 
-Solver solver_for(const SolveRequest& request, const Problem& problem) {
+Solver solver_for(const SolveRequest& request, const Features& problem) {
     if (request.start.empty()) {
         ProgressLine line("getting the start", 1);
         line.show(0);
@@ -74,8 +74,8 @@ Answer solve_and_certify_two_views(const SolveRequest& request, const Solver& so
         cameras.push_back({quaternion(R), {t[0], t[1], t[2]}});
     }
     const FivePointImages images = five_point_images(solver.plan(), consistent);
-    const many_views::SolutionsRecord record = many_views::certify(
-        general::parse("5*P/P"), images.views, FivePointImages::digits, cameras);
+    const many_views::SolutionsRecord record =
+        many_views::certify(parse_problem("5*P/P"), images.views, FivePointImages::digits, cameras);
     if (record.solutions.empty()) throw std::runtime_error(nothing_to_certify);
     report.certificate = {request.certificate, record.count(), images.exact, images.moved};
     deliver(request.certificate, many_views::write_solutions(std::span(&record, 1)));
@@ -99,7 +99,7 @@ Answer solve_and_certify(const SolveRequest& request, const Solver& solver,
 }
 
 int solve_images(const SolveRequest& request, const Deliver& deliver) {
-    const Problem problem = parse_spec(request.spec);
+    const Features problem = parse_spec(request.spec);
     SolveReport report;
     report.images = read_images(content_of(request.images), request.images, problem);
     const ConsistentImages images = consistent(report.images);
@@ -119,7 +119,7 @@ int solve_images(const SolveRequest& request, const Deliver& deliver) {
 
 int run_solve(const SolveRequest& request, const Deliver& deliver) {
     if (!request.example.empty()) {
-        const Problem problem = parse_spec(request.example);
+        const Features problem = parse_spec(request.example);
         plan(problem); // refuses what cannot be solved
         deliver(request.path, images_file(synthetic_scene(problem, 1)));
         return 0;

@@ -132,7 +132,7 @@ void append_solution(std::ostream& text, std::size_t index, const Solution& solu
         text << "     camera " << v + 1 << "  " << camera_row(solution.cameras[v]) << '\n';
 }
 
-std::size_t points_of(const Problem& problem) {
+std::size_t points_of(const Features& problem) {
     return static_cast<std::size_t>(
         std::ranges::count_if(problem, [](const Feature& f) { return point_is_seen(f); }));
 }

@@ -1,5 +1,6 @@
 #include "prover/degree_sweep/read_record.h"
 
+#include "prover/problem/notation.h"
 #include "prover/problem/signature.h"
 
 #include <charconv>

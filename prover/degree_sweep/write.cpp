@@ -1,6 +1,7 @@
 #include "prover/degree_sweep/write.h"
 
 #include "prover/format/certificate_text.h"
+#include "prover/problem/notation.h"
 
 namespace plprove {
 

@@ -10,7 +10,7 @@ std::string counted(int count, const std::string& noun) {
 
 } // namespace
 
-std::vector<std::string> caption(const Problem& problem, std::size_t columns) {
+std::vector<std::string> caption(const Features& problem, std::size_t columns) {
     const std::string text = notation(problem);
     std::vector<std::string> lines(1);
     for (std::size_t begin = 0; begin < text.size();) {
@@ -27,7 +27,7 @@ std::vector<std::string> caption(const Problem& problem, std::size_t columns) {
     return lines;
 }
 
-std::string describe(const Problem& problem) {
+std::string describe(const Features& problem) {
     int points = 0;
     int pins = 0;
     int free_lines = 0;

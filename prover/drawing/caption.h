@@ -10,9 +10,9 @@ namespace plprove {
 
 /// The notation in lines of at most `columns` characters where its summands allow it: a line breaks
 /// before a `+` only.
-std::vector<std::string> caption(const Problem& problem, std::size_t columns);
+std::vector<std::string> caption(const Features& problem, std::size_t columns);
 
 /// What a problem consists of, in words: `3 points, 2 pins and 1 free line in 3 views`.
-std::string describe(const Problem& problem);
+std::string describe(const Features& problem);
 
 } // namespace plprove

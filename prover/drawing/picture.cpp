@@ -1,6 +1,6 @@
 #include "prover/drawing/picture.h"
 
-#include "prover/classification/obstruction.h"
+#include "prover/minimal/obstruction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -130,7 +130,7 @@ void draw(Panel& panel, const Feature& feature, const Place& place, double radiu
 }
 
 /// Whether the view and another one, which share exactly five points, both see this one.
-bool in_five_points(const Problem& problem, const Feature& feature, int view) {
+bool in_five_points(const Features& problem, const Feature& feature, int view) {
     const std::array<int, 3> shared = shared_points(problem);
     const int views = problem.front().views();
     for (std::size_t i = 0; i < view_pairs.size(); ++i) {
@@ -154,12 +154,12 @@ std::string number(double value) {
     return text;
 }
 
-bool has_five_points(const Problem& problem) {
+bool has_five_points(const Features& problem) {
     const std::array<int, 3> shared = shared_points(problem);
     return std::ranges::find(shared, 5) != shared.end();
 }
 
-Picture picture_of(const Problem& problem, Highlight highlight) {
+Picture picture_of(const Features& problem, Highlight highlight) {
     const Layout places = layout(problem.size());
     Picture picture{places.width, places.height, {}};
     const int views = problem.empty() ? 0 : problem.front().views();

@@ -45,7 +45,7 @@ struct Picture {
 
 inline constexpr double panel_gap = 14;
 
-Picture picture_of(const Problem& problem, Highlight highlight);
+Picture picture_of(const Features& problem, Highlight highlight);
 
 /// At most two decimals, whatever the locale.
 std::string number(double value);

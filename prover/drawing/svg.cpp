@@ -64,7 +64,7 @@ struct Writer {
 };
 
 /// For readers who do not see the drawing.
-std::string description(const Problem& problem, Highlight highlight) {
+std::string description(const Features& problem, Highlight highlight) {
     std::string text = "A point-line problem: " + describe(problem) +
                        ". Each panel is one view, with every feature at the same place. Points "
                        "and lines that the view sees are black, those that it does not see are "
@@ -107,7 +107,7 @@ std::string opening(double width, double height) {
 
 } // namespace
 
-std::string draw_svg(const Problem& problem, Highlight highlight) {
+std::string draw_svg(const Features& problem, Highlight highlight) {
     const Picture picture = picture_of(problem, highlight);
     const auto views = static_cast<double>(picture.panels.size());
     const double panels_width = views * (picture.width + panel_gap) - panel_gap;

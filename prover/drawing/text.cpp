@@ -147,7 +147,7 @@ std::vector<Row> balanced_rows(const std::vector<Sketch>& sketches, int columns)
 }
 
 /// The lines of text that a row of features fills in one view, all `columns` wide.
-std::vector<std::string> raster(const Problem& problem, const std::vector<Sketch>& sketches,
+std::vector<std::string> raster(const Features& problem, const std::vector<Sketch>& sketches,
                                 const Row& row, int view, int columns) {
     int top = 0;
     int bottom = 0;
@@ -183,7 +183,7 @@ std::string repeat(const std::string& text, int times) {
 }
 
 /// The lines of one view's panel, frame included.
-std::vector<std::string> panel(const Problem& problem, const std::vector<Sketch>& sketches,
+std::vector<std::string> panel(const Features& problem, const std::vector<Sketch>& sketches,
                                const std::vector<Row>& rows, int view, int columns) {
     const std::string empty = "│ " + repeat(" ", columns) + " │";
     std::vector<std::string> lines{"┌─ view " + std::to_string(view + 1) + " " +
@@ -200,7 +200,7 @@ std::vector<std::string> panel(const Problem& problem, const std::vector<Sketch>
 
 } // namespace
 
-std::string draw_text(const Problem& problem) {
+std::string draw_text(const Features& problem) {
     std::string text;
     for (const std::string& line : caption(problem, page_columns))
         text += line + "\n";

@@ -41,7 +41,7 @@ struct Writer {
 
 } // namespace
 
-std::string draw_tikz(const Problem& problem, Highlight highlight) {
+std::string draw_tikz(const Features& problem, Highlight highlight) {
     const Picture picture = picture_of(problem, highlight);
     std::string text =
         "% " + notation(problem) + "\n% " + describe(problem) +

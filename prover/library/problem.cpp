@@ -1,9 +1,9 @@
 #include "prover/library/pointline/problem.h"
 
 #include "prover/catalogue/degrees.h"
-#include "prover/classification/decision.h"
 #include "prover/drawing/drawing.h"
 #include "prover/library/guarded.h"
+#include "prover/minimal/decision.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/solve.h"
 

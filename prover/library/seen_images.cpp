@@ -110,7 +110,7 @@ void require_different(const SeenImages& images) {
 
 } // namespace
 
-MovedImages seen_images(const Problem& problem, const pointline::Images& images) {
+MovedImages seen_images(const Features& problem, const pointline::Images& images) {
     const auto views = static_cast<std::size_t>(problem.front().views());
     if (!images.cameras.empty() && images.cameras.size() != views)
         throw BadInput("give intrinsics of " + std::to_string(views) + " cameras, or of none");

@@ -14,6 +14,6 @@ struct MovedImages {
 
 /// The images in normalised coordinates, with lines that meet their points. Throws BadInput where
 /// they are not what the problem says that the views see.
-MovedImages seen_images(const Problem& problem, const pointline::Images& images);
+MovedImages seen_images(const Features& problem, const pointline::Images& images);
 
 } // namespace plprove

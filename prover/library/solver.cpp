@@ -81,7 +81,7 @@ Solver::Solver(std::shared_ptr<const Content> content) : content_(std::move(cont
 
 Result<Solver> Solver::make(std::string_view problem) noexcept {
     return guarded<Solver>(Failure::bad_problem, [&] {
-        const plprove::Problem parsed = plprove::parse_spec(problem);
+        const plprove::Features parsed = plprove::parse_spec(problem);
         return Solver(std::make_shared<const Content>(
             Content{plprove::notation(parsed), plprove::make_solver(parsed)}));
     });

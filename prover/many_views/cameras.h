@@ -1,7 +1,7 @@
 // Cameras in coordinates: as many as there are parameters, in a random chart.
 #pragma once
 
-#include "prover/general/arrangement.h"
+#include "prover/problem/problem.h"
 #include "prover/three_views/random.h"
 
 #include <Eigen/Core>
@@ -19,17 +19,16 @@ struct CameraWithDerivatives {
     std::vector<Camera> by_coordinate;
 };
 
-/// Affine coordinates of the cameras 2, 3, ...: a calibrated one is [R | t], R the matrix (times
-/// its norm) of a quaternion in an affine space that misses 0; a projective one is in an affine
-/// space of matrices that misses 0. Of camera 2, t is in such a space, or the first row is
-/// 0 0 0 1: so motions and scalings of space leave no freedom.
+/// Affine coordinates of the cameras 2, 3, ...: of each run of numbers that count up to a common
+/// factor (CameraModel::scaled_runs), in an affine space that misses 0. Motions and scalings of
+/// space leave no freedom.
 class CameraChart {
 public:
-    CameraChart(general::CameraModel model, int views, Random& random);
+    CameraChart(const CameraModel& model, int views, Random& random);
 
     /// The one of certs/FORMAT.md, section 14: quaternions begin with 1, matrices too, and so does
     /// t of camera 2, or its second row.
-    static CameraChart standard(general::CameraModel model, int views);
+    static CameraChart standard(const CameraModel& model, int views);
 
     /// The numbers that make a camera, a quaternion and t, or the matrix row by row:
     /// origin + basis · coordinates.
@@ -51,14 +50,11 @@ public:
     CameraWithDerivatives camera(std::size_t view, const Eigen::VectorXcd& coordinates) const;
 
 private:
-    explicit CameraChart(general::CameraModel model) : model_(model) {}
+    explicit CameraChart(const CameraModel& model) : model_(&model) {}
 
     void add(Chart chart);
 
-    static Chart calibrated(bool second, Random& random);
-    static Chart projective(bool second, Random& random);
-
-    general::CameraModel model_;
+    const CameraModel* model_;
     std::vector<Chart> charts_;
     std::vector<Eigen::Index> offsets_{0}; ///< and the sum of all
 };

@@ -1,10 +1,10 @@
 #include "prover/many_views/certificate.h"
 
 #include "prover/format/certificate_text.h"
-#include "prover/general/notation.h"
 #include "prover/many_views/integer_pictures.h"
 #include "prover/many_views/path.h"
 #include "prover/monodromy/solution_set.h"
+#include "prover/problem/notation.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -26,7 +26,7 @@ bool is_real(const Point& point) {
 
 /// The same cameras and places in the standard chart.
 Point in_standard_chart(const System& system, const Point& point) {
-    const bool calibrated = system.problem().model == general::CameraModel::calibrated;
+    const bool calibrated = system.problem().cameras == &calibrated_cameras;
     Point result(point.size());
     Complex depth_factor = 1; // of all translations: fixes the scale of space
     for (std::size_t view = 1; view < static_cast<std::size_t>(system.chart().views()); ++view) {
@@ -61,8 +61,8 @@ Point in_standard_chart(const System& system, const Point& point) {
 /// scale.
 class IntegerSystem {
 public:
-    IntegerSystem(const general::Problem& problem, const IntegerImages& integers, double scale)
-        : system_(problem, CameraChart::standard(problem.model, problem.views)), scale_(scale),
+    IntegerSystem(const Problem& problem, const IntegerImages& integers, double scale)
+        : system_(problem, CameraChart::standard(*problem.cameras, problem.views)), scale_(scale),
           images_(scaled(problem, integers, scale)), still_(on_the_way(images_, images_, 0)) {}
 
     const Images<Complex>& images() const { return images_; }
@@ -153,7 +153,7 @@ Eigen::Vector3cd vector(const Vector<Complex>& x) {
 /// The point of the standard chart with this second camera. The depth d of a point is such that
 /// the camera sees it where the second view does: M x + d t = s y.
 Point second_camera_with_depths(const Images<Complex>& images, const QuaternionCamera& camera) {
-    const auto chart = CameraChart::standard(general::CameraModel::calibrated, 2);
+    const auto chart = CameraChart::standard(calibrated_cameras, 2);
     const auto& [q, t] = camera;
     Eigen::VectorXcd coordinates(5);
     coordinates << q[1] / q[0], q[2] / q[0], q[3] / q[0], t[1] / t[0], t[2] / t[0];
@@ -220,7 +220,7 @@ int SolutionsRecord::count() const {
 SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t seed, int threads) {
     constexpr std::uint64_t stream = 2; // another one than that of monodromy
     constexpr double scale = 64;        // of random integer images
-    const general::Problem& problem = found.system.problem();
+    const Problem& problem = found.system.problem();
     Random random(seed, stream);
     const IntegerImages integers = random_integer_images(problem, problem.views, random);
     IntegerSystem system(problem, integers, scale);
@@ -239,7 +239,7 @@ SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t 
     return {problem, integers, arrivals.written()};
 }
 
-SolutionsRecord certify(const general::Problem& points, const IntegerImages& integers, int digits,
+SolutionsRecord certify(const Problem& points, const IntegerImages& integers, int digits,
                         std::span<const QuaternionCamera> cameras) {
     IntegerSystem system(points, integers, std::pow(10.0, digits));
     Arrivals arrivals(system);
@@ -252,7 +252,7 @@ std::string write_solutions(std::span<const SolutionsRecord> records) {
     constexpr std::size_t digits_of_images = 9, digits_of_solutions = 18;
     CertificateText text;
     for (const SolutionsRecord& record : records) {
-        text.line("problem", general::notation(record.problem));
+        text.line("problem", notation(record.problem));
         for (const std::vector<int>& view : record.views)
             text.line("view", coordinates(view, digits_of_images));
         for (const StartingValues& solution : record.solutions) {

@@ -21,7 +21,7 @@ struct StartingValues {
 
 /// What a record of the file says.
 struct SolutionsRecord {
-    general::Problem problem;
+    Problem problem;
     IntegerImages views; ///< what each sees
     std::vector<StartingValues> solutions;
 
@@ -43,7 +43,7 @@ struct QuaternionCamera {
 /// The record that these images of points in two views have these solutions: approximate second
 /// cameras, whose quaternions and t do not begin with 0. The largest coordinates of the image
 /// vectors have `digits` digits. Leaves out what Newton's method does not confirm.
-SolutionsRecord certify(const general::Problem& points, const IntegerImages& integers, int digits,
+SolutionsRecord certify(const Problem& points, const IntegerImages& integers, int digits,
                         std::span<const QuaternionCamera> cameras);
 
 /// The file of these records. Throws FormatLimit if the format does not allow it.

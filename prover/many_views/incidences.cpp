@@ -30,7 +30,7 @@ struct Places {
 template <class Scalar>
 class Equations {
 public:
-    Equations(const general::Problem& problem, const Images<Scalar>& images)
+    Equations(const Problem& problem, const Images<Scalar>& images)
         : problem_(problem), images_(images), depths_(unknown_depths(problem)) {
         place_points();
     }
@@ -57,7 +57,7 @@ private:
     void place_points() {
         places_.x = image_vectors(problem_, images_[0]);
         for (std::size_t p = 0; p < places_.x.size(); ++p) {
-            const auto carrier = general::carrier(problem_, static_cast<int>(p));
+            const auto carrier = plprove::carrier(problem_, static_cast<int>(p));
             if (!carrier) {
                 places_.depth.push_back(one_depth(first_of_lines_++));
                 continue;
@@ -80,7 +80,7 @@ private:
             incidences_.push_back({view, line_through(y, other), places_.x[p], places_.depth[p]});
         };
         add(first_other);
-        if (!general::carrier(problem_, static_cast<int>(p))) add(second_other);
+        if (!carrier(problem_, static_cast<int>(p))) add(second_other);
     }
 
     /// The view sees the line. Returns how many depths are its own.
@@ -102,7 +102,7 @@ private:
         return 2;
     }
 
-    const general::Problem& problem_;
+    const Problem& problem_;
     const Images<Scalar>& images_;
     std::size_t depths_;
     std::size_t first_of_lines_ = 0; // of the depths that belong to lines
@@ -112,21 +112,20 @@ private:
 
 } // namespace
 
-std::size_t unknown_depths(const general::Problem& problem) {
+std::size_t unknown_depths(const Problem& problem) {
     std::size_t count = 0;
     for (std::size_t p = 0; p < problem.points.size(); ++p)
-        count += general::carrier(problem, static_cast<int>(p)) ? 0 : 1;
-    for (const general::Line& line : problem.lines)
-        count += static_cast<std::size_t>(general::own_points(line));
+        count += carrier(problem, static_cast<int>(p)) ? 0 : 1;
+    for (const Line& line : problem.lines)
+        count += static_cast<std::size_t>(own_points(line));
     return count;
 }
 
-std::vector<Incidence<Moving>> incidences(const general::Problem& problem,
-                                          const Images<Moving>& images) {
+std::vector<Incidence<Moving>> incidences(const Problem& problem, const Images<Moving>& images) {
     return Equations(problem, images).take();
 }
 
-std::vector<Incidence<Polynomial>> incidences(const general::Problem& problem,
+std::vector<Incidence<Polynomial>> incidences(const Problem& problem,
                                               const Images<Polynomial>& images) {
     return Equations(problem, images).take();
 }

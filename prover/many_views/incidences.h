@@ -17,13 +17,12 @@ struct Incidence {
 
 /// How many depths are unknown: one of each free point and of each line with one point, two of each
 /// line without points.
-std::size_t unknown_depths(const general::Problem& problem);
+std::size_t unknown_depths(const Problem& problem);
 
 /// All equations. They are as many as there are unknown depths and camera parameters if the problem
 /// is balanced. Assumes that all views see everything.
-std::vector<Incidence<Moving>> incidences(const general::Problem& problem,
-                                          const Images<Moving>& images);
-std::vector<Incidence<Polynomial>> incidences(const general::Problem& problem,
+std::vector<Incidence<Moving>> incidences(const Problem& problem, const Images<Moving>& images);
+std::vector<Incidence<Polynomial>> incidences(const Problem& problem,
                                               const Images<Polynomial>& images);
 
 } // namespace plprove::many_views

@@ -16,23 +16,23 @@ int random_integer(int largest, Random& random) {
 }
 
 /// What one view sees.
-std::vector<int> random_numbers(const general::Problem& problem, Random& random) {
+std::vector<int> random_numbers(const Problem& problem, Random& random) {
     std::vector<int> numbers;
     const auto add = [&](std::size_t count, int largest) {
         for (; count > 0; --count)
             numbers.push_back(random_integer(largest, random));
     };
     for (std::size_t p = 0; p < problem.points.size(); ++p)
-        if (general::carrier(problem, static_cast<int>(p)))
+        if (carrier(problem, static_cast<int>(p)))
             add(2, largest_factor);
         else
             add(3, largest_coordinate);
-    for (const general::Line& line : problem.lines)
+    for (const Line& line : problem.lines)
         add(line.points.size() >= 2 ? 0 : 6 - 3 * line.points.size(), largest_coordinate);
     return numbers;
 }
 
-ViewImages<Complex> vectors_of(const general::Problem& problem, std::span<const int> numbers) {
+ViewImages<Complex> vectors_of(const Problem& problem, std::span<const int> numbers) {
     ViewImages<Complex> view;
     const auto take = [&] {
         const Vector<Complex> vector{Complex(numbers[0]), Complex(numbers[1]), Complex(numbers[2])};
@@ -40,14 +40,14 @@ ViewImages<Complex> vectors_of(const general::Problem& problem, std::span<const 
         return vector;
     };
     for (std::size_t p = 0; p < problem.points.size(); ++p) {
-        if (!general::carrier(problem, static_cast<int>(p))) {
+        if (!carrier(problem, static_cast<int>(p))) {
             view.points.push_back(take());
             continue;
         }
         view.points.push_back({Complex(numbers[0]), Complex(numbers[1]), Complex(0)});
         numbers = numbers.subspan(2);
     }
-    for (const general::Line& line : problem.lines) {
+    for (const Line& line : problem.lines) {
         auto& ends = view.lines.emplace_back();
         for (std::size_t end = line.points.size(); end < 2; ++end)
             ends[end] = take();
@@ -69,21 +69,21 @@ bool is_sound(const Vector<Complex>& vector) {
 }
 
 /// Whether no point is another one of its carrier.
-bool has_different_points(const general::Problem& problem, const ViewImages<Complex>& view) {
+bool has_different_points(const Problem& problem, const ViewImages<Complex>& view) {
     for (std::size_t p = 0; p < view.points.size(); ++p)
-        if (general::carrier(problem, static_cast<int>(p)) &&
+        if (carrier(problem, static_cast<int>(p)) &&
             (view.points[p][0] == Complex(0) || view.points[p][1] == Complex(0)))
             return false;
     return true;
 }
 
 /// Whether the view meets the conditions of the format.
-bool conforms(const general::Problem& problem, const ViewImages<Complex>& view) {
+bool conforms(const Problem& problem, const ViewImages<Complex>& view) {
     const std::vector<Vector<Complex>> points = image_vectors(problem, view);
     for (std::size_t p = 0; p < points.size(); ++p) {
         const Vector<Complex>& y = points[p];
         if (!is_sound(y) || y[2] == Complex(0)) return false;
-        const auto carrier = general::carrier(problem, static_cast<int>(p));
+        const auto carrier = plprove::carrier(problem, static_cast<int>(p));
         if (!carrier) continue;
         const auto& on_it = problem.lines[static_cast<std::size_t>(*carrier)].points;
         const Vector<Complex>& a = points[static_cast<std::size_t>(on_it[0])];
@@ -101,7 +101,7 @@ bool conforms(const general::Problem& problem, const ViewImages<Complex>& view) 
 
 } // namespace
 
-IntegerImages random_integer_images(const general::Problem& problem, int views, Random& random) {
+IntegerImages random_integer_images(const Problem& problem, int views, Random& random) {
     constexpr int most_tries = 10'000;
     IntegerImages images;
     for (int tries = 0; tries < most_tries; ++tries) {
@@ -114,13 +114,12 @@ IntegerImages random_integer_images(const general::Problem& problem, int views, 
     throw FormatLimit("found no integer images whose coordinates the format allows: leave -o out");
 }
 
-Images<Complex> scaled(const general::Problem& problem, const IntegerImages& integers,
-                       double scale) {
+Images<Complex> scaled(const Problem& problem, const IntegerImages& integers, double scale) {
     Images<Complex> images;
     for (const std::vector<int>& numbers : integers) {
         ViewImages<Complex> view = vectors_of(problem, numbers);
         for (std::size_t p = 0; p < view.points.size(); ++p)
-            if (!general::carrier(problem, static_cast<int>(p)))
+            if (!carrier(problem, static_cast<int>(p)))
                 for (Complex& x : view.points[p])
                     x /= scale;
         for (auto& ends : view.lines)

@@ -11,11 +11,10 @@ using IntegerImages = std::vector<std::vector<int>>;
 
 /// Random ones of so many views that meet the conditions of the format. Throws FormatLimit if that
 /// takes too long.
-IntegerImages random_integer_images(const general::Problem& problem, int views, Random& random);
+IntegerImages random_integer_images(const Problem& problem, int views, Random& random);
 
 /// Image vectors for computing: those of free points and of lines are divided by `scale`, so that
 /// they are about as long as random complex ones.
-Images<Complex> scaled(const general::Problem& problem, const IntegerImages& integers,
-                       double scale);
+Images<Complex> scaled(const Problem& problem, const IntegerImages& integers, double scale);
 
 } // namespace plprove::many_views

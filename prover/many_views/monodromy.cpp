@@ -16,7 +16,7 @@ public:
     using Point = many_views::Point;
     static constexpr int attempts = 1;
 
-    SceneLoops(const general::Problem& problem, std::uint64_t seed, int threads)
+    SceneLoops(const Problem& problem, std::uint64_t seed, int threads)
         : threads_(threads), random_(seed, 0), system_(problem, random_) {
         SolvedImages scene = system_.random_scene(random_);
         images_ = {scene.images, random_images(problem, random_)};
@@ -98,7 +98,7 @@ MonodromyResult result_of(const SceneMonodromy& monodromy) {
 
 } // namespace
 
-MonodromyResult run_monodromy(const general::Problem& problem, std::uint64_t seed,
+MonodromyResult run_monodromy(const Problem& problem, std::uint64_t seed,
                               const MonodromySettings& settings) {
     constexpr double near = 1e-7; // relative distance of approximations of one solution
     SceneMonodromy::Report report;

@@ -36,7 +36,7 @@ struct MonodromySettings {
 
 /// Assumes that the problem is minimal and that all views see everything. The same result for the
 /// same seed, whatever the number of threads.
-MonodromyResult run_monodromy(const general::Problem& problem, std::uint64_t seed,
+MonodromyResult run_monodromy(const Problem& problem, std::uint64_t seed,
                               const MonodromySettings& settings);
 
 } // namespace plprove::many_views

@@ -5,8 +5,8 @@
 // sees it at M x + depth t.
 #pragma once
 
-#include "prover/general/arrangement.h"
 #include "prover/many_views/polynomial.h"
+#include "prover/problem/problem.h"
 
 #include <array>
 #include <complex>
@@ -61,11 +61,11 @@ Images<Polynomial> straight_way(const Images<Complex>& from, const Images<Comple
 
 /// The image vectors of all points.
 template <class Scalar>
-std::vector<Vector<Scalar>> image_vectors(const general::Problem& problem,
+std::vector<Vector<Scalar>> image_vectors(const Problem& problem,
                                           const ViewImages<Scalar>& images) {
     std::vector<Vector<Scalar>> vectors = images.points;
     for (std::size_t p = 0; p < vectors.size(); ++p) {
-        const auto carrier = general::carrier(problem, static_cast<int>(p));
+        const auto carrier = plprove::carrier(problem, static_cast<int>(p));
         if (!carrier) continue;
         const auto& on_it = problem.lines[static_cast<std::size_t>(*carrier)].points;
         const auto& a = vectors[static_cast<std::size_t>(on_it[0])];

@@ -25,12 +25,12 @@ Images<Scalar> combined(const Images<Complex>& from, const Images<Complex>& to, 
     return result;
 }
 
-bool is_dependent(const general::Problem& problem, std::size_t point) {
-    return general::carrier(problem, static_cast<int>(point)).has_value();
+bool is_dependent(const Problem& problem, std::size_t point) {
+    return carrier(problem, static_cast<int>(point)).has_value();
 }
 
 /// A random image vector, or two random factors.
-Vector<Complex> random_entry(const general::Problem& problem, std::size_t point, Random& random) {
+Vector<Complex> random_entry(const Problem& problem, std::size_t point, Random& random) {
     Vector<Complex> vector = random.complex3();
     if (is_dependent(problem, point)) vector[2] = 0;
     return vector;
@@ -49,7 +49,7 @@ Moving depth_at(const Incidence<Moving>& equation, const Point& point) {
     return depth;
 }
 
-ViewImages<Complex> random_view(const general::Problem& problem, Random& random) {
+ViewImages<Complex> random_view(const Problem& problem, Random& random) {
     ViewImages<Complex> view;
     for (std::size_t p = 0; p < problem.points.size(); ++p)
         view.points.push_back(random_entry(problem, p, random));
@@ -62,7 +62,7 @@ ViewImages<Complex> random_view(const general::Problem& problem, Random& random)
 
 /// What a camera sees of the places that view 1 shows, at these depths. Factors of dependent points
 /// are those of view 1.
-ViewImages<Complex> seen_by(const general::Problem& problem, const Camera& camera,
+ViewImages<Complex> seen_by(const Problem& problem, const Camera& camera,
                             const ViewImages<Complex>& first, const Point& depths) {
     ViewImages<Complex> view = first;
     Index next = 0;
@@ -90,10 +90,10 @@ Images<Polynomial> straight_way(const Images<Complex>& from, const Images<Comple
         from, to, [](const Complex& a, const Complex& b) { return Polynomial(a, b - a); });
 }
 
-System::System(general::Problem problem, Random& random)
-    : System(problem, CameraChart(problem.model, problem.views, random)) {}
+System::System(Problem problem, Random& random)
+    : System(problem, CameraChart(*problem.cameras, problem.views, random)) {}
 
-System::System(general::Problem problem, CameraChart chart)
+System::System(Problem problem, CameraChart chart)
     : problem_(std::move(problem)), depths_(static_cast<Index>(unknown_depths(problem_))),
       chart_(std::move(chart)) {}
 
@@ -136,7 +136,7 @@ void System::evaluate_row(Index row, const Incidence<Moving>& equation,
 
 bool System::has_null_quaternion(const Point& point) const {
     constexpr double small = 1e-8;
-    if (problem_.model != general::CameraModel::calibrated) return false;
+    if (problem_.cameras != &calibrated_cameras) return false;
     for (std::size_t view = 1; view < static_cast<std::size_t>(chart_.views()); ++view) {
         const Eigen::Index first = depths_ + chart_.offset(view);
         const Eigen::VectorXcd coordinates = point.segment(first, chart_.coordinates(view));
@@ -161,20 +161,20 @@ SolvedImages System::random_scene(Random& random) const {
     return scene;
 }
 
-Images<Complex> random_images(const general::Problem& problem, Random& random) {
+Images<Complex> random_images(const Problem& problem, Random& random) {
     Images<Complex> images;
     for (int view = 0; view < problem.views; ++view)
         images.push_back(random_view(problem, random));
     return images;
 }
 
-Images<Complex> rephased(const general::Problem& problem, Images<Complex> images, Random& random) {
+Images<Complex> rephased(const Problem& problem, Images<Complex> images, Random& random) {
     for (std::size_t view = 1; view < images.size(); ++view) {
         ViewImages<Complex>& seen = images[view];
         std::vector<Complex> phases;
         for (std::size_t p = 0; p < seen.points.size(); ++p) {
             phases.push_back(random.any_phase());
-            const auto carrier = general::carrier(problem, static_cast<int>(p));
+            const auto carrier = plprove::carrier(problem, static_cast<int>(p));
             if (carrier) {
                 const auto& on_it = problem.lines[static_cast<std::size_t>(*carrier)].points;
                 seen.points[p][0] *= phases[p] / phases[static_cast<std::size_t>(on_it[0])];

@@ -24,10 +24,10 @@ struct SolvedImages {
 class System {
 public:
     /// Assumes that the problem is balanced and that all views see everything. The chart is random.
-    System(general::Problem problem, Random& random);
-    System(general::Problem problem, CameraChart chart);
+    System(Problem problem, Random& random);
+    System(Problem problem, CameraChart chart);
 
-    const general::Problem& problem() const { return problem_; }
+    const Problem& problem() const { return problem_; }
     const CameraChart& chart() const { return chart_; }
     /// The depths come first.
     Eigen::Index depths() const { return depths_; }
@@ -48,16 +48,16 @@ private:
                       const std::vector<CameraWithDerivatives>& cameras, const Point& point,
                       Evaluation& result) const;
 
-    general::Problem problem_;
+    Problem problem_;
     Eigen::Index depths_;
     CameraChart chart_;
 };
 
 /// Random images with complete visibility.
-Images<Complex> random_images(const general::Problem& problem, Random& random);
+Images<Complex> random_images(const Problem& problem, Random& random);
 
 /// The same images, where each vector of the views but the first is multiplied by a random number
 /// of modulus 1: solutions stay what they are, and the straight way to other images is another one.
-Images<Complex> rephased(const general::Problem& problem, Images<Complex> images, Random& random);
+Images<Complex> rephased(const Problem& problem, Images<Complex> images, Random& random);
 
 } // namespace plprove::many_views

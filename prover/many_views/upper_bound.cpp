@@ -1,11 +1,11 @@
 #include "prover/many_views/upper_bound.h"
 
 #include "prover/format/certificate_text.h"
-#include "prover/general/notation.h"
+#include "prover/problem/notation.h"
 
 namespace plprove::many_views {
 
-UpperBoundRecord propose_upper_bound(const general::Problem& problem, const Powers& powers,
+UpperBoundRecord propose_upper_bound(const Problem& problem, const Powers& powers,
                                      std::uint64_t seed) {
     constexpr std::uint64_t stream = 3; // another one than those of monodromy and its certificates
     constexpr int further_for_each = 3; // views of the problem but the first
@@ -18,7 +18,7 @@ std::string write_upper_bounds(std::span<const UpperBoundRecord> records) {
     constexpr std::size_t digits_of_images = 9;
     CertificateText text;
     for (const UpperBoundRecord& record : records) {
-        text.line("problem", general::notation(record.problem));
+        text.line("problem", notation(record.problem));
         for (const std::vector<int>& view : record.views)
             text.line("view", coordinates(view, digits_of_images));
         text.line("powers", record.powers.cubics, record.powers.linear);

@@ -17,14 +17,14 @@ struct Powers {
 
 /// What a record of the file says.
 struct UpperBoundRecord {
-    general::Problem problem;
+    Problem problem;
     IntegerImages views; ///< those of the problem, then further images
     Powers powers;
 };
 
 /// A record with random images: enough further ones for all cubic forms. Whether these powers give
 /// a bound, and which, the checker finds. Throws FormatLimit as random_integer_images does.
-UpperBoundRecord propose_upper_bound(const general::Problem& problem, const Powers& powers,
+UpperBoundRecord propose_upper_bound(const Problem& problem, const Powers& powers,
                                      std::uint64_t seed);
 
 /// The file of these records. Throws FormatLimit if the format does not allow it.

@@ -19,8 +19,8 @@ bool is_zero(const Polynomial& polynomial) {
 } // namespace
 
 Way::Way(const System& system, const Images<Complex>& from, const Images<Complex>& to) {
-    const general::Problem& problem = system.problem();
-    way_.calibrated = problem.model == general::CameraModel::calibrated;
+    const Problem& problem = system.problem();
+    way_.calibrated = problem.cameras == &calibrated_cameras;
     way_.depths = static_cast<int>(system.depths());
     way_.unknowns = static_cast<int>(system.unknowns());
     for (std::size_t view = 1; view < from.size(); ++view)

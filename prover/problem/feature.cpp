@@ -31,57 +31,45 @@ Feature relabel_views(const Feature& feature, std::span<const int> from) {
     return result;
 }
 
+char letter_of(const Feature& feature, int line) {
+    const auto i = static_cast<std::size_t>(line);
+    const std::size_t shared = feature.shared.size();
+    return i < shared ? feature.shared[i] : static_cast<char>('a' + (i - shared));
+}
+
+ViewSet views_of(const Feature& feature, int line) {
+    ViewSet views = 0;
+    for (int view = 0; view < feature.views(); ++view)
+        if (feature.sees_line(view, line)) views |= ViewSet{1} << view;
+    return views;
+}
+
+void show_line(Feature& feature, int line, ViewSet views) {
+    const std::uint64_t bit = std::uint64_t{1} << line;
+    for (int view = 0; view < feature.views(); ++view) {
+        std::uint64_t& pins = feature.sights[static_cast<std::size_t>(view)].pins;
+        pins = contains(views, view) ? pins | bit : pins & ~bit;
+    }
+}
+
 Feature canonical(const Feature& feature) {
     // A pin is known by the set of views that see it; sorting these sets forgets the pins' names.
-    std::vector<std::uint32_t> seen_by(static_cast<std::size_t>(feature.lines), 0);
+    std::vector<ViewSet> seen_by;
     for (int line = 0; line < feature.lines; ++line)
-        for (int view = 0; view < feature.views(); ++view)
-            if (feature.sees_line(view, line))
-                seen_by[static_cast<std::size_t>(line)] |= 1U << view;
+        seen_by.push_back(views_of(feature, line));
     std::ranges::sort(seen_by, std::greater{});
     Feature result = feature;
-    for (int view = 0; view < feature.views(); ++view) {
-        std::uint32_t pins = 0;
-        for (std::size_t line = 0; line < seen_by.size(); ++line)
-            pins |= (seen_by[line] >> view & 1U) << line;
-        result.sights[static_cast<std::size_t>(view)].pins = pins;
-    }
+    for (int line = 0; line < feature.lines; ++line)
+        show_line(result, line, seen_by[static_cast<std::size_t>(line)]);
     return result;
 }
 
 bool is_seen(const Feature& feature, int line) {
-    return std::ranges::any_of(feature.sights,
-                               [&](const Sight& sight) { return (sight.pins >> line & 1U) != 0; });
+    return views_of(feature, line) != 0;
 }
 
 bool point_is_seen(const Feature& feature) {
     return std::ranges::any_of(feature.sights, &Sight::point);
-}
-
-namespace {
-
-/// `(Pb)`: the point, where it would not be understood, and the lines that no view sees.
-std::string unseen_notation(const Feature& feature) {
-    std::string unseen;
-    if (feature.has_point && !point_is_seen(feature) && feature.lines < 2) unseen += 'P';
-    for (int line = 0; line < feature.lines; ++line)
-        if (!is_seen(feature, line)) unseen += static_cast<char>('a' + line);
-    return unseen.empty() ? unseen : "(" + unseen + ")";
-}
-
-} // namespace
-
-std::string notation(const Feature& feature) {
-    std::string text;
-    for (int view = 0; view < feature.views(); ++view) {
-        if (view > 0) text += '/';
-        const std::size_t start = text.size();
-        if (feature.sees_point(view)) text += 'P';
-        for (int line = 0; line < feature.lines; ++line)
-            if (feature.sees_line(view, line)) text += static_cast<char>('a' + line);
-        if (text.size() == start) text += '-';
-    }
-    return text + unseen_notation(feature);
 }
 
 const std::vector<Feature>& standard_features() {

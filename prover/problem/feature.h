@@ -1,6 +1,6 @@
-// Local features: the free lines and the points with pins of which a point-line problem with at
-// most one point per line (a PL1P, Definition 4 of the paper) is the sum, with what each view sees
-// of them.
+// Features: the free lines and the points with lines through them, with what each view sees of
+// them. A problem is a sum of features. Those of a problem with at most one point per line (a PL1P,
+// Definition 4 of the paper) are local: they share no lines.
 //
 // A feature is a plain value for any number of views and pins; the 27 features of the reduced
 // minimal problems in three views are a list of such values (standard_features). Everything that
@@ -16,18 +16,34 @@
 
 namespace plprove {
 
-/// What one view sees of a local feature: the point or not, and a set of pins (bit i: pin 'a' + i).
+/// A set of views: bit v stands for view v + 1.
+using ViewSet = std::uint32_t;
+
+/// Whether the set contains view `view`, counted from 0.
+constexpr bool contains(ViewSet views, int view) {
+    return (views >> view & 1U) != 0;
+}
+
+/// The set of the first `views` views.
+constexpr ViewSet all_views(int views) {
+    return (ViewSet{1} << views) - 1;
+}
+
+/// What one view sees of a feature: the point or not, and a set of its lines (bit i: line i).
 struct Sight {
     bool point = false;
-    std::uint32_t pins = 0;
+    std::uint64_t pins = 0;
     auto operator<=>(const Sight&) const = default;
 };
 
-/// A free line (one line, no point) or a point with `lines` pins, with one Sight per view.
+/// A free line (one line, no point) or a point with `lines` lines, with one Sight per view. The
+/// lines are pins, but the first ones if there are letters for them: other features have these,
+/// too. A feature without such letters is local.
 struct Feature {
     bool has_point = true;
     int lines = 0;
     std::vector<Sight> sights;
+    std::string shared{}; ///< capital letters, ascending
 
     int views() const { return static_cast<int>(sights.size()); }
     bool sees_point(int view) const { return sights[static_cast<std::size_t>(view)].point; }
@@ -37,10 +53,24 @@ struct Feature {
     auto operator<=>(const Feature&) const = default;
 };
 
+/// A sum of features, each listed as often as it occurs. A problem in two or three calibrated views
+/// with at most one point on each line is a sum of local features.
+using Features = std::vector<Feature>;
+
 /// The largest number of pins of a point: they are named by the letters a to z.
 inline constexpr int max_pins = 26;
 
-/// Degrees of freedom in space: 4 for a free line, 3 + 2k for a point with k pins.
+/// The letter of a line in notation: of the i-th pin 'a' + i.
+char letter_of(const Feature& feature, int line);
+
+/// The views that see the line.
+ViewSet views_of(const Feature& feature, int line);
+
+/// Lets these views see the line, and no others.
+void show_line(Feature& feature, int line, ViewSet views);
+
+/// Degrees of freedom of a local feature in space: 4 for a free line, 3 + 2k for a point with k
+/// pins.
 int dimension_in_space(const Feature& feature);
 
 /// Degrees of freedom in view `view`: 2 for a seen point, 1 for a line through a seen point, 2 for
@@ -61,10 +91,6 @@ Feature canonical(const Feature& feature);
 /// Whether some view sees the line, or the point.
 bool is_seen(const Feature& feature, int line);
 bool point_is_seen(const Feature& feature);
-
-/// `Pa/Pa/a`: the views in order, `P` for the point, letters for the pins, `-` for nothing; then,
-/// in parentheses, what exists but no view sees.
-std::string notation(const Feature& feature);
 
 /// The 27 features of Theorem 3 and Table 1 of the paper, in the authors' order.
 const std::vector<Feature>& standard_features();

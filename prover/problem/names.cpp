@@ -44,10 +44,10 @@ std::span<const NamedProblem> named_problems() {
     return table;
 }
 
-std::optional<Problem> problem_named(std::string_view name) {
+std::optional<Features> problem_named(std::string_view name) {
     const std::string wanted = plain(name);
     for (const NamedProblem& named : table)
-        if (plain(named.name) == wanted) return parse_problem(named.notation);
+        if (plain(named.name) == wanted) return parse_features(named.notation);
     return std::nullopt;
 }
 

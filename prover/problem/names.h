@@ -24,7 +24,7 @@ std::span<const NamedProblem> named_problems();
 
 /// The problem with this name, whatever the case of its letters and the blanks in it; nothing if
 /// there is none.
-std::optional<Problem> problem_named(std::string_view name);
+std::optional<Features> problem_named(std::string_view name);
 
 /// All names, joined by commas.
 std::string list_of_names();

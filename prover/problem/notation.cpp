@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <iomanip>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -9,18 +10,23 @@ namespace plprove {
 
 namespace {
 
-constexpr int max_views = 3;
-
-/// A reader of `text` that knows its column, for errors that point at what is wrong.
+/// Reads `text`, and knows its column for errors that point at what is wrong.
 class Cursor {
 public:
     explicit Cursor(std::string_view text) : text_(text) {}
 
     bool at_end() const { return position_ == text_.size(); }
     char peek() const { return at_end() ? '\0' : text_[position_]; }
+    std::size_t column() const { return position_ + 1; }
+    char next() { return text_[position_++]; }
     bool take(char c) {
-        if (peek() != c || at_end()) return false;
+        if (at_end() || peek() != c) return false;
         ++position_;
+        return true;
+    }
+    bool take(std::string_view word) {
+        if (!text_.substr(position_).starts_with(word)) return false;
+        position_ += word.size();
         return true;
     }
     void skip_blanks() {
@@ -29,8 +35,10 @@ public:
     }
     [[noreturn]] void fail(const std::string& expected) const {
         const std::string found = at_end() ? "the end" : describe(text_.substr(position_));
-        throw NotationError("column " + std::to_string(position_ + 1) + ": found " + found +
-                            ", expected " + expected);
+        fail_at(column(), "found " + found + ", expected " + expected);
+    }
+    [[noreturn]] static void fail_at(std::size_t column, const std::string& message) {
+        throw NotationError("column " + std::to_string(column) + ": " + message);
     }
 
 private:
@@ -66,127 +74,271 @@ private:
     std::size_t position_ = 0;
 };
 
-Sight read_sight(Cursor& cursor) {
-    Sight sight;
-    if (cursor.take('-')) return sight;
-    sight.point = cursor.take('P');
-    while (cursor.peek() >= 'a' && cursor.peek() <= 'z') {
-        const std::uint32_t pin = 1U << (cursor.peek() - 'a');
-        if (sight.pins >= pin) cursor.fail("the pins of a view in alphabetical order, each once");
-        if (!sight.point && sight.pins != 0)
-            cursor.fail("'P' before two pins: a view that sees two lines of a point sees the point "
-                        "(Definition 1 of the paper)");
-        sight.pins |= pin;
-        cursor.take(cursor.peek());
-    }
-    if (!sight.point && sight.pins == 0)
-        cursor.fail("what a view sees: 'P' for a point, the letters a to z of pins, or '-' for "
-                    "nothing");
-    return sight;
+bool is_capital(char c) {
+    return c >= 'A' && c <= 'Z' && c != 'P';
 }
 
-/// What no view sees, in parentheses: `(P)`, `(b)`, `(Pb)`; nothing where there is no parenthesis.
-Sight read_unseen(Cursor& cursor) {
-    if (!cursor.take('(')) return {};
-    Sight unseen;
-    unseen.point = cursor.take('P');
-    while (cursor.peek() >= 'a' && cursor.peek() <= 'z') {
-        const std::uint32_t pin = 1U << (cursor.peek() - 'a');
-        if (unseen.pins >= pin) cursor.fail("the unseen lines in alphabetical order, each once");
-        unseen.pins |= pin;
-        cursor.take(cursor.peek());
-    }
-    if (unseen == Sight{} && cursor.peek() == ')')
-        cursor.fail("what no view sees: 'P', or the letters of lines");
-    if (!cursor.take(')')) cursor.fail("')' after what no view sees");
-    return unseen;
+bool is_small(char c) {
+    return c >= 'a' && c <= 'z';
 }
 
-Feature read_feature(Cursor& cursor) {
-    Feature feature;
-    do
-        feature.sights.push_back(read_sight(cursor));
-    while (feature.views() < max_views && cursor.take('/'));
-    if (feature.views() < 2) cursor.fail("'/' and what the next view sees");
-    Sight somewhere = read_unseen(cursor);
-    const Sight unseen = somewhere;
-    for (const Sight& sight : feature.sights) {
-        if ((sight.point && unseen.point) || (sight.pins & unseen.pins) != 0)
-            cursor.fail("in parentheses only what no view sees, in the feature that ends here");
-        somewhere.point = somewhere.point || sight.point;
-        somewhere.pins |= sight.pins;
+/// What one view sees of a feature, or what no view sees: `P`, and letters of lines.
+struct Symbol {
+    bool point = false;
+    std::string letters;
+};
+
+/// A feature as written, and where.
+struct Written {
+    std::size_t column = 1;
+    std::vector<Symbol> views;
+    Symbol unseen;
+};
+
+/// Reads features as section 1 spells them, or section 13 (`in_general`).
+class FeatureReader {
+public:
+    FeatureReader(Cursor& cursor, bool in_general) : cursor_(cursor), in_general_(in_general) {}
+
+    Feature feature() { return feature_of(written()); }
+
+    /// Reads a feature, and appends as many copies as its multiplicity says.
+    void append_term(Features& features) {
+        const std::size_t copies = multiplicity();
+        const Written text = written();
+        const Feature feature = feature_of(text);
+        if (!features.empty() && feature.views() != features.front().views())
+            fail(text, "found " + std::to_string(feature.views()) + " views, expected " +
+                           std::to_string(features.front().views()) +
+                           " as in the first feature: write as many views in every feature");
+        if (features.size() + copies > max_features)
+            fail(text, "found more than " + std::to_string(max_features) +
+                           " features: write at most so many");
+        for (std::size_t i = 0; i < feature.shared.size(); ++i)
+            share(text, feature.shared[i], views_of(feature, static_cast<int>(i)), copies);
+        features.insert(features.end(), copies, feature);
     }
-    if (!std::has_single_bit(somewhere.pins + 1)) {
-        constexpr std::uint32_t pin_p = 1U << ('p' - 'a');
-        const bool meant_points = (somewhere.pins & pin_p) != 0;
-        cursor.fail(meant_points
-                        ? "a capital P for a point in the feature that ends here"
-                        : "pins named a, b, ... without gaps in the feature that ends here");
+
+    /// Refuses letters that only one point has, when all features were read.
+    void refuse_unshared() const {
+        for (const auto& [letter, line] : shared_)
+            if (line.points < 2)
+                throw NotationError(std::string("the line ") + letter +
+                                    " has only one point: write a small letter for it, or " +
+                                    letter + " at another point, too");
     }
-    feature.lines = std::popcount(somewhere.pins);
-    if (!somewhere.point && feature.lines == 0)
-        cursor.fail("'(P)' for a point that no view sees, or '(a)' for a line");
-    // Two lines of a feature meet in its point, seen or not; one line without a point is a free
-    // line.
-    feature.has_point = somewhere.point || feature.lines > 1;
-    return feature;
+
+private:
+    struct SharedLine {
+        ViewSet seen = 0;
+        std::size_t points = 0;
+    };
+
+    [[noreturn]] static void fail(const Written& text, const std::string& message) {
+        throw NotationError("column " + std::to_string(text.column) + ": " + message);
+    }
+
+    std::size_t multiplicity() {
+        const auto digit_follows = [&] { return cursor_.peek() >= '0' && cursor_.peek() <= '9'; };
+        if (!digit_follows()) return 1;
+        std::size_t count = 0;
+        while (digit_follows() && count <= max_features)
+            count = 10 * count + static_cast<std::size_t>(cursor_.next() - '0');
+        if (count < 1 || count > max_features)
+            cursor_.fail("a multiplicity from 1 to " + std::to_string(max_features) +
+                         " before this");
+        cursor_.skip_blanks();
+        if (!cursor_.take('*')) cursor_.fail("'*' after a multiplicity");
+        cursor_.skip_blanks();
+        return count;
+    }
+
+    Written written() {
+        Written text{cursor_.column(), {}, {}};
+        const std::size_t most = in_general_ ? most_views : 3;
+        do
+            text.views.push_back(symbol());
+        while (text.views.size() < most && cursor_.take('/'));
+        if (text.views.size() < 2) cursor_.fail("'/' and what the next view sees");
+        if (cursor_.peek() == '/') cursor_.fail("at most " + std::to_string(most) + " views");
+        if (!cursor_.take('(')) return text;
+        text.unseen.point = cursor_.take('P');
+        text.unseen.letters = letters(true);
+        const bool empty = !text.unseen.point && text.unseen.letters.empty();
+        if (empty || !cursor_.take(')'))
+            cursor_.fail("what no view sees, 'P' or letters of lines, and ')'");
+        return text;
+    }
+
+    Symbol symbol() {
+        Symbol seen;
+        if (cursor_.take('-')) return seen;
+        seen.point = cursor_.take('P');
+        seen.letters = letters(seen.point);
+        if (!seen.point && seen.letters.empty())
+            cursor_.fail("what a view sees: 'P' for a point, letters for lines, or '-' for "
+                         "nothing");
+        return seen;
+    }
+
+    std::string letters(bool may_be_several) {
+        std::string read;
+        while (is_small(cursor_.peek()) || (in_general_ && is_capital(cursor_.peek()))) {
+            if (!read.empty() && !may_be_several)
+                cursor_.fail("'P' before two lines: a view that sees two lines of a point sees the "
+                             "point (Definition 1 of the paper)");
+            if (!read.empty() && read.back() >= cursor_.peek())
+                cursor_.fail("the letters of lines in alphabetical order, capitals first, each "
+                             "once");
+            read += cursor_.next();
+        }
+        return read;
+    }
+
+    /// The views that see each line of a feature; capital letters come before small ones.
+    static std::map<char, ViewSet> lines_of(const Written& text) {
+        std::map<char, ViewSet> lines;
+        for (std::size_t view = 0; view < text.views.size(); ++view)
+            for (const char letter : text.views[view].letters)
+                lines[letter] |= ViewSet{1} << view;
+        for (const char letter : text.unseen.letters)
+            if (!lines.emplace(letter, 0).second)
+                fail(text, std::string("a view sees the line ") + letter +
+                               ", which stands in parentheses: leave it out there");
+        return lines;
+    }
+
+    Feature feature_of(const Written& text) const {
+        const std::map<char, ViewSet> lines = lines_of(text);
+        Feature feature{text.unseen.point || lines.size() > 1, static_cast<int>(lines.size()), {}};
+        for (const Symbol& symbol : text.views) {
+            if (symbol.point && text.unseen.point)
+                fail(text, "'P' in parentheses is a point that no view sees, but a view sees it: "
+                           "leave out '(P)'");
+            feature.has_point = feature.has_point || symbol.point;
+            feature.sights.push_back({symbol.point, 0});
+        }
+        int line = 0;
+        for (const auto& [letter, views] : lines) {
+            if (is_capital(letter)) feature.shared += letter;
+            show_line(feature, line++, views);
+        }
+        if (!in_general_) refuse_gaps(text, lines);
+        if (!feature.has_point && lines.empty())
+            fail(text, "nothing is in this feature: leave it out, or write '(P)' for a point that "
+                       "no view sees, or '(a)' for a line");
+        if (!feature.has_point && !feature.shared.empty())
+            fail(text, "no point of this feature is on the line " + feature.shared +
+                           ": write a small letter for a line that meets no point");
+        return feature;
+    }
+
+    static void refuse_gaps(const Written& text, const std::map<char, ViewSet>& lines) {
+        char expected = 'a';
+        for (const auto& [letter, views] : lines)
+            if (letter != expected++)
+                fail(text, lines.contains('p')
+                               ? "found a small p: write a capital P for a point"
+                               : "found pins with gaps: name them a, b, ... without gaps");
+    }
+
+    void share(const Written& text, char letter, ViewSet views, std::size_t points) {
+        SharedLine& line = shared_.emplace(letter, SharedLine{views, 0}).first->second;
+        if (line.seen != views)
+            fail(text, std::string("other views see the line ") + letter +
+                           " here than at an earlier point: write " + letter +
+                           " in the same views at each of its points");
+        line.points += points;
+    }
+
+    Cursor& cursor_;
+    bool in_general_;
+    std::map<char, SharedLine> shared_;
+};
+
+/// Reads a sum to the end of the text.
+Features read_sum(Cursor& cursor, bool in_general) {
+    FeatureReader reader(cursor, in_general);
+    Features features;
+    do {
+        cursor.skip_blanks();
+        reader.append_term(features);
+        cursor.skip_blanks();
+    } while (cursor.take('+'));
+    if (!cursor.at_end()) cursor.fail("'+' and another feature, or the end");
+    reader.refuse_unshared();
+    return features;
 }
 
-std::optional<std::size_t> read_multiplicity(Cursor& cursor) {
-    if (cursor.peek() < '0' || cursor.peek() > '9') return std::nullopt;
-    std::size_t count = 0;
-    while (cursor.peek() >= '0' && cursor.peek() <= '9') {
-        count = 10 * count + static_cast<std::size_t>(cursor.peek() - '0');
-        if (count > max_features)
-            cursor.fail("a multiplicity of at most " + std::to_string(max_features));
-        cursor.take(cursor.peek());
-    }
-    if (count == 0) cursor.fail("a multiplicity of at least 1 before this");
-    cursor.skip_blanks();
-    if (!cursor.take('*')) cursor.fail("'*' after a multiplicity");
-    cursor.skip_blanks();
-    return count;
+/// `(Pb)`: the point, where it would not be understood, and the lines that no view sees.
+std::string unseen_notation(const Feature& feature) {
+    std::string unseen;
+    if (feature.has_point && !point_is_seen(feature) && feature.lines < 2) unseen += 'P';
+    for (int line = 0; line < feature.lines; ++line)
+        if (!is_seen(feature, line)) unseen += letter_of(feature, line);
+    return unseen.empty() ? unseen : "(" + unseen + ")";
 }
 
 } // namespace
 
 Feature parse_feature(std::string_view text) {
     Cursor cursor(text);
-    Feature feature = read_feature(cursor);
+    Feature feature = FeatureReader(cursor, false).feature();
     if (!cursor.at_end()) cursor.fail("the end of the feature");
     return feature;
 }
 
-Problem parse_problem(std::string_view text) {
+Features parse_features(std::string_view text) {
     Cursor cursor(text);
-    Problem problem;
-    do {
-        cursor.skip_blanks();
-        const std::size_t count = read_multiplicity(cursor).value_or(1);
-        const Feature feature = read_feature(cursor);
-        if (!problem.empty() && feature.views() != problem.front().views())
-            cursor.fail("as many views in every feature");
-        if (problem.size() + count > max_features)
-            cursor.fail("at most " + std::to_string(max_features) + " features");
-        problem.insert(problem.end(), count, feature);
-        cursor.skip_blanks();
-    } while (cursor.take('+'));
-    if (!cursor.at_end()) cursor.fail("'+' and another feature, or the end");
-    return problem;
+    return read_sum(cursor, false);
 }
 
-std::string notation(const Problem& problem) {
+const CameraModel& cameras_of(std::string_view text) {
+    for (const CameraModel* model : camera_models)
+        if (!model->prefix.empty() && text.starts_with(model->prefix)) return *model;
+    return calibrated_cameras;
+}
+
+Problem parse_problem(std::string_view text) {
+    Cursor cursor(text);
+    cursor.skip_blanks();
+    const CameraModel& cameras = cameras_of(text.substr(cursor.column() - 1));
+    cursor.take(cameras.prefix);
+    const Problem problem = problem_of(read_sum(cursor, true), cameras);
+    refuse_invalid(problem);
+    return *in_order_of_construction(problem);
+}
+
+std::string notation(const Feature& feature) {
     std::string text;
-    for (std::size_t i = 0; i < problem.size();) {
+    for (int view = 0; view < feature.views(); ++view) {
+        if (view > 0) text += '/';
+        const std::size_t start = text.size();
+        if (feature.sees_point(view)) text += 'P';
+        for (int line = 0; line < feature.lines; ++line)
+            if (feature.sees_line(view, line)) text += letter_of(feature, line);
+        if (text.size() == start) text += '-';
+    }
+    return text + unseen_notation(feature);
+}
+
+std::string notation(const Features& features) {
+    std::string text;
+    for (std::size_t i = 0; i < features.size();) {
         std::size_t same = i + 1;
-        while (same < problem.size() && problem[same] == problem[i])
+        while (same < features.size() && features[same] == features[i])
             ++same;
         if (i > 0) text += " + ";
         if (same - i > 1) text += std::to_string(same - i) + "*";
-        text += notation(problem[i]);
+        text += notation(features[i]);
         i = same;
     }
     return text;
+}
+
+std::string notation(const Problem& problem) {
+    const std::string prefix(problem.cameras->prefix);
+    return prefix + (prefix.empty() ? "" : " ") + notation(features_of(problem));
 }
 
 } // namespace plprove

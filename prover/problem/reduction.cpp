@@ -3,6 +3,7 @@
 #include "prover/problem/signature.h"
 
 #include <algorithm>
+#include <array>
 
 namespace plprove {
 
@@ -82,53 +83,37 @@ bool some_view_sees_only_a_pin(const Feature& feature) {
                                [](const Sight& sight) { return !sight.point && sight.pins != 0; });
 }
 
+struct RuleText {
+    std::string_view name;
+    std::string_view explanation;
+};
+
+/// In the order of Rule.
+constexpr std::array<RuleText, 8> rule_texts{{
+    {"unseen-line", "a line that no view sees is forgotten (Theorem 7)"},
+    {"pin-seen-once", "a pin seen by one view, which sees its point too, is forgotten (Theorem 7)"},
+    {"pin-seen-twice",
+     "a pin seen by two views, which both see its point, is forgotten (Theorem 2)"},
+    {"free-line", "a free line seen by at most two views is forgotten (Theorems 2 and 7)"},
+    {"unseen-point",
+     "a point that no view sees is forgotten: with one pin it leaves a free line, with more it "
+     "takes them along (Theorem 7)"},
+    {"bare-point", "a point without pins that at most one view sees is forgotten (Theorem 7)"},
+    {"point-on-line",
+     "a point seen by one view, with a pin seen by all three, leaves a free line (Theorem 2)"},
+    {"point-and-pin",
+     "a point is forgotten with its pins: as they are seen, the cameras determine no less without "
+     "them (Theorems 2 and 7; two views: supplementary note)"},
+}};
+
 } // namespace
 
 std::string_view name(Rule rule) {
-    switch (rule) {
-    case Rule::unseen_line:
-        return "unseen-line";
-    case Rule::pin_seen_once:
-        return "pin-seen-once";
-    case Rule::pin_seen_twice:
-        return "pin-seen-twice";
-    case Rule::free_line:
-        return "free-line";
-    case Rule::unseen_point:
-        return "unseen-point";
-    case Rule::bare_point:
-        return "bare-point";
-    case Rule::point_on_line:
-        return "point-on-line";
-    case Rule::point_and_pin:
-        return "point-and-pin";
-    }
-    return {};
+    return rule_texts.at(static_cast<std::size_t>(rule)).name;
 }
 
 std::string_view explanation(Rule rule) {
-    switch (rule) {
-    case Rule::unseen_line:
-        return "a line that no view sees is forgotten (Theorem 7)";
-    case Rule::pin_seen_once:
-        return "a pin seen by one view, which sees its point too, is forgotten (Theorem 7)";
-    case Rule::pin_seen_twice:
-        return "a pin seen by two views, which both see its point, is forgotten (Theorem 2)";
-    case Rule::free_line:
-        return "a free line seen by at most two views is forgotten (Theorems 2 and 7)";
-    case Rule::unseen_point:
-        return "a point that no view sees is forgotten: with one pin it leaves a free line, with "
-               "more it takes them along (Theorem 7)";
-    case Rule::bare_point:
-        return "a point without pins that at most one view sees is forgotten (Theorem 7)";
-    case Rule::point_on_line:
-        return "a point seen by one view, with a pin seen by all three, leaves a free line "
-               "(Theorem 2)";
-    case Rule::point_and_pin:
-        return "a point is forgotten with its pins: as they are seen, the cameras determine no "
-               "less without them (Theorems 2 and 7; two views: supplementary note)";
-    }
-    return {};
+    return rule_texts.at(static_cast<std::size_t>(rule)).explanation;
 }
 
 std::optional<ReductionStep> reduce_once(const Feature& feature) {
@@ -149,7 +134,7 @@ std::optional<ReductionStep> reduce_once(const Feature& feature) {
     return feature.lines == 1 ? reduce_point_with_pin(feature) : std::nullopt;
 }
 
-Reduction reduce(const Problem& problem) {
+Reduction reduce(const Features& problem) {
     Reduction reduction;
     for (const Feature& feature : problem) {
         std::optional<Feature> current = feature;
@@ -197,8 +182,8 @@ Feature terminal(const Feature& reduced) {
 namespace {
 
 template <class Transform>
-Problem transformed(const Problem& reduced, Transform transform) {
-    Problem problem;
+Features transformed(const Features& reduced, Transform transform) {
+    Features problem;
     for (const Feature& feature : reduced)
         problem.push_back(transform(feature));
     const auto index = [](const Feature& feature) {
@@ -211,11 +196,11 @@ Problem transformed(const Problem& reduced, Transform transform) {
 
 } // namespace
 
-Problem lifted(const Problem& reduced) {
+Features lifted(const Features& reduced) {
     return transformed(reduced, [](const Feature& feature) { return lifted(feature); });
 }
 
-Problem terminal(const Problem& reduced) {
+Features terminal(const Features& reduced) {
     return transformed(reduced, [](const Feature& feature) { return terminal(feature); });
 }
 

@@ -41,7 +41,7 @@ struct ReductionStep {
 
 struct Reduction {
     std::vector<ReductionStep> steps;
-    Problem reduced;
+    Features reduced;
 };
 
 /// The first rule that applies to the feature, with its result, or nothing where the feature is
@@ -49,7 +49,7 @@ struct Reduction {
 std::optional<ReductionStep> reduce_once(const Feature& feature);
 
 /// Applies rules to each feature in turn until none applies.
-Reduction reduce(const Problem& problem);
+Reduction reduce(const Features& problem);
 
 /// A reduced feature with its dangling pins fixed by further views that see them (Theorem 6): P/P/a
 /// becomes Pa/P/a, P/b/a and Pa/b/a become Pab/b/a. Other features stay as they are.
@@ -60,7 +60,7 @@ Feature terminal(const Feature& reduced);
 
 /// The problem of the lifted, or terminal, features in the order of the 27 standard features,
 /// others first.
-Problem lifted(const Problem& reduced);
-Problem terminal(const Problem& reduced);
+Features lifted(const Features& reduced);
+Features terminal(const Features& reduced);
 
 } // namespace plprove

@@ -140,14 +140,15 @@ private:
 
 } // namespace
 
-Problem problem_of(const Signature& signature) {
-    Problem problem;
+Features problem_of(const Signature& signature) {
+    Features problem;
+    problem.reserve(std::reduce(signature.begin(), signature.end(), std::size_t{0}));
     for (std::size_t i = 0; i < feature_count; ++i)
         problem.insert(problem.end(), signature[i], standard_features()[i]);
     return problem;
 }
 
-std::optional<Signature> signature_of(const Problem& problem) {
+std::optional<Signature> signature_of(const Features& problem) {
     Signature signature{};
     for (const Feature& feature : problem) {
         const std::size_t index = index_of(feature);

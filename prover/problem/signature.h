@@ -2,7 +2,7 @@
 // the relabeling of views and the swap of Corollary 1 acting on them.
 #pragma once
 
-#include "prover/problem/notation.h"
+#include "prover/problem/feature.h"
 
 #include <array>
 #include <cstdint>
@@ -20,11 +20,11 @@ using Signature = std::array<std::uint8_t, feature_count>;
 inline constexpr int camera_dimension = 11;
 
 /// The problem with the features of `signature` in the authors' order.
-Problem problem_of(const Signature& signature);
+Features problem_of(const Signature& signature);
 
 /// The signature of a problem that consists of standard features (pins named in any way), else
 /// nothing.
-std::optional<Signature> signature_of(const Problem& problem);
+std::optional<Signature> signature_of(const Features& problem);
 
 /// The images of `signature` under the six permutations of the views, the signature itself first.
 std::array<Signature, 6> relabelings(const Signature& signature);

@@ -5,7 +5,7 @@ namespace plprove {
 
 namespace {
 
-std::string opening(const Problem& problem, int unknowns) {
+std::string opening(const Features& problem, int unknowns) {
     const std::string sign = "#";
     return comment(sign, "The point-line problem " + notation(problem)) + "#\n" +
            comment(
@@ -139,7 +139,7 @@ std::string closing(int equations, int unknowns) {
 
 } // namespace
 
-std::string julia_script(const Problem& problem) {
+std::string julia_script(const Features& problem) {
     Numbering unknowns;
     if (equation_count(problem) == 0)
         return opening(problem, feature_unknown_count(problem) + camera_unknown_count(problem)) +

@@ -5,7 +5,7 @@ namespace plprove {
 
 namespace {
 
-std::string opening(const Problem& problem) {
+std::string opening(const Features& problem) {
     const std::string sign = "--";
     return comment(sign, "The point-line problem " + notation(problem)) + "--\n" +
            comment(
@@ -98,7 +98,7 @@ std::string call(const Observation& observation, const std::vector<NamedVector>&
 
 } // namespace
 
-std::string macaulay2_script(const Problem& problem) {
+std::string macaulay2_script(const Features& problem) {
     if (equation_count(problem) == 0)
         return opening(problem) + "-- No view sees anything: there are no equations.\n";
     std::vector<std::string> unknowns;

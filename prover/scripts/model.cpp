@@ -26,7 +26,7 @@ std::vector<Observation> observations(const Feature& feature) {
     return result;
 }
 
-int equation_count(const Problem& problem) {
+int equation_count(const Features& problem) {
     int count = 0;
     for (const Feature& feature : problem)
         for (int view = 0; view < feature.views(); ++view)
@@ -34,18 +34,18 @@ int equation_count(const Problem& problem) {
     return count;
 }
 
-int feature_unknown_count(const Problem& problem) {
+int feature_unknown_count(const Features& problem) {
     int count = 0;
     for (const Feature& feature : problem)
         count += dimension_in_space(feature);
     return count;
 }
 
-int camera_unknown_count(const Problem& problem) {
+int camera_unknown_count(const Features& problem) {
     return 6 * (view_count(problem) - 1) - 1;
 }
 
-int view_count(const Problem& problem) {
+int view_count(const Features& problem) {
     return problem.empty() ? 0 : problem.front().views();
 }
 

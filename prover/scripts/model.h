@@ -24,16 +24,16 @@ struct Observation {
 std::vector<Observation> observations(const Feature& feature);
 
 /// The number of equations of a problem, the degrees of freedom of its images.
-int equation_count(const Problem& problem);
+int equation_count(const Features& problem);
 
 /// The number of unknowns of the features alone.
-int feature_unknown_count(const Problem& problem);
+int feature_unknown_count(const Features& problem);
 
 /// The number of unknowns of the cameras: 6 for each camera but the first, less 1 for the scale.
-int camera_unknown_count(const Problem& problem);
+int camera_unknown_count(const Features& problem);
 
 /// The number of views, 0 for the problem without features.
-int view_count(const Problem& problem);
+int view_count(const Features& problem);
 
 /// Vectors of three coordinates that place a feature: its point `X1`, its directions `D1a`, `D1b`,
 /// ... for feature number 1. A coordinate is the name of an unknown, or `1`.

@@ -21,10 +21,10 @@ namespace plprove {
 
 /// A script for Macaulay2: the ideal of the problem over a finite field, and the ranks of its
 /// Jacobian at the known solution, with what follows from them.
-std::string macaulay2_script(const Problem& problem);
+std::string macaulay2_script(const Features& problem);
 
 /// A script for Julia and HomotopyContinuation.jl (version 2): the system with the images as
 /// parameters, a start pair, and how to solve it by monodromy.
-std::string julia_script(const Problem& problem);
+std::string julia_script(const Features& problem);
 
 } // namespace plprove

@@ -1,6 +1,6 @@
 #include "prover/solver/extension.h"
 
-#include "prover/classification/obstruction.h"
+#include "prover/minimal/obstruction.h"
 #include "prover/solver/five_points.h"
 #include "prover/solver/in_parts.h"
 #include "prover/solver/poses.h"

@@ -28,7 +28,7 @@ struct GivenSighting {
 
 /// The images of a problem. What a view is to see by the problem is there, and nothing else.
 struct GivenImages {
-    Problem problem;
+    Features problem;
     std::vector<std::string> names; ///< one for each feature; empty where it has none
     /// One matrix for each view, upper triangular, by rows: from normalised coordinates to pixels.
     std::vector<std::array<ExactVector, 3>> calibration;

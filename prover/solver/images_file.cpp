@@ -249,11 +249,11 @@ void read_cameras(const Field& file, GivenImages& images) {
 }
 
 /// The problem that was asked for, which the file names, too, or that of the file.
-Problem read_problem(const Field& file, const std::optional<Problem>& asked) {
+Features read_problem(const Field& file, const std::optional<Features>& asked) {
     const auto field = file.find("problem");
     if (!field && !asked) file.expect("the member \"problem\"");
     if (!field) return *asked;
-    const Problem problem = parse_spec(field->text());
+    const Features problem = parse_spec(field->text());
     if (asked && problem != *asked)
         field->expect("images of " + notation(*asked) + ", in the order of this notation");
     return problem;
@@ -262,7 +262,7 @@ Problem read_problem(const Field& file, const std::optional<Problem>& asked) {
 } // namespace
 
 GivenImages read_images(const std::string& text, const std::string& name,
-                        const std::optional<Problem>& problem) {
+                        const std::optional<Features>& problem) {
     Json json;
     try {
         json = parse_exact_json(text);

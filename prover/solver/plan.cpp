@@ -1,6 +1,6 @@
 #include "prover/solver/plan.h"
 
-#include "prover/classification/decision.h"
+#include "prover/minimal/decision.h"
 #include "prover/system/exit.h"
 
 #include <Eigen/Geometry>
@@ -15,14 +15,6 @@ struct Traced {
     Feature feature;
     SourceFeature source;
 };
-
-/// The views that see a line, as bits.
-unsigned views_of(const Feature& feature, int line) {
-    unsigned mask = 0;
-    for (int view = 0; view < feature.views(); ++view)
-        if (feature.sees_line(view, line)) mask |= 1U << view;
-    return mask;
-}
 
 /// Which line the step from `before` to `after` forgets. Lines that the same views see are alike.
 int forgotten_line(const Feature& before, const Feature& after) {
@@ -46,7 +38,7 @@ std::optional<Traced> reduced(const Feature& feature, std::size_t number) {
     return traced;
 }
 
-std::vector<Traced> reduced_features(const Problem& problem) {
+std::vector<Traced> reduced_features(const Features& problem) {
     std::vector<Traced> result;
     for (std::size_t f = 0; f < problem.size(); ++f)
         if (auto traced = reduced(problem[f], f)) result.push_back(std::move(*traced));
@@ -69,8 +61,8 @@ std::vector<int> in_standard_order(const Traced& traced, const Feature& standard
     return pins;
 }
 
-Problem features_of(const std::vector<Traced>& traced) {
-    Problem problem;
+Features features_of(const std::vector<Traced>& traced) {
+    Features problem;
     for (const Traced& one : traced)
         problem.push_back(one.feature);
     return problem;
@@ -112,7 +104,7 @@ void choose_views(SolvePlan& plan, std::vector<Traced> traced) {
 
 } // namespace
 
-SolvePlan plan(const Problem& problem) {
+SolvePlan plan(const Features& problem) {
     const Decision decision = decide(problem);
     if (decision.verdict != Verdict::minimal && decision.verdict != Verdict::camera_minimal) {
         std::string message = "only minimal and camera-minimal problems can be solved, and " +

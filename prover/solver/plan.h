@@ -21,7 +21,7 @@ struct SourceFeature {
 };
 
 struct SolvePlan {
-    Problem problem;
+    Features problem;
     /// In three views the number of the label class; nothing in two.
     std::optional<std::size_t> number;
     /// View v of the class is view view_of[v] of the problem, counted from 0.
@@ -33,7 +33,7 @@ struct SolvePlan {
 };
 
 /// Throws BadInput where the problem is neither minimal nor camera-minimal: it says why.
-SolvePlan plan(const Problem& problem);
+SolvePlan plan(const Features& problem);
 
 /// The images for the camera equations of the class: a unit vector for each free vector of
 /// `system`. What the class sees and the problem does not is a line through a seen point; the

@@ -119,7 +119,7 @@ Answer Solver::solve_two_views(const SeenImages& images, const SolveOptions& opt
     return answer;
 }
 
-Solver make_solver(const Problem& problem) {
+Solver make_solver(const Features& problem) {
     SolvePlan how = plan(problem);
     if (!how.number) return Solver(std::move(how));
     const std::size_t number = *how.number;

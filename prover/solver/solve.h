@@ -69,6 +69,6 @@ private:
 
 /// The solver of a problem with the start from the cache, which is made if need be (start.h).
 /// Throws BadInput where the problem cannot be solved (plan.h).
-Solver make_solver(const Problem& problem);
+Solver make_solver(const Features& problem);
 
 } // namespace plprove

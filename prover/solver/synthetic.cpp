@@ -61,7 +61,7 @@ Sighting sighting(const Feature& feature, int view, const Pose<double>& camera,
 
 } // namespace
 
-SyntheticScene synthetic_scene(const Problem& problem, std::uint64_t seed) {
+SyntheticScene synthetic_scene(const Features& problem, std::uint64_t seed) {
     Random random(seed, 0);
     SyntheticScene scene;
     scene.problem = problem;

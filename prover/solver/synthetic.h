@@ -10,7 +10,7 @@
 namespace plprove {
 
 struct SyntheticScene {
-    Problem problem;
+    Features problem;
     /// Camera 1 is [I | 0], the centres of cameras 1 and 2 have the distance 1.
     std::vector<Pose<double>> cameras;
     std::vector<Eigen::Vector3d> points;                  ///< of a free line one of its points
@@ -20,7 +20,7 @@ struct SyntheticScene {
 
 /// A random scene of the problem in front of the cameras, which look at it from different sides,
 /// with focal lengths of 800 pixels and images of 640x480. The same scene for the same seed.
-SyntheticScene synthetic_scene(const Problem& problem, std::uint64_t seed);
+SyntheticScene synthetic_scene(const Features& problem, std::uint64_t seed);
 
 /// Its images as a JSON file for `plprove solve`, to a millionth of a pixel. Lines are given by two
 /// points, the first of which is the point that the line passes through, if the view sees it.

@@ -8,7 +8,7 @@
 // 0.28, which took a third of the time too much.
 #include "checker/minimal/block.h"
 #include "checker/report/report.h"
-#include "prover/classification/classification_file.h"
+#include "prover/minimal/classification_file.h"
 
 #include <benchmark/benchmark.h>
 #include <fstream>

@@ -1,7 +1,7 @@
 // What the prover writes, the checker accepts, for random problems of every kind: two programs that
 // share no source agree on verdicts, numbers, ranks and minors.
 #include "checker/replay.h"
-#include "prover/classification/problem_certificate.h"
+#include "prover/minimal/problem_certificate.h"
 #include "tests/support/all_classes.h"
 #include "tests/support/random_problems.h"
 
@@ -10,7 +10,7 @@ using namespace plprove;
 namespace {
 
 /// Certifies and checks; returns the verdict's first word.
-std::string agree(const Problem& problem) {
+std::string agree(const Features& problem) {
     const ProblemCertificate certificate = certify_problem(problem);
     const std::string text = write(certificate);
     CAPTURE(text);
@@ -37,7 +37,7 @@ TEST_CASE("the checker accepts the certificates of random problems of every kind
     for (int i = 0; i < 300; ++i)
         ++verdicts[agree(random.around_a_class(random.below(10)))];
     for (int i = 0; i < 200; ++i) {
-        Problem problem;
+        Features problem;
         const int views = 2 + random.below(2);
         for (int size = 1 + random.below(views == 2 ? 9 : 7); size > 0; --size)
             problem.push_back(random.feature(views, 9));

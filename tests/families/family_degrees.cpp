@@ -5,9 +5,9 @@
 //
 // Prints a line for each minimal problem of the family. Problems that TABLE has already are left
 // out; so are those with more than MOST solutions, which it names on stderr.
-#include "prover/general/certificate.h"
-#include "prover/general/notation.h"
 #include "prover/many_views/monodromy.h"
+#include "prover/minimal/problem_record.h"
+#include "prover/problem/notation.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -35,7 +35,7 @@ std::set<std::string> problems_in(const char* file) {
 
 /// A line of the table: exact if two seeds give the same number, else the smaller one, as a run may
 /// count a solution twice. Nothing if there are more solutions.
-std::string line_of(const std::string& family, const general::Problem& problem, int most) {
+std::string line_of(const std::string& family, const Problem& problem, int most) {
     many_views::MonodromySettings settings;
     settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     settings.most_solutions = most;
@@ -43,7 +43,7 @@ std::string line_of(const std::string& family, const general::Problem& problem, 
     if (first.solutions > most) return {};
     const auto second = run_monodromy(problem, 2, settings);
     const bool agree = first.solutions == second.solutions;
-    return family + ',' + general::notation(problem) + ',' +
+    return family + ',' + notation(problem) + ',' +
            std::to_string(std::min(first.solutions, second.solutions)) + ',' +
            (agree ? "exact" : "at-least") + ",evidence,," + // nothing is certified yet
            std::to_string(first.edges + second.edges) + " of " +
@@ -58,11 +58,11 @@ int main(int argc, char** argv) {
         return 3;
     }
     const std::string name = argv[1];
-    const auto family = name == "plmp" ? general::Family::plmp : general::Family::projective;
+    const auto family = name == "plmp" ? Family::plmp : Family::projective;
     const auto known = argc > 3 ? problems_in(argv[3]) : std::set<std::string>{};
-    for (const general::Problem& problem : general::family_problems(family)) {
-        const std::string notation = general::notation(problem);
-        if (known.contains(notation) || !general::is_minimal(general::certify(problem))) continue;
+    for (const Problem& problem : family_problems(family)) {
+        const std::string notation = plprove::notation(problem);
+        if (known.contains(notation) || !is_minimal(certify(problem))) continue;
         const std::string line = line_of(name, problem, std::atoi(argv[2]));
         if (line.empty())
             std::cerr << notation << " has more than " << argv[2] << " solutions\n";

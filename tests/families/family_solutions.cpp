@@ -5,9 +5,9 @@
 //
 // Prints the file of all problems with at most MOST solutions, or of these problems. Says on stderr
 // how many solutions it finds of each; the status is 1 if they are too few of some.
-#include "prover/general/notation.h"
 #include "prover/many_views/certificate.h"
 #include "prover/many_views/degrees_on_file.h"
+#include "prover/problem/notation.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -27,7 +27,7 @@ int ways_for(int degree, std::uint64_t seed) {
 /// The record with the most solutions that a few seeds find.
 many_views::SolutionsRecord best_record(const many_views::DegreeOnFile& known) {
     constexpr std::uint64_t most_seeds = 8;
-    const general::Problem problem = general::parse(std::string(known.problem));
+    const Problem problem = parse_problem(std::string(known.problem));
     many_views::MonodromySettings settings;
     settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     many_views::SolutionsRecord best{problem, {}, {}};

@@ -6,9 +6,9 @@
 // Says how many solutions monodromy finds along so many ways, and what their sum does as an image
 // moves. The status is 0 if no path is lost and the sum is linear, a thousand times as exactly as
 // a missing solution would let it.
-#include "prover/general/notation.h"
 #include "prover/many_views/monodromy.h"
 #include "prover/many_views/pencil_trace.h"
+#include "prover/problem/notation.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     settings.edges = argument(2, 4);
     settings.most_solutions = argument(3, settings.most_solutions);
     settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    const general::Problem problem = general::parse("Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a");
+    const Problem problem = parse_problem("Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a");
     const auto found = run_monodromy(problem, seed, settings);
     std::cout << found.points.size() << " solutions, " << found.edges << " of " << found.ways
               << " ways agree\n"

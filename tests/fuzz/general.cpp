@@ -2,9 +2,9 @@
 // encoding), its verdict, and the certificate. What is accepted obeys the laws below, and the
 // checker accepts its certificate; what is not is refused with a message.
 #include "checker/replay.h"
-#include "prover/general/certificate.h"
-#include "prover/general/notation.h"
-#include "prover/general/spec.h"
+#include "prover/minimal/problem_record.h"
+#include "prover/problem/notation.h"
+#include "prover/problem/spec.h"
 #include "tests/fuzz/require.h"
 
 #include <algorithm>
@@ -18,9 +18,9 @@ namespace {
 const checker::Classification no_classes;
 
 /// As `plprove certify --list` reads a line.
-general::Problem read(std::string_view text) {
-    const std::optional<general::Problem> named = general::parse_spec(text);
-    return named ? *named : general::parse(text);
+Problem read(std::string_view text) {
+    const std::optional<Problem> named = parse_general_spec(text);
+    return named ? *named : parse_problem(text);
 }
 
 void require_fit(std::string_view reason) {
@@ -30,32 +30,32 @@ void require_fit(std::string_view reason) {
 }
 
 /// Nothing of the problem but the numbers of its lines may change on the way through its notation.
-void check_notation(const general::Problem& problem) {
-    require(general::is_constructible_in_order(problem), "points in no order of construction");
-    const std::string text = general::notation(problem);
-    const general::Problem again = general::parse(text);
+void check_notation(const Problem& problem) {
+    require(is_constructible_in_order(problem), "points in no order of construction");
+    const std::string text = notation(problem);
+    const Problem again = parse_problem(text);
     require(again.points == problem.points && again.views == problem.views &&
-                again.model == problem.model && again.lines.size() == problem.lines.size(),
+                again.cameras == problem.cameras && again.lines.size() == problem.lines.size(),
             "notation does not survive a round trip");
-    require(general::notation(again) == text, "the same problem has two notations");
-    require(general::dimension_in_space(again) == general::dimension_in_space(problem) &&
-                general::dimension_in_views(again) == general::dimension_in_views(problem),
+    require(notation(again) == text, "the same problem has two notations");
+    require(dimension_in_space(again) == dimension_in_space(problem) &&
+                dimension_in_views(again) == dimension_in_views(problem),
             "the numbers of the lines change the dimensions");
 }
 
 /// The checker accepts the certificate, and the verdict in it is the one that plprove prints.
-void check_certificate(const general::Problem& problem) {
-    general::Certificate certificate;
+void check_certificate(const Problem& problem) {
+    ProblemRecord certificate;
     try {
-        certificate = general::certify(problem);
+        certificate = certify(problem);
     } catch (const std::runtime_error& error) {
         require_fit(error.what());
-        require(general::is_balanced(problem), "no certificate though only the counts matter");
+        require(is_balanced(problem), "no certificate though only the counts matter");
         return;
     }
-    const bool minimal = general::is_minimal(certificate);
-    require(!minimal || general::is_balanced(problem), "minimal, and not balanced");
-    const std::string file = general::write(std::span(&certificate, 1));
+    const bool minimal = is_minimal(certificate);
+    require(!minimal || is_balanced(problem), "minimal, and not balanced");
+    const std::string file = write(std::span(&certificate, 1));
     const checker::ReplayedFile replayed = checker::replay(no_classes, "fuzzed", file);
     const auto* content = std::get_if<checker::general::ProblemsFile>(&replayed.content);
     require(content != nullptr, "a certificate that does not conform");
@@ -65,14 +65,14 @@ void check_certificate(const general::Problem& problem) {
 }
 
 /// Whether a certificate takes milliseconds.
-bool is_small(const general::Problem& problem) {
+bool is_small(const Problem& problem) {
     return problem.points.size() + problem.lines.size() <= 16 && problem.views <= 6;
 }
 
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    general::Problem problem;
+    Problem problem;
     try {
         problem = read({reinterpret_cast<const char*>(data), size});
     } catch (const NotationError& error) {

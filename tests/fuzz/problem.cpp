@@ -2,7 +2,7 @@
 // encoding), hints, and parts of problems. What is accepted obeys the laws below; what is not is
 // refused with a message.
 #include "prover/catalogue/part.h"
-#include "prover/classification/hints.h"
+#include "prover/minimal/hints.h"
 #include "prover/problem/spec.h"
 #include "tests/fuzz/require.h"
 
@@ -20,14 +20,14 @@ std::size_t size(const Feature& feature) {
 // Enumerated before the clock of the fuzzer runs.
 const std::size_t number_of_classes = label_classes().size();
 
-void check(const Problem& problem) {
+void check(const Features& problem) {
     require(!problem.empty() && problem.size() <= max_features, "an impossible size");
     require(std::ranges::all_of(
                 problem,
                 [&](const Feature& feature) { return feature.views() == problem.front().views(); }),
             "features in different numbers of views");
     const std::string text = notation(problem);
-    require(parse_problem(text) == problem, "notation does not survive a round trip");
+    require(parse_features(text) == problem, "notation does not survive a round trip");
     require(parse_spec(text) == problem, "a specification reads notation differently");
 
     const Decision decision = decide(problem);
@@ -45,7 +45,7 @@ void check(const Problem& problem) {
 
     // (Which view fixes a dangling pin depends on their order, so the label class may differ.)
     // Neither the order of the views nor that of the features changes the verdict.
-    Problem other(problem.rbegin(), problem.rend());
+    Features other(problem.rbegin(), problem.rend());
     for (Feature& feature : other)
         std::ranges::reverse(feature.sights);
     const Decision mirrored = decide(other);
@@ -57,11 +57,11 @@ void check(const Problem& problem) {
 }
 
 /// What hints lead to is minimal, and one feature away.
-void check_hints(const Problem& problem) {
+void check_hints(const Features& problem) {
     const Decision decision = decide(problem);
     const auto size = static_cast<std::ptrdiff_t>(problem.size());
     for (const Hint& hint : hints(decision)) {
-        const Problem& changed = hint.decision.problem;
+        const Features& changed = hint.decision.problem;
         const std::ptrdiff_t expected = size + hint.added.has_value() - hint.dropped.has_value();
         require(std::ssize(changed) == expected, "a hint of more than one feature");
         const Verdict verdict = decide(changed).verdict;
@@ -71,14 +71,14 @@ void check_hints(const Problem& problem) {
 }
 
 /// A problem contains its own features, and they contain it.
-void check_part(const Problem& problem) {
+void check_part(const Features& problem) {
     std::vector<Part> parts;
     try {
         parts = parse_part(notation(problem));
     } catch (const NotationError&) {
         return;
     }
-    Problem fixed;
+    Features fixed;
     for (const Feature& feature : problem)
         fixed.push_back(lifted(feature));
     const auto signature = signature_of(fixed);
@@ -90,7 +90,7 @@ void check_part(const Problem& problem) {
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    Problem problem;
+    Features problem;
     try {
         problem = parse_spec({reinterpret_cast<const char*>(data), size});
     } catch (const NotationError& error) {

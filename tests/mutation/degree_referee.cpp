@@ -1,6 +1,7 @@
 #include "tests/mutation/degree_referee.h"
 
-#include "prover/classification/obstruction.h"
+#include "prover/minimal/obstruction.h"
+#include "prover/problem/notation.h"
 #include "prover/three_views/scene.h"
 
 #include <Eigen/LU>

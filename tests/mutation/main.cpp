@@ -3,7 +3,7 @@
 //   mutation_tests [MUTANTS [SEED]]
 // So many mutants of classification and problem files, a quarter as many of files of problems in
 // general, and a tenth as many each of degree files and of files of upper bounds.
-#include "prover/classification/problem_certificate.h"
+#include "prover/minimal/problem_certificate.h"
 #include "tests/mutation/degree_trial.h"
 #include "tests/mutation/general_trial.h"
 #include "tests/mutation/mutants.h"
@@ -57,7 +57,7 @@ std::vector<Base> classification_bases(const checker::Classification& all) {
 
 /// Certificates of every verdict, in two and three views, with and without reductions.
 std::vector<Base> problem_bases() {
-    std::vector<plprove::Problem> problems;
+    std::vector<plprove::Features> problems;
     for (const char* text :
          {"3*P/P/P + a/a/a", "2*Pa/Pa/Pa + P/P/P", "3*P/P/P + P/P/a", "5*P/P", "3*P/P/P", "6*P/P/P",
           "Pabcdefgh/Pabcdefgh/Pabcdefgh", "-/P/P + 4*P/P/P + Pa/P/P + a/a/-",
@@ -66,14 +66,14 @@ std::vector<Base> problem_bases() {
           "3*P/P/P + P/P/a + Pa/Pa/P + P/a/- + a/-/a",
           "Pa/-/P(b) + 3*P/P/P + a/a/a + -/-/-(P) + a/a/-(P) + a/b/-", "3*P/P/P + P/a/- + a/a/a(P)",
           "Pabcdef/Pabcdef/Pabcdef + P/a/a + a/-/- + P/-/-"})
-        problems.push_back(plprove::parse_problem(text));
+        problems.push_back(plprove::parse_features(text));
     for (const std::size_t number : short_classes)
         problems.push_back(plprove::problem_of(plprove::label_classes()[number]));
     plprove::RandomProblems random(17);
     for (int added = 0; added < 24; ++added)
         problems.push_back(random.around_a_class(added / 5));
     std::vector<Base> bases;
-    for (const plprove::Problem& problem : problems)
+    for (const plprove::Features& problem : problems)
         bases.push_back({write(plprove::certify_problem(problem))});
     return bases;
 }

@@ -1,6 +1,6 @@
 #include "tests/mutation/referee.h"
 
-#include "prover/classification/decision.h"
+#include "prover/minimal/decision.h"
 #include "tests/mutation/referee_jacobian.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace referee {
 
 using plprove::Feature;
-using plprove::Problem;
+using plprove::Features;
 
 namespace {
 
@@ -80,7 +80,7 @@ std::vector<std::size_t> deleted_columns(const Record& record, const Jacobian& j
 }
 
 /// Objects unless the record's numbers hold for J; `problem` is what stands behind J.
-void examine(const Record& record, const Jacobian& j, const Problem& problem) {
+void examine(const Record& record, const Jacobian& j, const Features& problem) {
     demand(minor_without(j, record.rows, deleted_columns(record, j)) != 0, "a nonzero minor");
     demand(minor_without(j, record.rows, deleted_columns(record, j)) == record.minor, "the minor");
     if (record.minimal) return;
@@ -184,7 +184,7 @@ bool allowed(const std::string& rule, const Feature& f, const std::optional<Feat
 }
 
 /// The problem that the steps leave; `at` is left behind them.
-Problem reduced(Problem problem, const Text& file, std::size_t& at) {
+Features reduced(Features problem, const Text& file, std::size_t& at) {
     for (; at < file.lines.size() && file.lines[at][0] == "reduce"; ++at) {
         const Words& words = file.lines[at];
         demand(words.size() == 4, "a step");
@@ -204,7 +204,7 @@ Problem reduced(Problem problem, const Text& file, std::size_t& at) {
     return problem;
 }
 
-std::string number_of(const Problem& lifted) {
+std::string number_of(const Features& lifted) {
     const auto signature = lifted.empty() || lifted.front().views() == 2
                                ? std::nullopt
                                : plprove::signature_of(lifted);
@@ -245,10 +245,10 @@ void examine_problem(const Text& file) {
     demand(file.lines.size() >= 3 && join(file.lines[0]) == "plcert 2 problem" &&
                file.lines[1][0] == "problem",
            "a problem file");
-    const Problem problem = plprove::parse_problem(join(file.lines[1]).substr(8));
+    const Features problem = plprove::parse_features(join(file.lines[1]).substr(8));
     const plprove::Decision decision = plprove::decide(problem);
     std::size_t at = 2;
-    const Problem lifted = plprove::lifted(reduced(problem, file, at));
+    const Features lifted = plprove::lifted(reduced(problem, file, at));
     demand(at < file.lines.size() && file.lines[at][0] == "verdict", "a verdict");
     const int excess = std::abs(decision.constraints - decision.camera_dimension);
     const std::string verdict(name(decision.verdict));
@@ -272,7 +272,7 @@ void examine_problem(const Text& file) {
            "evidence of the verdict");
     demand(at + (record.minimal ? 1 : 3 + record.kernel.size()) == file.lines.size(), "the end");
     demand(record.number == number_of(lifted) && record.pool == 1, "the number of the class");
-    const Problem& posed = obstructed ? lifted : problem;
+    const Features& posed = obstructed ? lifted : problem;
     demand(pool.features.size() == posed.size(), "the features of the problem");
     for (std::size_t i = 0; i < posed.size(); ++i)
         demand(pool.features[i].feature == posed[i], "the features of the problem");
@@ -334,7 +334,7 @@ std::optional<std::string> objection_to_record(const Text& file, std::size_t lin
         demand(std::cmp_less(at, file.lines.size()), "the record");
         const Record record = read_record(file, static_cast<std::size_t>(at));
         const Pool pool = pool_of(file, record.pool);
-        const Problem problem = plprove::problem_of(signature);
+        const Features problem = plprove::problem_of(signature);
         demand(record.minimal == (plprove::obstruction(problem).deficiency() == 0), "the verdict");
         examine(record, jacobian(used(pool, signature), pool.cameras), problem);
     });

@@ -1,6 +1,7 @@
 #include "tests/mutation/referee_jacobian.h"
 
 #include "prover/geometry/flint.h"
+#include "prover/problem/notation.h"
 
 #include <algorithm>
 

@@ -58,6 +58,40 @@ TEST_CASE("an obstructed problem is in no family of minimal ones") {
     CHECK(decide("6779")["families"]["five_point_extension"] == true);
 }
 
+TEST_CASE(
+    "a problem of one's own in three calibrated views has its exact degree by its certificate") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "own.plc").string();
+    for (const auto& [problem, degree] : std::map<std::string, int>{
+             {"2*P/P/P + a/Pa/Pa + a/a/a", 240},
+             {"3*P/P/P + P/P/a", 272},
+             {"2*Pa/Pa/Pa + P/P/P + Pab/-/-", 312},
+             {"2*PL/PL/PL + P/P/P + a/a/a", 216}, // two points imply the line L
+             {"2*PLa/PLa/PLa + P/P/P", 312}}) {
+        CAPTURE(problem);
+        const Outcome text = run(plprove + " problem '" + problem + "' --certificate " + file);
+        CHECK(text.status == 0);
+        const std::string command = " --expect '" + problem + "' --degree ";
+        const std::string degree_and_file = std::to_string(degree) + ' ' + file;
+        CHECK(contains(text.out, "\ncheck       plcheck" + command + degree_and_file + '\n'));
+        CHECK(run(plcheck + command + degree_and_file).status == 0);
+        CHECK(run(plcheck + command + std::to_string(degree + 1) + ' ' + file).status == 1);
+    }
+    const std::string implied = "2*PL/PL/PL + P/P/P + a/a/a";
+    CHECK(decide(implied)["degree"]["value"] == 216);
+    CHECK(decide(implied)["degree"]["source"] == "that of 3*P/P/P + a/a/a");
+    // A line that a view sees with one of its two points is not implied.
+    const std::string other = "PL/PL/PL + PL/PL/L + 2*P/P/P";
+    const Outcome text = run(plprove + " problem '" + other + "' --certificate " + file);
+    CHECK(contains(text.out, "verdict     minimal"));
+    CHECK(contains(text.out, "none on file"));
+    CHECK(!contains(text.out, "\ncheck "));
+    CHECK(contains(run(plcheck + " --expect '" + other + "' --degree 216 " + file).out,
+                   "no file bounds its degree from below"));
+    // Nor is one with more points.
+    CHECK(!contains(run(plprove + " problem '3*PL/PL/PL + P/P/P'").out, "that of"));
+}
+
 TEST_CASE("a terminal problem is told from its class") {
     const std::string of_class = "#6723 (3*P/P/P + Pa/P/a), swap class #6723";
     const auto number_of = [](const std::string& spec) {

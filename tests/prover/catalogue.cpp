@@ -33,11 +33,11 @@ Filter where(std::initializer_list<bool Filter::*> flags) {
 }
 
 /// A problem up to relabeling of the views, renaming of pins and order of features.
-Problem up_to_relabeling(const Problem& problem) {
-    Problem least;
+Features up_to_relabeling(const Features& problem) {
+    Features least;
     std::array<int, 3> views{0, 1, 2};
     do {
-        Problem relabeled;
+        Features relabeled;
         for (const Feature& feature : problem)
             relabeled.push_back(canonical(relabel_views(feature, views)));
         std::ranges::sort(relabeled);
@@ -114,11 +114,11 @@ TEST_CASE("swap and constraint classes begin with themselves and have one verdic
 }
 
 TEST_CASE("terminal problems up to relabeling are the minimal swap classes") {
-    std::map<Problem, std::size_t> swap_class_of;
+    std::map<Features, std::size_t> swap_class_of;
     bool same_class = true;
     for (const Entry& entry : all()) {
         if (!entry.minimal() || (!entry.terminal() && entry.number % 17 != 0)) continue;
-        const Problem problem = parse_problem(terminal_notation(entry.signature));
+        const Features problem = parse_features(terminal_notation(entry.signature));
         const auto [known, fresh] =
             swap_class_of.emplace(up_to_relabeling(problem), entry.swap_class);
         same_class = same_class && (fresh || known->second == entry.swap_class);
@@ -153,10 +153,10 @@ TEST_CASE("a problem is spelled alike from its signature and from its features")
 }
 
 TEST_CASE("the two features of a swap pair become one term of the terminal problem") {
-    const auto signature = signature_of(parse_problem("3*P/P/P + P/Pa/a"));
+    const auto signature = signature_of(parse_features("3*P/P/P + P/Pa/a"));
     REQUIRE(signature);
     CHECK(terminal_notation(*signature) == "3*P/P/P + P/P/a");
-    const auto both = signature_of(parse_problem("2*P/P/P + a/a/a + P/-/P + P/Pa/a + Pa/P/a"));
+    const auto both = signature_of(parse_features("2*P/P/P + a/a/a + P/-/P + P/Pa/a + Pa/P/a"));
     REQUIRE(both);
     CHECK(terminal_notation(*both) == "2*P/P/P + a/a/a + 2*P/P/a + P/-/P");
 }

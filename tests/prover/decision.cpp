@@ -1,7 +1,7 @@
 // Verdicts: laws, and ranks of whole Jacobians as a second method.
-#include "prover/classification/decision.h"
-#include "prover/classification/pool.h"
-#include "prover/classification/problem_certificate.h"
+#include "prover/minimal/decision.h"
+#include "prover/minimal/pool.h"
+#include "prover/minimal/problem_certificate.h"
 #include "prover/problem/spec.h"
 #include "tests/support/random_problems.h"
 
@@ -24,7 +24,7 @@ struct Ranks {
     bool camera_finite() const { return whole - own == cameras; }
 };
 
-Ranks generic_ranks(const Problem& problem, std::uint64_t seed) {
+Ranks generic_ranks(const Features& problem, std::uint64_t seed) {
     SmallIntegers integers(seed, max_coordinate);
     const Cameras cameras = random_cameras(integers, problem.front().views());
     std::vector<FeatureBlock> blocks;
@@ -40,7 +40,7 @@ Ranks generic_ranks(const Problem& problem, std::uint64_t seed) {
             static_cast<int>(nmod_mat_rank(own.get()))};
 }
 
-void check_against_ranks(const Problem& problem) {
+void check_against_ranks(const Features& problem) {
     CAPTURE(notation(problem));
     const Decision decision = decide(problem);
     const Ranks ranks = generic_ranks(problem, 1);
@@ -76,7 +76,7 @@ TEST_CASE("verdicts on random problems of every kind agree with the ranks of the
     for (int i = 0; i < 400; ++i)
         check_against_ranks(random.around_a_class(random.below(12)));
     for (int i = 0; i < 300; ++i) {
-        Problem problem;
+        Features problem;
         const int views = 2 + random.below(2);
         for (int size = 1 + random.below(20); size > 0; --size)
             problem.push_back(random.feature(views, 9));
@@ -91,7 +91,7 @@ TEST_CASE("verdicts on random problems of every kind agree with the ranks of the
 TEST_CASE("a verdict does not depend on names, on order, or on labels of views; nor on swaps") {
     RandomProblems random(7);
     for (int i = 0; i < 200; ++i) {
-        const Problem problem = random.around_a_class(random.below(5));
+        const Features problem = random.around_a_class(random.below(5));
         const Decision decision = decide(problem);
         CAPTURE(notation(problem));
         const Decision disguised = decide(random.disguised(problem));
@@ -99,12 +99,12 @@ TEST_CASE("a verdict does not depend on names, on order, or on labels of views; 
         CHECK(disguised.constraints == decision.constraints);
         CHECK(disguised.classes.has_value() == decision.classes.has_value());
         if (decision.classes) CHECK(disguised.classes->label == decision.classes->label);
-        Problem relabeled;
+        Features relabeled;
         const int order[] = {1, 2, 0};
         for (const Feature& feature : problem)
             relabeled.push_back(relabel_views(feature, order));
         CHECK(decide(relabeled).verdict == decision.verdict);
-        Problem swapped;
+        Features swapped;
         for (const Feature& feature : problem)
             swapped.push_back(notation(feature) == "P/Pa/a" ? parse_feature("Pa/P/a") : feature);
         const Decision after = decide(swapped);
@@ -116,7 +116,7 @@ TEST_CASE("a verdict does not depend on names, on order, or on labels of views; 
 TEST_CASE("the inverses of the reductions of Theorem 2 keep a minimal problem minimal") {
     RandomProblems random(11);
     for (int i = 0; i < 100; ++i) {
-        Problem problem =
+        Features problem =
             problem_of(label_classes()[static_cast<std::size_t>(random.below(143494))]);
         const Verdict verdict = decide(problem).verdict;
         for (Feature& feature : problem) {
@@ -142,7 +142,7 @@ TEST_CASE("the inverses of the reductions of Theorem 2 keep a minimal problem mi
 TEST_CASE("what is certified has the rank that it needs: certificates are found for all verdicts") {
     RandomProblems random(5);
     for (int i = 0; i < 60; ++i) {
-        const Problem problem = random.around_a_class(random.below(8));
+        const Features problem = random.around_a_class(random.below(8));
         CAPTURE(notation(problem));
         const ProblemCertificate certificate = certify_problem(problem);
         const bool counted = certificate.decision.verdict == Verdict::under_constrained ||

@@ -2,6 +2,7 @@
 #include "prover/catalogue/degrees.h"
 #include "prover/cli/filter_options.h"
 #include "prover/degree_sweep/collect.h"
+#include "prover/problem/notation.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/program.h"
 
@@ -38,7 +39,7 @@ TEST_CASE("filters choose the constraint classes that have a member which passes
     // Two problems of one constraint class: an exchange apart.
     const auto number_of = [](const char* problem) {
         return std::to_string(
-            class_number(label_classes(), representative(*signature_of(parse_problem(problem)))));
+            class_number(label_classes(), representative(*signature_of(parse_features(problem)))));
     };
     CHECK(chosen({number_of("5*P/a/a + 4*a/P/a + 2*a/a/P").c_str()}) ==
           chosen({number_of("4*P/a/a + Pab/b/a + 4*a/P/a + 2*a/a/P").c_str()}));

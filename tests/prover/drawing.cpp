@@ -98,7 +98,7 @@ void check_well_formed(const std::string& svg) {
     CHECK(svg.substr(end) == "\n");
 }
 
-int count_points(const Problem& problem) {
+int count_points(const Features& problem) {
     return static_cast<int>(std::ranges::count_if(problem, &Feature::has_point));
 }
 
@@ -107,7 +107,7 @@ int count_points(const Problem& problem) {
 TEST_CASE("every panel of the SVG shows each point and line once, as seen or as not seen") {
     for (const std::string& text : drawn_problems) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const std::string svg = draw_svg(problem);
         int lines = 0;
         for (const Feature& feature : problem)
@@ -142,9 +142,9 @@ TEST_CASE("every panel of the SVG shows each point and line once, as seen or as 
 TEST_CASE("the SVG is well formed, has a title, and no number has more than two decimals") {
     for (const std::string& text : drawn_problems) {
         CAPTURE(text);
-        const std::string svg = draw_svg(parse_problem(text));
+        const std::string svg = draw_svg(parse_features(text));
         check_well_formed(svg);
-        CHECK(between(svg, "<title>", "</title>") == "<title>" + notation(parse_problem(text)));
+        CHECK(between(svg, "<title>", "</title>") == "<title>" + notation(parse_features(text)));
         CHECK(svg.find("<desc>") != std::string::npos);
         CHECK(!std::regex_search(svg, std::regex(R"([0-9]\.[0-9]{3}|[0-9]e[-+]?[0-9]|nan|inf)")));
         CHECK(std::regex_search(svg, std::regex("viewBox=\"0 0 [0-9.]+ [0-9.]+\"")));
@@ -154,7 +154,7 @@ TEST_CASE("the SVG is well formed, has a title, and no number has more than two 
 TEST_CASE("every panel of the text shows each seen line by its letter and each point once") {
     for (const std::string& text : drawn_problems) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const int views = problem.front().views();
         const auto panels = text_panels(draw_text(problem), views);
         for (int view = 0; view < views; ++view) {
@@ -181,15 +181,15 @@ TEST_CASE("what a view does not see is dotted in the text, at the place where ot
     };
     for (const std::string& text : drawn_problems) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const auto panels = text_panels(draw_text(problem), problem.front().views());
         for (const auto& panel : panels)
             for (std::size_t row = 0; row < panel.size(); ++row)
                 CHECK(std::ranges::equal(panel[row], panels[0][row], {}, kind, kind));
         // A problem of which the views see all has no dots, one of which they see nothing no
         // strokes.
-        Problem all = problem;
-        Problem nothing = problem;
+        Features all = problem;
+        Features nothing = problem;
         for (std::size_t i = 0; i < problem.size(); ++i)
             for (std::size_t view = 0; view < panels.size(); ++view) {
                 all[i].sights[view] = {problem[i].has_point, (1U << problem[i].lines) - 1};
@@ -209,11 +209,11 @@ TEST_CASE("relabeling the views permutes the panels, and pictures do not vary") 
     const std::array<int, 3> rotation{1, 2, 0};
     for (const std::string& text : drawn_problems) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         CHECK(draw_svg(problem) == draw_svg(problem));
         CHECK(draw_text(problem) == draw_text(problem));
         if (problem.front().views() != 3) continue;
-        Problem relabeled;
+        Features relabeled;
         for (const Feature& feature : problem)
             relabeled.push_back(relabel_views(feature, rotation));
         const std::string before = draw_svg(problem);
@@ -231,7 +231,7 @@ TEST_CASE("relabeling the views permutes the panels, and pictures do not vary") 
 TEST_CASE("features neither overlap nor leave the panel, and no three points are collinear") {
     for (std::size_t size = 1; size <= 20; ++size) {
         CAPTURE(size);
-        const std::string svg = draw_svg(parse_problem(std::to_string(size) + "*Pab/Pab/Pab"));
+        const std::string svg = draw_svg(parse_features(std::to_string(size) + "*Pab/Pab/Pab"));
         std::smatch frame;
         REQUIRE(std::regex_search(svg, frame,
                                   std::regex("<rect width=\"([0-9.]+)\" height=\"([0-9.]+)\"")));

@@ -1,8 +1,8 @@
 // What may be added to a minimal problem: each larger problem is decided, and all changes are
 // tried.
-#include "prover/classification/extensions.h"
+#include "prover/minimal/extensions.h"
 
-#include "prover/classification/decision.h"
+#include "prover/minimal/decision.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::string> words(const std::string& problem) {
     std::vector<std::string> result;
-    for (const Extension& extension : extensions(parse_problem(problem)))
+    for (const Change& extension : extensions(parse_features(problem)))
         result.push_back(in_words(extension));
     std::ranges::sort(result);
     return result;
@@ -38,13 +38,13 @@ TEST_CASE("extensions are minimal, and of the same class") {
     for (const char* text : {"2*Pa/Pa/Pa + P/P/P", "3*P/P/P + a/a/a", "P/P/P + 4*a/a/a", "5*P/P",
                              "3*P/P/P + 2*P/a/a", "P/P/P + Pabcde/Pabcde/Pabcde"}) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const Decision before = decide(problem);
         REQUIRE(before.verdict == Verdict::minimal);
-        for (const Extension& extension : extensions(problem)) {
+        for (const Change& extension : extensions(problem)) {
             CAPTURE(in_words(extension));
-            const Problem larger = extended(problem, extension);
-            CHECK(larger.size() == problem.size() + (extension.replaced ? 0 : 1));
+            const Features larger = changed(problem, extension);
+            CHECK(larger.size() == problem.size() + (extension.dropped ? 0 : 1));
             const Decision after = decide(larger);
             CHECK(after.verdict == Verdict::minimal);
             CHECK(after.space_dimension > before.space_dimension);
@@ -63,7 +63,7 @@ TEST_CASE("of all free lines, points, and points with a pin, these may be added"
                     const std::string feature = first + "/" + second + "/" + third;
                     if (feature == "-/-/-") continue;
                     const Decision decision =
-                        decide(parse_problem("2*Pa/Pa/Pa + P/P/P + " + feature));
+                        decide(parse_features("2*Pa/Pa/Pa + P/P/P + " + feature));
                     if (decision.verdict == Verdict::minimal) minimal.push_back("add " + feature);
                 }
     }

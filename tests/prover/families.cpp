@@ -1,5 +1,5 @@
 // Families of problems: the paper's counts, and those that follow from the definitions.
-#include "prover/classification/families.h"
+#include "prover/minimal/families.h"
 
 #include <doctest/doctest.h>
 #include <map>

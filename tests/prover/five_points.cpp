@@ -2,7 +2,7 @@
 #include "prover/problem/five_points.h"
 
 #include "prover/catalogue/degrees.h"
-#include "prover/classification/decision.h"
+#include "prover/minimal/decision.h"
 #include "tests/support/solved_class.h"
 
 #include <Eigen/Dense>
@@ -229,14 +229,14 @@ TEST_CASE("five pairs of image points have at most ten essential matrices, by el
 
 TEST_CASE("every minimal problem in two views reduces to five points") {
     std::mt19937 random(3);
-    const Problem five_points = parse_problem("5*P/P");
-    const std::vector<Problem> kinds{
-        parse_problem("P/P"), parse_problem("Pa/Pa"), parse_problem("Pab/Pab"),
-        parse_problem("a/a"), parse_problem("Pa/a"),  parse_problem("Pab/Pa"),
-        parse_problem("P/-"), parse_problem("a/b"),   parse_problem("Pabc/Pc")};
+    const Features five_points = parse_features("5*P/P");
+    const std::vector<Features> kinds{
+        parse_features("P/P"), parse_features("Pa/Pa"), parse_features("Pab/Pab"),
+        parse_features("a/a"), parse_features("Pa/a"),  parse_features("Pab/Pa"),
+        parse_features("P/-"), parse_features("a/b"),   parse_features("Pabc/Pc")};
     int minimal = 0;
     for (int trial = 0; trial < 20'000; ++trial) {
-        Problem problem;
+        Features problem;
         for (unsigned left = 4 + random() % 4; left > 0; --left)
             problem.push_back(kinds[random() % kinds.size()].front());
         const Decision decision = decide(problem);

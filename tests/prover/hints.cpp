@@ -1,5 +1,5 @@
 // Minimal problems one feature away, by laws and by trying all changes.
-#include "prover/classification/hints.h"
+#include "prover/minimal/hints.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -55,12 +55,12 @@ TEST_CASE("what a class lacks or has too much is named") {
         const Signature& signature = label_classes()[number];
         if (!is_minimal(signature)) continue;
         CAPTURE(number);
-        const Problem whole = problem_of(signature);
+        const Features whole = problem_of(signature);
         if (whole.size() < 2 || whole.size() >= most_features_with_hints) continue;
-        const Problem less(whole.begin() + 1, whole.end());
+        const Features less(whole.begin() + 1, whole.end());
         CHECK(labels(hints(decide(less))).contains(number));
         for (const Feature& feature : {standard_features()[7], standard_features()[19]}) {
-            Problem more = whole;
+            Features more = whole;
             more.push_back(feature);
             CHECK(labels(hints(decide(more))).contains(number));
         }
@@ -83,12 +83,12 @@ TEST_CASE("a hint is one feature away, and its decision is that of the changed p
          {"3*P/P/P + P/P/a", "2*P/P/P + a/P/P + P/b/a", "3*P/P/P + a/a/a + a/-/-", "4*P/P", "6*P/P",
           "5*P/P + a/b", "Pabcdefgh/Pabcdefgh/Pabcdefgh + P/P/P", "6*P/P/- + 5*P/-/P"}) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const std::vector<Hint> list = hints(decide(problem));
         for (const Hint& hint : list) {
             CAPTURE(in_words(hint));
-            Problem before = problem;
-            Problem after = hint.decision.problem;
+            Features before = problem;
+            Features after = hint.decision.problem;
             if (hint.dropped) {
                 CHECK(std::ranges::find(before, *hint.dropped) != before.end());
                 after.push_back(*hint.dropped);
@@ -101,7 +101,7 @@ TEST_CASE("a hint is one feature away, and its decision is that of the changed p
         }
     }
     const auto words = [](const char* text) {
-        const std::vector<Hint> list = hints(decide(parse_problem(text)));
+        const std::vector<Hint> list = hints(decide(parse_features(text)));
         return list.empty() ? "none" : in_words(list.front());
     };
     CHECK(words("3*P/P/P + P/P/a") == "put Pa/P/a for P/P/a");

@@ -1,9 +1,14 @@
 // Minors of the Jacobian: elimination by blocks against the whole matrix, and the laws of
-// certificates.
-#include "prover/classification/classification_file.h"
-#include "prover/classification/problem_certificate.h"
+// certificates; and ball arithmetic as a second method for a determinant.
+#include "prover/minimal/classification_file.h"
+#include "prover/minimal/problem_certificate.h"
 
 #include <doctest/doctest.h>
+#if __has_include(<flint/arb_mat.h>)
+#include <flint/arb_mat.h>
+#else
+#include <arb_mat.h>
+#endif
 
 using namespace plprove;
 
@@ -74,5 +79,31 @@ TEST_CASE("a problem certified by itself has small coordinates") {
         for (const PlacedFeature& placed : certificate.features)
             for (const std::int64_t coordinate : placed.point)
                 CHECK(std::abs(coordinate) <= 9);
+    }
+}
+
+TEST_CASE("ball arithmetic over the integers certifies that determinants do not vanish") {
+    const std::vector<Signature>& classes = label_classes();
+    const Pool pool = make_pool(1);
+    constexpr slong precision = 256;
+    for (std::size_t number = 5; number < classes.size(); number += 4001) {
+        if (obstruction(problem_of(classes[number])).deficiency() > 0) continue;
+        // Entries are below 2^60, so that the residue nearest to zero is the integer itself.
+        const ResidueMatrix whole = jacobian(pointers(blocks_of(classes[number], pool)));
+        arb_mat_t matrix;
+        arb_mat_init(matrix, whole.rows(), whole.columns());
+        for (int i = 0; i < whole.rows(); ++i)
+            for (int j = 0; j < whole.columns(); ++j) {
+                const auto entry = static_cast<slong>(whole.at(i, j));
+                const auto q = static_cast<slong>(modulus);
+                arb_set_si(arb_mat_entry(matrix, i, j), entry > q / 2 ? entry - q : entry);
+            }
+        arb_t ball;
+        arb_init(ball);
+        arb_mat_det(ball, matrix, precision);
+        CAPTURE(number);
+        CHECK_FALSE(arb_contains_zero(ball));
+        arb_clear(ball);
+        arb_mat_clear(matrix);
     }
 }

@@ -1,6 +1,6 @@
 // Names of problems, and misspelled words.
 #include "prover/problem/names.h"
-#include "prover/classification/decision.h"
+#include "prover/minimal/decision.h"
 #include "prover/problem/spec.h"
 #include "prover/system/words.h"
 
@@ -43,7 +43,7 @@ TEST_CASE("every name means a minimal problem, and the registrations are such") 
     for (const NamedProblem& named : named_problems()) {
         CAPTURE(named.name);
         CHECK(names.insert(named.name).second);
-        const Problem problem = parse_problem(named.notation);
+        const Features problem = parse_features(named.notation);
         CHECK(notation(problem) == named.notation);
         CHECK(decide(problem).verdict == Verdict::minimal);
         CHECK(parse_spec(named.name) == problem);

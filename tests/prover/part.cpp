@@ -2,7 +2,7 @@
 #include "prover/catalogue/part.h"
 
 #include "prover/catalogue/spelling.h"
-#include "prover/classification/obstruction.h"
+#include "prover/minimal/obstruction.h"
 #include "prover/problem/reduction.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ bool one_has_all_of(const Signature& problem, const std::vector<Part>& parts) {
                                [&](const Part& part) { return is_contained(problem, part); });
 }
 
-Problem sorted(const Problem& problem) {
-    Problem result;
+Features sorted(const Features& problem) {
+    Features result;
     for (const Feature& feature : problem)
         result.push_back(canonical(feature));
     std::ranges::sort(result);
@@ -31,8 +31,8 @@ Problem sorted(const Problem& problem) {
 
 /// The problem with a dangling pin fixed in the one or the other view that sees its point: all
 /// ways to fix all of them.
-std::vector<Problem> all_fixed(const Problem& problem) {
-    std::vector<Problem> found{{}};
+std::vector<Features> all_fixed(const Features& problem) {
+    std::vector<Features> found{{}};
     for (const Feature& feature : problem) {
         std::vector<Feature> ways{lifted(feature)};
         if (feature.lines == 1 && lifted(feature) != feature) {
@@ -42,8 +42,8 @@ std::vector<Problem> all_fixed(const Problem& problem) {
                     other.sights[view].pins = 1;
             ways.push_back(other);
         }
-        std::vector<Problem> longer;
-        for (const Problem& start : found)
+        std::vector<Features> longer;
+        for (const Features& start : found)
             for (const Feature& way : ways) {
                 longer.push_back(start);
                 longer.back().push_back(way);
@@ -55,13 +55,13 @@ std::vector<Problem> all_fixed(const Problem& problem) {
 
 /// Whether some order of the views and some way to fix pins makes `inner` a part of `outer`.
 template <class Test>
-bool in_some_order(const Problem& spec, Test test) {
+bool in_some_order(const Features& spec, Test test) {
     std::array<int, 3> views{0, 1, 2};
     do {
-        Problem relabeled;
+        Features relabeled;
         for (const Feature& feature : spec)
             relabeled.push_back(relabel_views(feature, views));
-        for (const Problem& fixed : all_fixed(relabeled))
+        for (const Features& fixed : all_fixed(relabeled))
             if (test(sorted(fixed))) return true;
     } while (std::ranges::next_permutation(views).found);
     return false;
@@ -74,7 +74,7 @@ TEST_CASE("a problem contains what is among its features in some order of the vi
          {"P/P/P", "2*Pa/Pa/Pa + -/P/P", "P/P/a", "2*P/P/a + Pa/P/a", "a/P/P + P/P/a + P/Pa/a",
           "P/b/a + 2*P/a/a", "-/P/P + 2*P/-/P + 3*P/P/-", "2*a/a/a"}) {
         CAPTURE(spec);
-        const Problem problem = parse_problem(spec);
+        const Features problem = parse_features(spec);
         const std::vector<Part> parts = parse_part(spec);
         std::size_t found = 0;
         bool alike = true;
@@ -84,9 +84,9 @@ TEST_CASE("a problem contains what is among its features in some order of the vi
             const bool answer = one_contains(signature, parts);
             const bool chosen = number % 61 == 0 || (answer && found < 50);
             if (!chosen) continue;
-            const Problem whole = sorted(problem_of(signature));
+            const Features whole = sorted(problem_of(signature));
             const bool expected = in_some_order(
-                problem, [&](const Problem& part) { return std::ranges::includes(whole, part); });
+                problem, [&](const Features& part) { return std::ranges::includes(whole, part); });
             alike = alike && answer == expected;
             found += expected;
         }
@@ -100,7 +100,7 @@ TEST_CASE("a problem is contained where all its features are, in some order of t
          {"3*P/P/P + 2*a/a/a + 5*P/P/a", "2*a/a/a + 9*P/a/a + 9*a/a/P",
           "2*P/P/a + 2*P/a/P + a/P/P + 2*P/P/P + a/a/a", "11*-/P/P + 5*P/-/P"}) {
         CAPTURE(spec);
-        const Problem problem = parse_problem(spec);
+        const Features problem = parse_features(spec);
         const std::vector<Part> parts = parse_part(spec);
         std::size_t found = 0;
         bool alike = true;
@@ -109,9 +109,10 @@ TEST_CASE("a problem is contained where all its features are, in some order of t
             // Too rare to be met at random: try those that may be contained.
             const bool answer = one_has_all_of(signature, parts);
             if (!answer && number % 1001 != 5) continue;
-            const Problem inner = sorted(problem_of(signature));
-            const bool expected = in_some_order(
-                problem, [&](const Problem& outer) { return std::ranges::includes(outer, inner); });
+            const Features inner = sorted(problem_of(signature));
+            const bool expected = in_some_order(problem, [&](const Features& outer) {
+                return std::ranges::includes(outer, inner);
+            });
             alike = alike && answer == expected;
             found += expected;
         }

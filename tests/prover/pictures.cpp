@@ -1,6 +1,6 @@
 // Letters, red points and LaTeX: what the pictures of a problem have beside points and lines.
-#include "prover/classification/obstruction.h"
 #include "prover/drawing/picture.h"
+#include "prover/minimal/obstruction.h"
 #include "tests/support/drawn_problems.h"
 #include "tests/support/text.h"
 
@@ -53,7 +53,7 @@ std::size_t red_points(const Panel& panel) {
 TEST_CASE("each panel has the letters of the lines that its view sees, inside its frame") {
     for (const std::string& text : drawn_problems) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const Picture picture = picture_of(problem, Highlight::nothing);
         REQUIRE(picture.panels.size() == static_cast<std::size_t>(problem.front().views()));
         for (int view = 0; view < problem.front().views(); ++view) {
@@ -80,7 +80,7 @@ TEST_CASE("a letter stands beside its own line, off the point and the other lett
         CAPTURE(pins);
         const std::string view =
             "P" + std::string("abcdefg").substr(0, static_cast<std::size_t>(pins));
-        const Problem problem = parse_problem(view + "/" + view);
+        const Features problem = parse_features(view + "/" + view);
         const Panel panel = picture_of(problem, Highlight::nothing).panels.front();
         const std::vector<Letter> letters = elements<Letter>(panel);
         const std::vector<Stroke> lines = elements<Stroke>(panel);
@@ -103,7 +103,7 @@ TEST_CASE("a letter stands beside its own line, off the point and the other lett
 TEST_CASE("where two views share exactly five points, these are red in both, and nothing else") {
     for (const std::string& text : drawn_problems) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const Picture plain = picture_of(problem, Highlight::nothing);
         const Picture red = picture_of(problem, Highlight::five_points);
         const std::array<int, 3> shared = shared_points(problem);
@@ -128,7 +128,7 @@ TEST_CASE("where two views share exactly five points, these are red in both, and
 TEST_CASE("LaTeX gets the same elements as the page, in balanced braces") {
     for (const std::string& text : drawn_problems) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const std::string tikz = draw_tikz(problem, Highlight::five_points);
         const std::string svg = draw_svg(problem, Highlight::five_points);
         CHECK(tikz.starts_with("% " + notation(problem) + "\n"));

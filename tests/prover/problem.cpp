@@ -1,5 +1,6 @@
 // Features, notation, signatures and label classes: known counts and laws.
-#include "prover/classification/obstruction.h"
+#include "prover/minimal/obstruction.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/signature.h"
 
 #include <algorithm>
@@ -30,8 +31,8 @@ TEST_CASE("notation survives a round trip, and names of pins do not matter") {
         CHECK(parse_feature(notation(feature)) == feature);
     CHECK(canonical(parse_feature("Pab/b/a")) == canonical(parse_feature("Pab/a/b")));
     CHECK(canonical(parse_feature("Pab/b/a")) != canonical(parse_feature("b/Pab/a")));
-    CHECK(notation(parse_problem(" 2 * Pa/Pa/Pa+P/P/P ")) == "2*Pa/Pa/Pa + P/P/P");
-    CHECK(notation(parse_problem("P/P + P/P")) == "2*P/P");
+    CHECK(notation(parse_features(" 2 * Pa/Pa/Pa+P/P/P ")) == "2*Pa/Pa/Pa + P/P/P");
+    CHECK(notation(parse_features("P/P + P/P")) == "2*P/P");
 }
 
 TEST_CASE("malformed notation is refused with the column and what was expected") {
@@ -43,13 +44,13 @@ TEST_CASE("malformed notation is refused with the column and what was expected")
         {"ab/P/P", "Definition 1"},
         {"Pba/P/P", "alphabetical order"},
         {"Pb/Pb/P", "without gaps"},
-        {"P/P/P/P", "column 6: found '/'"},
+        {"P/P/P/P", "column 6: found '/', expected at most 3 views"},
         {"2P/P/P", "column 2: found 'P', expected '*'"},
-        {"9999999999999999999*P/P/P", "a multiplicity of at most"},
-        {"0*P/P/P", "a multiplicity of at least 1"},
-        {"P/a/-(bb)", "the unseen lines in alphabetical order"},
-        {"P/a/-(a)", "only what no view sees"},
-        {"P/P/P(P)", "only what no view sees"},
+        {"9999999999999999999*P/P/P", "a multiplicity from 1 to 1000"},
+        {"0*P/P/P", "a multiplicity from 1 to 1000"},
+        {"P/a/-(bb)", "the letters of lines in alphabetical order"},
+        {"P/a/-(a)", "leave it out there"},
+        {"P/P/P(P)", "leave out '(P)'"},
         {"P/P/P()", "what no view sees"},
         {"P/P/P + P/P", "as many views"},
         {"Px/P/", "column 6: found the end"},
@@ -58,7 +59,7 @@ TEST_CASE("malformed notation is refused with the column and what was expected")
     for (const auto& [text, reason] : refused) {
         CAPTURE(text);
         try {
-            parse_problem(text);
+            parse_features(text);
             FAIL("accepted");
         } catch (const NotationError& error) {
             CAPTURE(error.what());

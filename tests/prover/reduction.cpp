@@ -13,7 +13,7 @@ using namespace plprove;
 namespace {
 
 std::string reduced(const std::string& text) {
-    const Problem problem = reduce(parse_problem(text)).reduced;
+    const Features problem = reduce(parse_features(text)).reduced;
     return problem.empty() ? "nothing" : notation(canonical(problem.front()));
 }
 
@@ -145,12 +145,12 @@ TEST_CASE("two views: every observation with up to 8 pins reduces to P/P or to n
 TEST_CASE("reduction does not depend on labels of views or names of pins") {
     const auto visit = [](const Feature& feature) {
         const int order[] = {2, 0, 1};
-        const Problem direct = reduce({feature}).reduced;
-        const Problem turned = reduce({relabel_views(feature, order)}).reduced;
+        const Features direct = reduce({feature}).reduced;
+        const Features turned = reduce({relabel_views(feature, order)}).reduced;
         REQUIRE(direct.size() == turned.size());
         if (!direct.empty())
             CHECK(canonical(relabel_views(direct.front(), order)) == canonical(turned.front()));
-        const Problem renamed = reduce({canonical(feature)}).reduced;
+        const Features renamed = reduce({canonical(feature)}).reduced;
         CHECK(renamed.size() == direct.size());
         if (!direct.empty()) CHECK(canonical(renamed.front()) == canonical(direct.front()));
     };
@@ -159,14 +159,14 @@ TEST_CASE("reduction does not depend on labels of views or names of pins") {
 }
 
 TEST_CASE("a problem is known by notation, number, signature and Macaulay2 encoding") {
-    const Problem chicago = parse_problem("2*Pa/Pa/Pa + P/P/P");
+    const Features chicago = parse_features("2*Pa/Pa/Pa + P/P/P");
     CHECK(parse_spec("#2394") == chicago);
     CHECK(parse_spec("2394") == chicago);
     CHECK(parse_spec("{0,0,0,0,0,0,2,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0}") == chicago);
     CHECK(parse_spec("0 0 0 0 0 0 2 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0") == chicago);
     CHECK(parse_spec("{{0,1},{{{1,1},{1,1,1}},{{1,1},{1,1,1}},{{1,1},{1,1,1}}}}") == chicago);
     // The example of the authors' documentation: problem 7.
-    const Problem seven =
+    const Features seven =
         parse_spec("{{1,2,2,2,2,2,2},{{{0,1,1,1,1,1,1},{0,1,1}},{{1,1,1,1,1,1,1},{1,0,1}},"
                    "{{1,1,1,1,1,1,1},{1,0,1}}}}");
     const auto signature = signature_of(seven);
@@ -190,7 +190,7 @@ TEST_CASE("malformed specifications are refused with a column") {
         {"{{0},{{{2},{1}},{{1},{1}},{{1},{1}}}}", "0 or 1 for each line"},
         {"{{{{{{{{{{{{", "nested too deeply"},
         {"{{},{{{},{}},{{},{}},{{},{}}}}", "at least one point or line"},
-        {"P/P/P(", "')' after what no view sees"},
+        {"P/P/P(", "what no view sees, 'P' or letters of lines, and ')'"},
         {"-/-/-", "'(P)' for a point"},
     };
     for (const auto& [text, reason] : refused) {

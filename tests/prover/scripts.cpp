@@ -1,6 +1,6 @@
 // Scripts for Macaulay2 and Julia: what they state and declare, and what Macaulay2 says to them.
 #include "prover/scripts/scripts.h"
-#include "prover/geometry/jacobian.h"
+#include "prover/minimal/block.h"
 #include "tests/support/program.h"
 
 #include <algorithm>
@@ -33,13 +33,13 @@ struct Counts {
     int unknowns() const { return feature_unknowns + camera_unknowns; }
 };
 
-Counts count(const Problem& problem) {
+Counts count(const Features& problem) {
     Counts counts;
     for (const Feature& feature : problem) {
         counts.equations += weight(feature) + dimension_in_space(feature);
         counts.feature_unknowns += dimension_in_space(feature);
     }
-    counts.camera_unknowns = camera_unknowns(problem.front().views());
+    counts.camera_unknowns = calibrated_cameras.dimension(problem.front().views());
     return counts;
 }
 
@@ -87,7 +87,7 @@ void check_brackets(const std::string& text) {
 
 /// The generic rank of J, and of its columns of the features, by plprove's own Jacobian at a random
 /// point.
-std::array<slong, 2> ranks(const Problem& problem) {
+std::array<slong, 2> ranks(const Features& problem) {
     std::mt19937 random(1);
     const auto coordinate = [&] { return static_cast<std::int64_t>(random() % 199) - 99; };
     const auto vector = [&] { return Vector3{coordinate(), coordinate(), coordinate()}; };
@@ -121,7 +121,7 @@ TEST_CASE(
     "the Macaulay2 script has the equations and unknowns of the dimension counts, all declared") {
     for (const std::string& text : samples) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const Counts counts = count(problem);
         const std::string script = macaulay2_script(problem);
         CHECK(script == macaulay2_script(problem));
@@ -158,7 +158,7 @@ TEST_CASE(
 TEST_CASE("the Julia script has the equations and unknowns of the dimension counts, all declared") {
     for (const std::string& text : samples) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const Counts counts = count(problem);
         const std::string script = julia_script(problem);
         CHECK(script == julia_script(problem));
@@ -210,7 +210,7 @@ TEST_CASE("the Julia script has the equations and unknowns of the dimension coun
 }
 
 TEST_CASE("where no view sees anything the scripts are comments") {
-    const Problem problem = parse_problem("2*-/-/-(Pa)");
+    const Features problem = parse_features("2*-/-/-(Pa)");
     CHECK(matches(without_comments(macaulay2_script(problem), "--"), "\\S").empty());
     CHECK(matches(without_comments(julia_script(problem), "#"), "\\S").empty());
 }
@@ -241,7 +241,7 @@ TEST_CASE("Macaulay2 finds the ranks that plprove's own Jacobian has, and the kn
     const auto path = folder / "problem.m2";
     for (const auto& [text, verdict] : problems) {
         CAPTURE(text);
-        const Problem problem = parse_problem(text);
+        const Features problem = parse_features(text);
         const Counts counts = count(problem);
         const auto [rank, own] = ranks(problem);
         write_file(path, macaulay2_script(problem));

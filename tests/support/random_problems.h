@@ -28,9 +28,9 @@ public:
     }
 
     /// A class, chosen at random, with reducible features added: often camera-minimal, never small.
-    Problem around_a_class(int added) {
+    Features around_a_class(int added) {
         const auto number = static_cast<std::size_t>(below(143494));
-        Problem problem = problem_of(label_classes()[number]);
+        Features problem = problem_of(label_classes()[number]);
         for (int i = 0; i < added; ++i) {
             Feature extra = feature(3, 9);
             // What reduces to nothing keeps the verdict; the rest may spoil it, now and then.
@@ -46,13 +46,13 @@ public:
     }
 
     /// The same problem with its pins renamed and its features reordered.
-    Problem disguised(Problem problem) {
+    Features disguised(Features problem) {
         for (Feature& feature : problem) {
             std::vector<int> names(static_cast<std::size_t>(feature.lines));
             std::iota(names.begin(), names.end(), 0);
             shuffle(names);
             for (Sight& sight : feature.sights) {
-                std::uint32_t pins = 0;
+                std::uint64_t pins = 0;
                 for (std::size_t line = 0; line < names.size(); ++line)
                     pins |= (sight.pins >> line & 1U) << names[line];
                 sight.pins = pins;

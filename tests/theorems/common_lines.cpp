@@ -2,7 +2,7 @@
 // forms of three rotations lie on a quartic hypersurface, over the integers; and what determines
 // the rotations of a form.
 #include "checker/degrees/evaluation.h"
-#include "prover/geometry/camera.h"
+#include "prover/minimal/placement.h"
 #include "prover/three_views/degree.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // What a user expects is verified if the files prove just that, and not otherwise.
 #include "checker/bounds/registration.h"
-#include "prover/classification/problem_certificate.h"
+#include "prover/minimal/problem_certificate.h"
 #include "prover/problem/notation.h"
 #include "tests/support/random_problems.h"
 #include "tests/support/results.h"
@@ -27,7 +27,7 @@ constexpr ExpectedDegree at_least(std::size_t solutions) {
 
 /// The certificate of a problem, replayed.
 ReplayedFile certificate_of(const std::string& problem) {
-    const auto certificate = plprove::certify_problem(plprove::parse_problem(problem));
+    const auto certificate = plprove::certify_problem(plprove::parse_features(problem));
     return replay(all_classes(), "problem.plc", plprove::write(certificate));
 }
 
@@ -45,7 +45,7 @@ bool verified(const std::vector<ReplayedFile>& files, const Expectation& expecta
 }
 
 /// A problem with its views in another order.
-plprove::Problem with_views_rotated(plprove::Problem problem) {
+plprove::Features with_views_rotated(plprove::Features problem) {
     for (plprove::Feature& feature : problem)
         std::rotate(feature.sights.begin(), feature.sights.begin() + 1, feature.sights.end());
     return problem;
@@ -57,11 +57,11 @@ TEST_CASE("a problem is the same in another order, with other names of pins, and
     plprove::RandomProblems random(7);
     std::size_t changed = 0; // by an order of the views
     for (int i = 0; i < 300; ++i) {
-        const plprove::Problem problem = random.around_a_class(2);
+        const plprove::Features problem = random.around_a_class(2);
         const CanonicalProblem canonical = parse_problem(plprove::notation(problem));
         CAPTURE(plprove::notation(problem));
         CHECK(parse_problem(plprove::notation(random.disguised(problem))) == canonical);
-        plprove::Problem shorter = problem;
+        plprove::Features shorter = problem;
         shorter.pop_back();
         CHECK_FALSE(parse_problem(plprove::notation(shorter)) == canonical);
         changed += parse_problem(plprove::notation(with_views_rotated(problem))) != canonical;
@@ -72,6 +72,22 @@ TEST_CASE("a problem is the same in another order, with other names of pins, and
     CHECK(parse_problem("a/b/-") != parse_problem("a/a/-"));
     CHECK(parse_problem("Pab/b/a") == parse_problem("Pab/a/b"));
     CHECK(parse_problem("5*P/P").views == 2);
+}
+
+TEST_CASE("a problem is the same in both notations, with implied lines or without") {
+    plprove::RandomProblems random(8);
+    for (int i = 0; i < 200; ++i) {
+        const std::string text = plprove::notation(random.around_a_class(2));
+        CAPTURE(text);
+        CHECK(without_implied_lines(parse_general_problem(text)) == parse_problem(text));
+    }
+    CHECK(without_implied_lines(parse_general_problem("2*PL/PL/PL + P/P/P + a/a/a")) ==
+          parse_problem("3*P/P/P + a/a/a"));
+    CHECK(without_implied_lines(parse_general_problem("PLa/PLa/- + PL/PL/P + P/P/P")) ==
+          parse_problem("Pa/Pa/- + 2*P/P/P"));
+    for (const char* other :
+         {"3*PL/PL/PL + a/a/a", "PL/PL/PL + PL/PL/L + 2*P/P/P", "projective: 3*P/P/P + a/a/a"})
+        CHECK_FALSE(without_implied_lines(parse_general_problem(other)).has_value());
 }
 
 TEST_CASE("a problem is read with any blanks, and with equal features side by side") {

@@ -1,6 +1,6 @@
 // Degrees by theorem: they need no file, they are given to classes proved minimal in the same run
 // only, and they are called what they are.
-#include "prover/classification/problem_certificate.h"
+#include "prover/minimal/problem_certificate.h"
 #include "prover/problem/notation.h"
 #include "tests/support/degree_claims.h"
 #include "tests/support/minimal_classes.h"
@@ -76,7 +76,7 @@ TEST_CASE("theorems are asked of the classes that files bound, and of the one th
 
 TEST_CASE("a problem file of the class is enough: 2*Pa/Pa/Pa + P/P/P has exactly 312 solutions") {
     const std::string certificate =
-        plprove::write(plprove::certify_problem(plprove::parse_problem("2*Pa/Pa/Pa + P/P/P")));
+        plprove::write(plprove::certify_problem(plprove::parse_features("2*Pa/Pa/Pa + P/P/P")));
     const ReplayedFile problem = replay(all_classes(), "problem.plc", certificate);
     const Report report = summarize(all_classes(), {problem}, {}, true);
     CHECK(report.status == 0);

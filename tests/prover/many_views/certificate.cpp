@@ -4,8 +4,8 @@
 
 #include "checker/degrees/krawczyk.h"
 #include "checker/replay.h"
-#include "prover/general/notation.h"
 #include "prover/many_views/integer_pictures.h"
+#include "prover/problem/notation.h"
 #include "tests/support/all_classes.h"
 
 #include <doctest/doctest.h>
@@ -19,7 +19,7 @@ SolutionsRecord record_of(const std::string& text, int threads = 2) {
     MonodromySettings settings;
     settings.edges = settings.edges_of_few = 5;
     settings.threads = threads;
-    const MonodromyResult found = run_monodromy(general::parse(text), 1, settings);
+    const MonodromyResult found = run_monodromy(parse_problem(text), 1, settings);
     return certify(found, found.solutions, 1, threads);
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("each solution and each pair is written once, whatever the number of t
 
 TEST_CASE("integer images have different points on each line") {
     // Some seed would give the factors 0, 1 to one of so many dependent points.
-    const general::Problem problem = general::parse("3*PL/PL/PL/PL + a/a/a/a");
+    const Problem problem = parse_problem("3*PL/PL/PL/PL + a/a/a/a");
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Random random(seed, 1);
         for (const std::vector<int>& view : random_integer_images(problem, problem.views, random)) {

@@ -2,10 +2,9 @@
 #include "prover/many_views/degrees_on_file.h"
 
 #include "prover/catalogue/degrees.h"
-#include "prover/classification/decision.h"
-#include "prover/general/certificate.h"
-#include "prover/general/notation.h"
-#include "prover/general/spec.h"
+#include "prover/minimal/decision.h"
+#include "prover/minimal/problem_record.h"
+#include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 
 #include <doctest/doctest.h>
@@ -24,11 +23,10 @@ std::vector<DegreeOnFile> all_on_file() {
     return all;
 }
 
-std::set<std::string> minimal_problems(general::Family family) {
+std::set<std::string> minimal_problems(Family family) {
     std::set<std::string> problems;
-    for (const general::Problem& problem : general::family_problems(family))
-        if (general::is_minimal(general::certify(problem)))
-            problems.insert(general::notation(problem));
+    for (const Problem& problem : family_problems(family))
+        if (is_minimal(certify(problem))) problems.insert(notation(problem));
     return problems;
 }
 
@@ -36,8 +34,8 @@ std::set<std::string> minimal_problems(general::Family family) {
 
 TEST_CASE("degrees of families on file are of different minimal problems of these families") {
     std::map<std::string, std::set<std::string>> open{
-        {"plmp", minimal_problems(general::Family::plmp)},
-        {"projective", minimal_problems(general::Family::projective)}};
+        {"plmp", minimal_problems(Family::plmp)},
+        {"projective", minimal_problems(Family::projective)}};
     for (const DegreeOnFile& line : all_on_file()) {
         CAPTURE(line.problem);
         CHECK(open[std::string(line.family)].erase(std::string(line.problem)) == 1);
@@ -57,7 +55,7 @@ TEST_CASE("degrees of families on file are of different minimal problems of thes
 TEST_CASE("two engines agree on problems in three views with pins and free lines") {
     int compared = 0;
     for (const DegreeOnFile& line : all_on_file()) {
-        if (line.family != "plmp" || general::parse_spec(line.problem)) continue;
+        if (line.family != "plmp" || parse_general_spec(line.problem)) continue;
         const Decision decision = decide(parse_spec(std::string(line.problem)));
         if (!decision.classes) continue; // two views
         CAPTURE(line.problem);

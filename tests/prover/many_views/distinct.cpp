@@ -1,9 +1,9 @@
 // A solution counts once, however many approximations of it there are.
 #include "prover/many_views/distinct.h"
 
-#include "prover/general/notation.h"
 #include "prover/many_views/monodromy.h"
 #include "prover/monodromy/solution_set.h"
+#include "prover/problem/notation.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,7 @@ using namespace plprove::many_views;
 namespace {
 
 const MonodromyResult& five_points() {
-    static const MonodromyResult result = run_monodromy(general::parse("5*P/P"), 1, {});
+    static const MonodromyResult result = run_monodromy(parse_problem("5*P/P"), 1, {});
     REQUIRE(result.points.size() == 20);
     return result;
 }

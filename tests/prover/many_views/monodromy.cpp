@@ -1,7 +1,7 @@
 // Degrees that are known by other means, and results that threads do not change.
 #include "prover/many_views/monodromy.h"
 
-#include "prover/general/notation.h"
+#include "prover/problem/notation.h"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +14,7 @@ MonodromyResult found(const std::string& text, int edges, int threads = 2) {
     MonodromySettings settings;
     settings.edges = settings.edges_of_few = edges;
     settings.threads = threads;
-    const MonodromyResult result = run_monodromy(general::parse(text), 1, settings);
+    const MonodromyResult result = run_monodromy(parse_problem(text), 1, settings);
     CHECK(result.edges == edges);
     return result;
 }
@@ -38,8 +38,7 @@ TEST_CASE("monodromy finds as many solutions of a system as its symmetries divid
 
 TEST_CASE("problems with few solutions are followed along more ways") {
     // With five ways, one of these two solutions is missing for this seed.
-    const general::Problem problem =
-        general::parse("projective: 2*P/P/P + Pabcde/Pabcde/Pabcde + 2*a/a/a");
+    const Problem problem = parse_problem("projective: 2*P/P/P + Pabcde/Pabcde/Pabcde + 2*a/a/a");
     const MonodromyResult result = run_monodromy(problem, 1, {});
     CHECK(result.ways == 16);
     CHECK(result.edges == 16);
@@ -58,7 +57,7 @@ TEST_CASE("threads do not change what monodromy finds") {
 TEST_CASE("monodromy stops when it knows more solutions than wanted") {
     MonodromySettings settings;
     settings.most_solutions = 10;
-    const MonodromyResult result = run_monodromy(general::parse("3*P/P/P + a/a/a"), 1, settings);
+    const MonodromyResult result = run_monodromy(parse_problem("3*P/P/P + a/a/a"), 1, settings);
     CHECK(result.solutions > 10);
     CHECK(result.solutions < 216);
     CHECK(!result.complete());

@@ -2,9 +2,9 @@
 // that it is the same with every instruction set.
 #include "prover/many_views/path.h"
 
-#include "prover/general/notation.h"
 #include "prover/many_views/incidences.h"
 #include "prover/many_views/way.h"
+#include "prover/problem/notation.h"
 
 #include <doctest/doctest.h>
 
@@ -26,10 +26,10 @@ const char* const problems[] = {
 /// A way from images of a random scene to random images.
 struct Journey {
     explicit Journey(const char* text, std::uint64_t seed = 7)
-        : problem(general::parse(text)), random(seed, 0), system(problem, random),
+        : problem(parse_problem(text)), random(seed, 0), system(problem, random),
           scene(system.random_scene(random)), to(random_images(problem, random)) {}
 
-    general::Problem problem;
+    Problem problem;
     Random random;
     System system;
     SolvedImages scene;

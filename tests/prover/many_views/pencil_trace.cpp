@@ -2,9 +2,9 @@
 // them, is tests/families/six_views_trace.cpp.
 #include "prover/many_views/pencil_trace.h"
 
-#include "prover/general/notation.h"
 #include "prover/many_views/monodromy.h"
 #include "prover/many_views/path.h"
+#include "prover/problem/notation.h"
 
 #include <Eigen/LU>
 #include <doctest/doctest.h>
@@ -23,7 +23,7 @@ const MonodromyResult& some_solutions() {
     static const MonodromyResult result = [] {
         MonodromySettings settings;
         settings.most_solutions = 40;
-        return run_monodromy(general::parse("Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a"), 1, settings);
+        return run_monodromy(parse_problem("Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a"), 1, settings);
     }();
     return result;
 }

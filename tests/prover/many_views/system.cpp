@@ -2,7 +2,7 @@
 // right.
 #include "prover/many_views/system.h"
 
-#include "prover/general/notation.h"
+#include "prover/problem/notation.h"
 
 #include <Eigen/LU>
 #include <doctest/doctest.h>
@@ -32,7 +32,7 @@ TEST_CASE("there are as many equations as unknowns, and the scene solves them") 
     for (const std::string& text : problems) {
         CAPTURE(text);
         Random random(3, 1);
-        const System system(general::parse(text), random);
+        const System system(parse_problem(text), random);
         const SolvedImages scene = system.random_scene(random);
         Evaluation at_scene;
         system.evaluate(on_the_way(scene.images, scene.images, 0), scene.solution, at_scene);
@@ -54,7 +54,7 @@ TEST_CASE("derivatives are limits of differences") {
     for (const std::string& text : problems) {
         CAPTURE(text);
         Random random(4, 1);
-        const System system(general::parse(text), random);
+        const System system(parse_problem(text), random);
         const auto from = random_images(system.problem(), random);
         const auto to = random_images(system.problem(), random);
         const Point point = system.random_scene(random).solution;
@@ -79,8 +79,8 @@ TEST_CASE("derivatives are limits of differences") {
 
 TEST_CASE("a camera whose quaternion has norm zero is told from one that is nearly so") {
     Random random(5, 1);
-    const System system(general::parse("3*PL/PL/PL/PL + a/a/a/a"),
-                        many_views::CameraChart::standard(general::CameraModel::calibrated, 4));
+    const System system(parse_problem("3*PL/PL/PL/PL + a/a/a/a"),
+                        many_views::CameraChart::standard(calibrated_cameras, 4));
     Point point = system.random_scene(random).solution;
     CHECK(!system.has_null_quaternion(point));
     const Eigen::Index last = system.depths() + system.chart().offset(3);
@@ -92,6 +92,6 @@ TEST_CASE("a camera whose quaternion has norm zero is told from one that is near
     CHECK(camera.leftCols<3>().fullPivLu().rank() == 1);
     point[last + 2] += 1e-5;
     CHECK(!system.has_null_quaternion(point));
-    const System projective(general::parse("projective: 7*P/P"), random);
+    const System projective(parse_problem("projective: 7*P/P"), random);
     CHECK(!projective.has_null_quaternion(projective.random_scene(random).solution));
 }

@@ -75,7 +75,7 @@ TEST_CASE("images in pixels are kept exactly; of more digits, those nearby say h
                              "Pa/a/P + 3*P/-/P",
                              "a/P/P + P/P/P + a/a/a + 4*P/P/-"}) {
         CAPTURE(text);
-        const SolvePlan how = plan(parse_problem(text));
+        const SolvePlan how = plan(parse_features(text));
         const CameraSystem system = camera_system(label_classes()[*how.number]);
         const GivenImages images =
             read_images(images_file(synthetic_scene(how.problem, 3)), "f", how.problem);
@@ -103,7 +103,7 @@ TEST_CASE("images of few digits are kept exactly") {
         {"views": [{"point": [-1, 1]}, {"point": [2, -0.3]}, {"point": [0.4, 0.9]}]},
         {"views": [{"lines": {"a": [1, 2, 3]}}, {"lines": {"a": [[0, 0.5], [1, 0]]}},
                    {"lines": {"a": [0.001, -1, 5]}}]}]})";
-    const SolvePlan how = plan(parse_problem("3*P/P/P + a/a/a"));
+    const SolvePlan how = plan(parse_features("3*P/P/P + a/a/a"));
     const CameraSystem system = camera_system(label_classes()[*how.number]);
     const GivenImages images = read_images(text, "f", how.problem);
     const IntegerImages integers = integer_images(how, system, consistent(images));

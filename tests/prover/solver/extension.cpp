@@ -51,7 +51,7 @@ bool contains(const FoundCameras& all, const FoundCameras& some) {
 TEST_CASE("templates find the cameras that paths find") {
     for (const Extension& extension : extensions) {
         CAPTURE(extension.problem);
-        const SolvePlan how = plan(parse_problem(extension.problem));
+        const SolvePlan how = plan(parse_features(extension.problem));
         const CameraSolver solver(find_start(*how.number, 0));
         int without_paths = 0;
         for (std::uint64_t seed = 0; seed < 5; ++seed) {
@@ -73,7 +73,7 @@ TEST_CASE("templates find the cameras that paths find") {
 
 TEST_CASE("what is not a number is no camera") {
     // In this scene a template has solutions that overflow.
-    const SolvePlan how = plan(parse_problem("a/Pa/Pa + 4*-/P/P + 4*P/-/P"));
+    const SolvePlan how = plan(parse_features("a/Pa/Pa + 4*-/P/P + 4*P/-/P"));
     const CameraSolver solver(find_start(*how.number, 0));
     const FoundCameras found = solver.solve(images_of(how, solver.system(), 4), {});
     CHECK(found.cameras.size() == 400);
@@ -86,20 +86,20 @@ TEST_CASE("what is not a number is no camera") {
 TEST_CASE("each frame has its template, and problems that are no extensions have none") {
     for (const Extension& extension : extensions) {
         CAPTURE(extension.problem);
-        const auto number = plan(parse_problem(extension.problem)).number;
+        const auto number = plan(parse_features(extension.problem)).number;
         const auto solver = ExtensionSolver::make(label_classes()[*number]);
         REQUIRE(solver);
         CHECK(solver->registration().frame() == extension.frame);
         CHECK(solver->registration().solutions() == extension.registrations);
     }
-    const auto chicago = plan(parse_problem("2*Pa/Pa/Pa + P/P/P")).number;
+    const auto chicago = plan(parse_features("2*Pa/Pa/Pa + P/P/P")).number;
     CHECK_FALSE(ExtensionSolver::make(label_classes()[*chicago]));
 }
 
 TEST_CASE("the equations vanish at the cameras that made the images, and nowhere else") {
     for (const Extension& extension : extensions) {
         CAPTURE(extension.problem);
-        const SolvePlan how = plan(parse_problem(extension.problem));
+        const SolvePlan how = plan(parse_features(extension.problem));
         const Signature& signature = label_classes()[*how.number];
         const CameraSystem system = camera_system(signature);
         const SyntheticScene synthetic = synthetic_scene(how.problem, 7);
@@ -135,7 +135,7 @@ TEST_CASE("the equations vanish at the cameras that made the images, and nowhere
 }
 
 TEST_CASE("any number of threads finds the same cameras, to the last bit") {
-    const SolvePlan how = plan(parse_problem(extensions[0].problem));
+    const SolvePlan how = plan(parse_features(extensions[0].problem));
     const CameraSolver solver(find_start(*how.number, 0));
     const auto images = images_of(how, solver.system(), 1);
     for (const bool templates : {true, false}) {

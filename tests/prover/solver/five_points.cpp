@@ -25,7 +25,7 @@ Points points_in(const SyntheticScene& scene, std::size_t view) {
 TEST_CASE("20 different poses whose rays meet, and which come in conjugate pairs") {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         CAPTURE(seed);
-        const SyntheticScene scene = synthetic_scene(parse_problem("5*P/P"), seed);
+        const SyntheticScene scene = synthetic_scene(parse_features("5*P/P"), seed);
         const Points x = points_in(scene, 0), y = points_in(scene, 1);
         const auto poses = five_point_poses(x, y);
         REQUIRE(poses.size() == 20);
@@ -52,7 +52,7 @@ TEST_CASE("20 different poses whose rays meet, and which come in conjugate pairs
 }
 
 TEST_CASE("equal points leave no pencil of essential matrices") {
-    const SyntheticScene scene = synthetic_scene(parse_problem("5*P/P"), 1);
+    const SyntheticScene scene = synthetic_scene(parse_features("5*P/P"), 1);
     Points x = points_in(scene, 0), y = points_in(scene, 1);
     x[4] = x[3];
     y[4] = y[3];

@@ -21,7 +21,7 @@ const Start& start_of(std::size_t number) {
     return starts.emplace(number, find_start(number, 0)).first->second;
 }
 
-Solver solver_of(const Problem& problem) {
+Solver solver_of(const Features& problem) {
     SolvePlan how = plan(problem);
     if (!how.number) return Solver(std::move(how));
     const std::size_t number = *how.number;
@@ -45,7 +45,7 @@ void check_feature(const SpaceFeature& found, const SyntheticScene& scene, std::
 Solution check_truth(const std::string& notation_of_problem, std::uint64_t seed) {
     CAPTURE(notation_of_problem);
     CAPTURE(seed);
-    const SyntheticScene scene = synthetic_scene(parse_problem(notation_of_problem), seed);
+    const SyntheticScene scene = synthetic_scene(parse_features(notation_of_problem), seed);
     const Answer answer = solver_of(scene.problem).solve(scene.images, SolveOptions{});
     CHECK(answer.lost == 0);
     CHECK(answer.found == answer.degree);
@@ -92,7 +92,7 @@ TEST_CASE("the true cameras are among the solutions: problems that are not reduc
     // Pins seen by one or two views, dangling ones, points seen once, lines seen twice.
     for (const char* problem : {"Pab/Pa/Pa + Pabc/Pac/Pa + P/P/P + P/-/- + a/a/-",
                                 "Pa/Pab/Pab + Pa/Pa/Pa + P/P/P + P/a/-", "3*P/P/P + a/Pa/a"}) {
-        const SolvePlan how = plan(parse_problem(problem));
+        const SolvePlan how = plan(parse_features(problem));
         REQUIRE(how.number);
         check_truth(problem, 3);
     }
@@ -118,11 +118,11 @@ TEST_CASE("in two views the true cameras are among the 20 poses of five points")
 }
 
 TEST_CASE("a problem with its views in another order has the same solutions") {
-    const Problem problem = parse_problem("P/P/P + a/a/a + a/P/Pa + 4*P/P/-");
+    const Features problem = parse_features("P/P/P + a/a/a + a/P/Pa + 4*P/P/-");
     const SyntheticScene scene = synthetic_scene(problem, 4);
     const Answer answer = solver_of(problem).solve(scene.images, SolveOptions{});
     const std::array<int, 3> from{0, 2, 1}; // the first view stays, and so does the frame
-    Problem relabeled;
+    Features relabeled;
     SeenImages images = scene.images;
     for (std::size_t f = 0; f < problem.size(); ++f) {
         relabeled.push_back(relabel_views(problem[f], from));
@@ -141,15 +141,15 @@ TEST_CASE("a problem with its views in another order has the same solutions") {
 }
 
 TEST_CASE("what is neither minimal nor camera-minimal is refused, and a start of another class") {
-    CHECK_THROWS(plan(parse_problem("4*P/P")));
-    CHECK_THROWS(plan(parse_problem("P/P/P")));
-    CHECK_THROWS(Solver(plan(parse_problem("3*P/P/P + a/a/a")), start_of(2394)));
-    CHECK_THROWS(Solver(plan(parse_problem("5*P/P")), start_of(2394)));
-    CHECK_THROWS(Solver(plan(parse_problem("3*P/P/P + a/a/a"))));
+    CHECK_THROWS(plan(parse_features("4*P/P")));
+    CHECK_THROWS(plan(parse_features("P/P/P")));
+    CHECK_THROWS(Solver(plan(parse_features("3*P/P/P + a/a/a")), start_of(2394)));
+    CHECK_THROWS(Solver(plan(parse_features("5*P/P")), start_of(2394)));
+    CHECK_THROWS(Solver(plan(parse_features("3*P/P/P + a/a/a"))));
 }
 
 TEST_CASE("the condition is the largest change of the cameras that small changes make") {
-    const Problem problem = parse_problem("2*Pa/Pa/Pa + P/P/P");
+    const Features problem = parse_features("2*Pa/Pa/Pa + P/P/P");
     const SyntheticScene scene = synthetic_scene(problem, 11);
     const Solver solver = solver_of(problem);
     const Solution truth = solver_tests::nearest(solver.solve(scene.images, SolveOptions{}), scene);

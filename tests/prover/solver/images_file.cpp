@@ -11,7 +11,7 @@ using namespace plprove;
 
 namespace {
 
-const Problem pin = parse_problem("Pa/a/-");
+const Features pin = parse_features("Pa/a/-");
 
 /// A file for the problem above; the texts are what the first two views see of it, and cameras.
 std::string file(const std::string& first, const std::string& second,
@@ -139,7 +139,7 @@ TEST_CASE("what is wrong is refused, and where it is") {
 }
 
 TEST_CASE("images that no generic scene has are refused") {
-    const auto refusal = [](const std::string& text, const Problem& problem) -> std::string {
+    const auto refusal = [](const std::string& text, const Features& problem) -> std::string {
         const GivenImages images = read_images(text, "f", problem);
         try {
             refuse_degenerate(images);
@@ -152,7 +152,7 @@ TEST_CASE("images that no generic scene has are refused") {
         return R"({"features": [{"name": "corner", "views": [{"point": [0, 1]}, {"point": )" +
                first + R"(}]}, {"views": [{"point": [2, 1]}, {"point": )" + second + "}]}]}";
     };
-    const Problem problem = parse_problem("2*P/P");
+    const Features problem = parse_features("2*P/P");
     CHECK(refusal(points("[3, 1]", "[5, 2]"), problem).empty());
     CHECK(refusal(points("[3, 1]", "[3, 1.0]"), problem)
               .starts_with("view 2 sees feature 1 (P/P, corner) and feature 2 (P/P) at the same "
@@ -161,7 +161,7 @@ TEST_CASE("images that no generic scene has are refused") {
 }
 
 TEST_CASE("the images of a synthetic scene are read back to a millionth of a pixel") {
-    const SyntheticScene scene = synthetic_scene(parse_problem("2*Pa/Pa/Pa + P/P/P"), 1);
+    const SyntheticScene scene = synthetic_scene(parse_features("2*Pa/Pa/Pa + P/P/P"), 1);
     const GivenImages images = read_images(images_file(scene), "f", scene.problem);
     const ConsistentImages normalised = consistent(images);
     CHECK(normalised.moved == 0);

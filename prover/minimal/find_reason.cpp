@@ -1,0 +1,151 @@
+#include "prover/minimal/reason.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace plprove {
+
+namespace {
+
+std::optional<FourCollinear> four_collinear(const Problem& problem) {
+    for (const Line& line : problem.lines)
+        for (int first = 0; first < problem.views; ++first)
+            for (int second = first + 1; second < problem.views; ++second) {
+                const ViewSet both = ViewSet{1} << first | ViewSet{1} << second;
+                std::vector<int> seen;
+                for (const int point : line.points)
+                    if ((problem.points[static_cast<std::size_t>(point)] & both) == both)
+                        seen.push_back(point);
+                if (seen.size() >= 4)
+                    return FourCollinear{{seen[0], seen[1], seen[2], seen[3]}, {first, second}};
+            }
+    return std::nullopt;
+}
+
+/// The best reason seen so far.
+class Search {
+public:
+    explicit Search(const Problem& problem) : problem_(problem) {}
+
+    void consider(const Subproblem& part, const CameraMotion& motion) {
+        const std::optional<int> found = excess(problem_, part, motion);
+        if (!found || *found < 1 || (best_ && best_->excess >= *found)) return;
+        best_ = OverconstrainedPart{part, motion, *found};
+    }
+
+    /// Motions with these points among the generators, and up to `more` lines.
+    void consider_with_lines(const Subproblem& part, CameraMotion& motion, std::size_t first,
+                             int more) {
+        consider(part, motion);
+        if (more == 0) return;
+        for (std::size_t i = first; i < part.lines.size(); ++i) {
+            motion.lines.push_back(part.lines[i]);
+            consider_with_lines(part, motion, i + 1, more - 1);
+            motion.lines.pop_back();
+        }
+    }
+
+    void consider_motions(const Subproblem& part, ViewSet moving) {
+        const CameraModel& cameras = *problem_.cameras;
+        // Lines among the generators are worth a search only where all cameras move: there are
+        // up to 4,096 choices of moving views.
+        const int most_lines = moving == part.views ? 2 : 0;
+        if (cameras.keeps_planes) {
+            CameraMotion plane{MotionKind::plane, 0, moving, seen_by(part, moving), {}};
+            consider_with_lines(part, plane, 0, most_lines);
+        }
+        for (const int centre : part.points) {
+            CameraMotion star{MotionKind::star, centre, moving, {}, {}};
+            if (cameras.keeps_lines) star.points = seen_by(part, moving);
+            std::erase(star.points, centre);
+            consider_with_lines(part, star, 0, cameras.keeps_lines ? most_lines : 0);
+        }
+    }
+
+    std::optional<OverconstrainedPart> take() { return std::move(best_); }
+
+private:
+    std::vector<int> seen_by(const Subproblem& part, ViewSet views) const {
+        std::vector<int> points;
+        for (const int point : part.points)
+            if ((problem_.points[static_cast<std::size_t>(point)] & views) != 0)
+                points.push_back(point);
+        return points;
+    }
+
+    const Problem& problem_;
+    std::optional<OverconstrainedPart> best_;
+};
+
+/// The part of a problem that two views or more see in common: of each point and line, it has those
+/// that all these views see.
+Subproblem common_part(const Problem& problem, ViewSet views) {
+    Subproblem part{views, {}, {}};
+    for (std::size_t i = 0; i < problem.points.size(); ++i)
+        if ((problem.points[i] & views) == views) part.points.push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < problem.lines.size(); ++i)
+        if ((problem.lines[i].seen & views) == views) part.lines.push_back(static_cast<int>(i));
+    return part;
+}
+
+/// The part without the point and its pins, or without the line.
+Subproblem without_point(const Problem& problem, Subproblem part, int point) {
+    std::erase(part.points, point);
+    std::erase_if(part.lines, [&](int number) {
+        return problem.lines[static_cast<std::size_t>(number)].points == std::vector<int>{point};
+    });
+    return part;
+}
+
+Subproblem without_line(Subproblem part, int line) {
+    std::erase(part.lines, line);
+    return part;
+}
+
+/// Leaves out points and lines as long as the images of the rest have more parameters to spare.
+Subproblem densest(const Problem& problem, Subproblem part) {
+    const auto parameters_to_spare = [&](const Subproblem& candidate) {
+        return is_part(problem, candidate) ? excess(problem, candidate, {}) : std::nullopt;
+    };
+    for (bool changed = true; changed;) {
+        changed = false;
+        std::vector<Subproblem> candidates;
+        for (const int point : part.points)
+            candidates.push_back(without_point(problem, part, point));
+        for (const int line : part.lines)
+            candidates.push_back(without_line(part, line));
+        for (const Subproblem& candidate : candidates)
+            if (!changed && parameters_to_spare(candidate) > parameters_to_spare(part)) {
+                part = candidate;
+                changed = true;
+            }
+    }
+    return part;
+}
+
+} // namespace
+
+std::optional<Reason> find_reason(const Problem& problem) {
+    if (const std::optional<FourCollinear> four = four_collinear(problem)) return *four;
+    Search search(problem);
+    const ViewSet all = all_views(problem.views);
+    search.consider(whole(problem), {});
+    search.consider_motions(whole(problem), all);
+    if (std::optional<OverconstrainedPart> found = search.take()) return *std::move(found);
+    for (ViewSet views = 1; views <= all; ++views) {
+        if (views != all) search.consider_motions(whole(problem), views);
+        if (std::popcount(views) < 2) continue;
+        Subproblem in_these_views = whole(problem);
+        in_these_views.views = views;
+        for (const Subproblem& part :
+             {common_part(problem, views), densest(problem, std::move(in_these_views))}) {
+            if (!is_part(problem, part)) continue;
+            search.consider(part, {});
+            search.consider_motions(part, views);
+        }
+    }
+    if (std::optional<OverconstrainedPart> found = search.take()) return *std::move(found);
+    return std::nullopt;
+}
+
+} // namespace plprove

@@ -1,0 +1,152 @@
+#include "prover/minimal/problem_record.h"
+
+#include "prover/problem/notation.h"
+
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+
+namespace plprove {
+
+namespace {
+
+constexpr int tries = 100;
+constexpr std::int64_t small = 9;
+constexpr std::int64_t large = 999999;
+
+/// Random integers of at most this size, the same on every machine.
+class RandomCoordinates {
+public:
+    RandomCoordinates(unsigned seed, std::int64_t largest) : engine_(seed), largest_(largest) {}
+
+    Coordinates take(int count) {
+        Coordinates result;
+        const auto range = static_cast<std::uint64_t>(2 * largest_ + 1);
+        for (int i = 0; i < count; ++i)
+            result.push_back(static_cast<std::int64_t>(engine_() % range) - largest_);
+        return result;
+    }
+
+private:
+    std::mt19937_64 engine_;
+    std::int64_t largest_;
+};
+
+Instance random_instance(const Problem& problem, unsigned seed, std::int64_t largest) {
+    RandomCoordinates coordinates(seed, largest);
+    Instance instance;
+    for (int view = 1; view < problem.views; ++view)
+        instance.cameras.push_back(coordinates.take(problem.cameras->numbers));
+    std::ranges::copy(problem.cameras->start_of_second, instance.cameras.front().begin());
+    instance.scene = coordinates.take(scene_coordinates(problem));
+    return instance;
+}
+
+Residue minor_at(const Problem& problem, const Instance& instance) {
+    return nmod_mat_det(jacobian_modulo_q(problem, instance).get());
+}
+
+/// A point with small coordinates and full rank. Large coordinates tell whether there is one.
+std::optional<FullRank> find_full_rank(const Problem& problem) {
+    if (minor_at(problem, random_instance(problem, 1, large)) == 0) return std::nullopt;
+    for (unsigned seed = 1; seed <= tries; ++seed) {
+        FullRank found{random_instance(problem, seed, small), 0};
+        found.minor = minor_at(problem, found.instance);
+        if (found.minor != 0) return found;
+    }
+    return std::nullopt;
+}
+
+std::string plural(int count, const std::string& noun) {
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+/// The numbers from 1 of what is counted from 0, each after a blank.
+std::string list(const std::vector<int>& numbers) {
+    std::string text;
+    for (const int number : numbers)
+        text += ' ' + std::to_string(number + 1);
+    return text.empty() ? " -" : text;
+}
+
+struct Explain {
+    const Problem& problem;
+
+    std::string operator()(const FullRank&) const {
+        return "the images put as many conditions as cameras and scene have parameters, "
+               "independent at generic images";
+    }
+    std::string operator()(const Unbalanced&) const {
+        const int parameters =
+            dimension_in_space(problem) + problem.cameras->dimension(problem.views);
+        const int images = dimension_in_views(problem);
+        return "cameras and scene have " + plural(parameters, "parameter") + ", the images " +
+               std::to_string(images);
+    }
+    std::string operator()(const FourCollinear& four) const {
+        return "points " + std::to_string(four.points[0] + 1) + ", " +
+               std::to_string(four.points[1] + 1) + ", " + std::to_string(four.points[2] + 1) +
+               " and " + std::to_string(four.points[3] + 1) +
+               " lie on a line: their cross-ratio is the same in views " +
+               std::to_string(four.views[0] + 1) + " and " + std::to_string(four.views[1] + 1);
+    }
+    std::string operator()(const OverconstrainedPart& reason) const {
+        const std::string conditions =
+            ", so its images satisfy at least " + plural(reason.excess, "condition");
+        return subject(reason.part) + ' ' + what_happens(reason.motion) + conditions;
+    }
+
+    std::string subject(const Subproblem& part) const {
+        const Subproblem all = whole(problem);
+        if (part.views == all.views && part.points == all.points && part.lines == all.lines)
+            return "the problem";
+        std::vector<int> views;
+        for (int view = 0; view < problem.views; ++view)
+            if (contains(part.views, view)) views.push_back(view);
+        return "the part of points" + list(part.points) + " and lines" + list(part.lines) +
+               " in views" + list(views);
+    }
+
+    std::string what_happens(const CameraMotion& motion) const {
+        if (motion.kind == MotionKind::none) return "has fewer parameters than its images";
+        if (motion.kind == MotionKind::plane)
+            return "looks the same when cameras move and keep the images of a plane";
+        const std::string point = " point " + std::to_string(motion.centre + 1);
+        return !problem.cameras->keeps_lines
+                   ? "looks the same when cameras slide along their rays to" + point
+                   : "looks the same when cameras move and keep the images of all lines through" +
+                         point;
+    }
+};
+
+} // namespace
+
+bool is_minimal(const ProblemRecord& certificate) {
+    return std::holds_alternative<FullRank>(certificate.evidence);
+}
+
+std::string verdict(const ProblemRecord& certificate) {
+    if (is_minimal(certificate)) return "minimal";
+    return std::holds_alternative<Unbalanced>(certificate.evidence) ? "unbalanced" : "not minimal";
+}
+
+std::string explanation(const ProblemRecord& certificate) {
+    return std::visit(Explain{certificate.problem}, certificate.evidence);
+}
+
+ProblemRecord certify(const Problem& problem) {
+    const std::string text = notation(problem);
+    ProblemRecord certificate{parse_problem(text), Unbalanced{}};
+    if (!is_balanced(certificate.problem)) return certificate;
+    if (std::optional<FullRank> full_rank = find_full_rank(certificate.problem))
+        certificate.evidence = *std::move(full_rank);
+    else if (const std::optional<Reason> reason = find_reason(certificate.problem))
+        std::visit([&](const auto& found) { certificate.evidence = found; }, *reason);
+    else
+        throw std::runtime_error("no certificate found for " + text +
+                                 ": it looks as if it were not minimal, but no known reason "
+                                 "applies; please report it");
+    return certificate;
+}
+
+} // namespace plprove

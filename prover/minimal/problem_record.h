@@ -1,0 +1,48 @@
+// Certificates of verdicts on problems in general, and the files that hold them (certs/FORMAT.md,
+// section 13).
+#pragma once
+
+#include "prover/minimal/jacobian.h"
+#include "prover/minimal/reason.h"
+#include "prover/problem/complete_visibility.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <variant>
+
+namespace plprove {
+
+/// A square Jacobian whose determinant modulo q is not 0.
+struct FullRank {
+    Instance instance;
+    Residue minor = 0;
+};
+
+/// The images have more degrees of freedom than cameras and scene, or fewer.
+struct Unbalanced {};
+
+using Proof = std::variant<FullRank, Unbalanced, FourCollinear, OverconstrainedPart>;
+
+/// The problem, with its lines in the order of its notation, and what proves the verdict.
+struct ProblemRecord {
+    Problem problem;
+    Proof evidence;
+};
+
+bool is_minimal(const ProblemRecord& certificate);
+
+/// The verdict in a word, and the reason in a sentence.
+std::string verdict(const ProblemRecord& certificate);
+std::string explanation(const ProblemRecord& certificate);
+
+/// Certifies whether the problem is minimal. Throws std::runtime_error if the problem is balanced,
+/// no point of the search has full rank, and no reason is found.
+ProblemRecord certify(const Problem& problem);
+
+/// The file with these certificates; as an archive of a family, if one is named. Throws FormatLimit
+/// if the format does not allow it.
+std::string write(std::span<const ProblemRecord> certificates);
+std::string write(std::span<const ProblemRecord> certificates, Family family);
+
+} // namespace plprove
