@@ -190,7 +190,7 @@ TEST_CASE("a sweep goes on after mpirun got Ctrl-C or SIGTERM") {
     }
 }
 
-TEST_CASE("what rank 0 refuses, or any rank cannot write, is said once and ends all ranks") {
+TEST_CASE("what rank 0 refuses is said once; that, or what any rank cannot write, ends all") {
     const SweepByOne one;
     const Outcome none = run(shell(by_ranks(3), {"degrees", "--classes", "0", "-o", "/nowhere"}));
     CHECK(none.status == 2);
@@ -202,8 +202,7 @@ TEST_CASE("what rank 0 refuses, or any rank cannot write, is said once and ends 
     write_file(sweep / "seed-0" / "060", ""); // where a folder should be
     const Outcome full = run(shell(by_ranks(3), sweep_of(sweep)));
     CHECK(full.status == 1);
-    CHECK(occurrences(full.err, "plprove: ") == 1);
-    CHECK(contains(full.err, "seed-0/060"));
+    CHECK(contains(full.err, "seed-0/060")); // by each rank that comes to it before mpirun ends it
 }
 
 TEST_CASE("wrong usage is said once, and so is the help") {
@@ -235,7 +234,7 @@ TEST_CASE("rank 0 shows its progress on the terminal of mpirun, and nothing in a
     const auto on_terminal = [&](const std::string& script) {
         return run("script -qec 'sh " + (folder / script).string() + "' /dev/null");
     };
-    CHECK(contains(on_terminal("shown.sh").out, "\rcomputing degrees: "));
+    CHECK(contains(on_terminal("shown.sh").out, "\rcomputing degrees of rank 0: "));
     CHECK(!contains(on_terminal("piped.sh").out, "computing degrees"));
     CHECK(!contains(read_file(folder / "errors"), "computing degrees"));
 }

@@ -2,6 +2,7 @@
 #include "prover/catalogue/degrees.h"
 #include "prover/cli/filter_options.h"
 #include "prover/degree_sweep/collect.h"
+#include "prover/system/exit.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/program.h"
 
@@ -44,7 +45,7 @@ TEST_CASE("filters choose the constraint classes that have a member which passes
           chosen({number_of("4*P/a/a + Pab/b/a + 4*a/P/a + 2*a/a/P").c_str()}));
     for (const char* none : {"0", "points 99", "not-minimal"}) {
         CAPTURE(none);
-        CHECK_THROWS_AS(chosen({none}), std::invalid_argument);
+        CHECK_THROWS_AS(chosen({none}), BadInput);
     }
     for (const char* wrong : {"", " ", "nonsense", "--nonsense", "points", "points x", "5..2",
                               "1,,2", "-1", "pl0p=3x", "1234567"}) {
@@ -131,6 +132,45 @@ TEST_CASE("the classes that are expected to be small come first") {
     CHECK(plan.classes.size() == classes.size());
     CHECK(std::ranges::is_sorted(plan.costs));
     CHECK(plan.costs.front() < plan.costs.back());
+}
+
+TEST_CASE("processes share out the classes: each has one owner, and none much more than its part") {
+    const std::vector<std::size_t> classes = minimal_constraint_classes();
+    for (const std::size_t processes : {1, 2, 7, 64}) {
+        CAPTURE(processes);
+        std::vector<std::size_t> all;
+        std::vector<int> solutions;
+        for (std::size_t process = 0; process < processes; ++process) {
+            const std::vector<std::size_t> share = share_of(classes, process, processes);
+            solutions.push_back(0);
+            for (const std::size_t number : share)
+                solutions.back() += degree_on_file(number).value();
+            all.insert(all.end(), share.begin(), share.end());
+        }
+        std::ranges::sort(all);
+        CHECK(all == classes);
+        const auto [least, most] = std::ranges::minmax(solutions);
+        CHECK(most - least <= 43224); // the largest degree
+    }
+}
+
+TEST_CASE("lack of memory ends a sweep, and results are kept") {
+    const std::vector<std::size_t> classes = some_classes();
+    const TemporaryFolder folder;
+    const SweepFolder results(folder.path(), 0);
+    SweepPlan plan = plan_sweep(results, classes, {30, 0, true}, false);
+    plan.threads = 2;
+    const std::size_t bad = plan.classes[40];
+    const auto compute = [&](std::size_t number, const DegreeOptions& options) {
+        if (number == bad) throw std::bad_alloc();
+        return fake_engine::compute(number, options);
+    };
+    CHECK_THROWS_AS(sweep(results, plan, compute, unwatched), std::bad_alloc);
+    const std::vector<std::size_t> kept = results.numbers();
+    CHECK(kept.size() >= 40);
+    CHECK(std::ranges::find(kept, bad) == kept.end());
+    run_sweep(results, classes, {30, 0, true});
+    CHECK(results.numbers() == classes);
 }
 
 TEST_CASE("a folder is locked once") {
