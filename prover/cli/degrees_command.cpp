@@ -49,9 +49,8 @@ constexpr const char* collect_examples =
 
 struct DegreesRequest {
     std::string folder;
-    DegreeOptions options{300, 0, true};
+    DegreeOptions options{300};
     bool exact = false;
-    bool no_certificates = false;
     bool retry = false;
     unsigned threads = 0; ///< 0: as many as are useful
     std::vector<ClassFilter> classes;
@@ -177,7 +176,6 @@ bool write_collection(const SweepFolder& folder, const Selection& selection) {
 DegreeOptions options_of(const DegreesRequest& request) {
     DegreeOptions options = request.options;
     if (request.exact) options.target = 0;
-    options.certificate = !request.no_certificates;
     return options;
 }
 
@@ -283,8 +281,6 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
                      "one a rank)")
         ->check(CLI::Range(1, 1024));
     add_seed(*command, request->options.seed);
-    command->add_flag("--no-certificates", request->no_certificates,
-                      "compute degrees only: quicker");
     command->add_flag("--retry", request->retry,
                       "compute those again that fell short before, or whose file is damaged");
     command->footer(degrees_examples);

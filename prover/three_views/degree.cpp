@@ -34,8 +34,7 @@ DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
         run.certificate = std::move(certificate);
         run.certificate->number = number;
     }
-    run.all = options.degree > 0 && run.degree == options.degree;
-    if (!options.certificate) run.certificate.reset();
+    run.complete = options.degree > 0 && run.degree == options.degree;
     return run;
 }
 

@@ -58,8 +58,8 @@ TEST_CASE("results do not depend on the number of threads") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder one, four;
     const SweepFolder by_one(one.path(), 0), by_four(four.path(), 0);
-    run_sweep(by_one, classes, {30, 0, true}, 1);
-    run_sweep(by_four, classes, {30, 0, true}, 4);
+    run_sweep(by_one, classes, {30, 0}, 1);
+    run_sweep(by_four, classes, {30, 0}, 4);
     const Collected collected = collect(by_one, {});
     CHECK(collected.classes > 0);
     CHECK(collect(by_four, {}).solutions == collected.solutions);
@@ -78,27 +78,26 @@ TEST_CASE("what is on file is not computed again, unless more is asked for") {
     const auto above = [&](int degree) {
         return count([&](std::size_t n) { return is_well(n) && fake_engine::degree(n) >= degree; });
     };
-    CHECK(left_to_do(results, classes, {20, 0, true}) == classes.size());
-    run_sweep(results, classes, {20, 0, true});
-    CHECK(left_to_do(results, classes, {20, 0, true}) == 0);
-    CHECK(left_to_do(results, classes, {20, 0, true}, true) == classes.size() - well);
-    CHECK(left_to_do(results, classes, {10, 0, true}) == classes.size() - well);
-    CHECK(left_to_do(results, classes, {30, 0, true}) == classes.size() - well + above(20));
-    CHECK(left_to_do(results, classes, {0, 0, true}) == classes.size() - well + above(20));
-    CHECK(left_to_do(SweepFolder(folder.path(), 1), classes, {20, 1, true}) == classes.size());
-    run_sweep(results, classes, {0, 0, false});
-    CHECK(left_to_do(results, classes, {0, 0, false}) == 0);
-    CHECK(left_to_do(results, classes, {30, 0, true}) == classes.size() - well + above(21));
-    CHECK(left_to_do(results, classes, {20, 0, true}) == 0);
-    // Neither the exact degree nor the certificate of the first sweep is lost, nor by a later one.
-    run_sweep(results, classes, {25, 0, true});
+    CHECK(left_to_do(results, classes, {20, 0}) == classes.size());
+    run_sweep(results, classes, {20, 0});
+    CHECK(left_to_do(results, classes, {20, 0}) == 0);
+    CHECK(left_to_do(results, classes, {20, 0}, true) == classes.size() - well);
+    CHECK(left_to_do(results, classes, {10, 0}) == classes.size() - well);
+    CHECK(left_to_do(results, classes, {30, 0}) == classes.size() - well + above(20));
+    CHECK(left_to_do(results, classes, {0, 0}) == classes.size() - well + above(20));
+    CHECK(left_to_do(SweepFolder(folder.path(), 1), classes, {20, 1}) == classes.size());
+    run_sweep(results, classes, {0, 0});
+    CHECK(left_to_do(results, classes, {0, 0}) == 0);
+    CHECK(left_to_do(results, classes, {20, 0}) == 0);
+    CHECK(left_to_do(results, classes, {30, 0}) == classes.size() - well);
+    // No solution of the first sweeps is lost by a later one.
+    run_sweep(results, classes, {25, 0});
     for (const std::size_t number : classes) {
         if (!is_well(number)) continue;
         const auto result = results.read(number, true);
         REQUIRE(result);
-        CHECK(result->complete());
-        CHECK(result->degree() == fake_engine::degree(number));
-        CHECK(result->shown == std::min(fake_engine::degree(number), 25));
+        CHECK(result->run.complete);
+        CHECK(result->run.degree == fake_engine::degree(number));
     }
 }
 
@@ -127,8 +126,8 @@ TEST_CASE("the classes that are expected to be small come first") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder folder;
     const SweepFolder results(folder.path(), 0);
-    run_sweep(results, classes, {0, 0, false});
-    const SweepPlan plan = plan_sweep(results, classes, {0, 0, true}, false);
+    run_sweep(results, classes, {0, 0});
+    const SweepPlan plan = plan_sweep(results, classes, {0, 0}, false);
     CHECK(plan.classes.size() == classes.size());
     CHECK(std::ranges::is_sorted(plan.costs));
     CHECK(plan.costs.front() < plan.costs.back());
@@ -158,7 +157,7 @@ TEST_CASE("lack of memory ends a sweep, and results are kept") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder folder;
     const SweepFolder results(folder.path(), 0);
-    SweepPlan plan = plan_sweep(results, classes, {30, 0, true}, false);
+    SweepPlan plan = plan_sweep(results, classes, {30, 0}, false);
     plan.threads = 2;
     const std::size_t bad = plan.classes[40];
     const auto compute = [&](std::size_t number, const DegreeOptions& options) {
@@ -169,7 +168,7 @@ TEST_CASE("lack of memory ends a sweep, and results are kept") {
     const std::vector<std::size_t> kept = results.numbers();
     CHECK(kept.size() >= 40);
     CHECK(std::ranges::find(kept, bad) == kept.end());
-    run_sweep(results, classes, {30, 0, true});
+    run_sweep(results, classes, {30, 0});
     CHECK(results.numbers() == classes);
 }
 
