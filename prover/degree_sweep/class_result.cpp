@@ -1,6 +1,5 @@
 #include "prover/degree_sweep/class_result.h"
 
-#include "prover/degree_sweep/read_record.h"
 #include "prover/degree_sweep/write.h"
 #include "prover/system/sha256.h"
 
@@ -24,9 +23,11 @@ constexpr std::size_t longest_run_line = 16000; // leaves room for the mark in a
 
 Json json_of(const ClassResult& result) {
     const DegreeRun& run = result.run;
-    Json json = {{"number", run.number},      {"degree", run.degree},   {"complete", run.complete},
-                 {"tracks", run.tracks},      {"retried", run.retried}, {"failed", run.failed},
-                 {"seconds", result.seconds}, {"seed", result.seed},    {"attempts", Json::array()},
+    Json json = {{"number", run.number},      {"degree", run.degree},
+                 {"complete", run.complete},  {"tracks", run.tracks},
+                 {"retried", run.retried},    {"failed", run.failed},
+                 {"seconds", result.seconds}, {"seed", result.seed},
+                 {"attempts", Json::array()}, {"record", sha256(result.record)},
                  {"notes", run.notes}};
     for (const int target : result.targets)
         json["attempts"].push_back({{"target", target}});
@@ -94,12 +95,6 @@ ClassResult result_of(const Json& json) {
     return result;
 }
 
-/// Whether the record is one of this class, and the run line says the same of it.
-bool is_whole(const ClassResult& result) {
-    if (result.record.empty()) return result.run.degree == 0;
-    return read_record(result.record, result.run.number) == result.run.degree;
-}
-
 } // namespace
 
 ClassResult class_result(DegreeRun run, const DegreeOptions& options, double seconds) {
@@ -151,10 +146,11 @@ std::optional<ClassResult> parse_class_result(std::istream& file, bool whole) {
     if (!std::getline(file, line) || !line.starts_with(run_mark)) return std::nullopt;
     try {
         const std::string_view text = std::string_view(line).substr(run_mark.size());
-        ClassResult result = result_of(Json::parse(undamaged(text)));
+        const Json json = Json::parse(undamaged(text));
+        ClassResult result = result_of(json);
         if (!whole) return result;
         result.record.assign(std::istreambuf_iterator<char>(file), {});
-        if (is_whole(result)) return result;
+        if (sha256(result.record) == json.at("record").get<std::string>()) return result;
     } catch (const Json::exception&) {
     } catch (const BadRunLine&) {
         // as of a file that another program wrote, or a disk damaged

@@ -1,6 +1,6 @@
 // What a sweep keeps of a class: one file, which is a valid file of certificates (certs/FORMAT.md,
-// section 9) with the rest of the run in a comment, so that both appear at a stroke. A digest of
-// the comment shows damage to numbers that the record below does not repeat.
+// section 9) with the rest of the run in a comment, so that both appear at a stroke. The
+// comment has a digest of the record below, and ends with one of its own: they show damage.
 //
 //     plcert 2 degrees
 //     # run {"number":2394,"degree":312,...} sha256 5f70bf18...
@@ -44,8 +44,7 @@ std::string run_line(const ClassResult& result);
 std::string write(const ClassResult& result);
 
 /// Reads such a file back, `record` only if `whole`. Nothing where there is none or it is damaged:
-/// where the first lines are not what write() writes, or, if `whole`, the record is not, or has not
-/// as many solutions as the run line says.
+/// where the first lines are not what write() writes, or, if `whole`, the record has another digest.
 std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole);
 
 /// The same from the bytes of such a file.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "prover/monodromy/progress.h"
+#include "prover/monodromy/starting_values.h"
 #include "prover/problem/signature.h"
 
 #include <array>
@@ -35,20 +36,13 @@ struct FeatureImage {
     std::vector<ViewImage> views;
 };
 
-/// A starting value for the checker: values / 2^bits; 11 of a real solution, 22 of a pair.
-struct ApproximateSolution {
-    bool real = false;
-    int bits = 0;
-    std::vector<std::int64_t> values;
-};
-
 struct DegreeCertificate {
     std::size_t number = 0; ///< of the label class
     std::vector<FeatureImage> images;
-    std::vector<ApproximateSolution> solutions;
+    std::vector<StartingValues> solutions;
 
-    /// How many solutions it shows: pairs count twice.
-    int degree() const;
+    /// How many solutions it shows.
+    int degree() const { return count_solutions(solutions); }
 };
 
 /// What came of tracking one class.

@@ -35,7 +35,7 @@ DegreeCertificate certificate_of(const DegreeRun& run, std::uint64_t seed) {
     for (const Feature& feature : problem_of(label_classes()[run.number]))
         certificate.images.push_back(image_of(feature, random));
     for (int left = run.degree; left > 0;) {
-        ApproximateSolution solution{left % 2 == 1, 40, {}};
+        StartingValues solution{left % 2 == 1, 40, {}};
         solution.values.resize(solution.real ? 11 : 22);
         for (std::int64_t& value : solution.values)
             value = static_cast<std::int64_t>(random() % 2'000'000'000'000) - 1'000'000'000'000;

@@ -1,17 +1,13 @@
 // plprove degrees under mpirun: the bytes of one process, whatever the number of ranks, and
 // whichever of them is killed. The program is plprove with a fake engine.
-#include "tests/support/process.h"
 #include "tests/support/program.h"
 
 #include <algorithm>
-#include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <doctest/doctest.h>
 #include <map>
 #include <regex>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace {
@@ -168,26 +164,6 @@ TEST_CASE("a rank that gets SIGTERM ends the others, rank 0 says so, and the swe
     const Outcome rest = run(shell(by_ranks(2), sweep_of(sweep)));
     CHECK(contains(rest.out, "; " + std::to_string(on_file) + " were on file\n"));
     one.check_same(sweep);
-}
-
-TEST_CASE("a sweep goes on after mpirun got Ctrl-C or SIGTERM") {
-    const SweepByOne one;
-    for (const int signal : {SIGINT, SIGTERM}) {
-        const fs::path sweep = one.folder / std::to_string(signal);
-        Arguments ranks{"-n", "3", PLPROVE_FAKE_ENGINE};
-        std::ranges::copy(sweep_of(sweep, {"--threads", "1"}), std::back_inserter(ranks));
-        const pid_t mpirun =
-            start_program(MPIRUN, "/", ranks, [] { ::setenv("PLC_FAKE_ENGINE_STOP", "3", 1); });
-        for (int i = 0; i < 60'000 && finished(sweep).size() < 4; ++i) // no rank ends by itself
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        ::kill(mpirun, signal);
-        wait_for(mpirun);
-        const std::size_t on_file = finished(sweep).size();
-        CHECK(on_file >= 4);
-        const Outcome rest = run(shell(by_ranks(3), sweep_of(sweep)));
-        CHECK(contains(rest.out, "; " + std::to_string(on_file) + " were on file\n"));
-        one.check_same(sweep);
-    }
 }
 
 TEST_CASE("what rank 0 refuses is said once; that, or what any rank cannot write, ends all") {

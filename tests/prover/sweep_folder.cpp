@@ -98,17 +98,6 @@ TEST_CASE("copies of a class's file under other names or in other folders are no
     sweep.check_as_it_was();
 }
 
-TEST_CASE("a run line that says something else than the record is damage, and --retry mends it") {
-    SmallSweep sweep;
-    const std::string degree = std::to_string(fake_engine::degree(sweep.number));
-    const std::string more = std::to_string(fake_engine::degree(sweep.number) + 1);
-    for (const std::string& other : {std::string("0"), std::string("1"), more}) {
-        CAPTURE(other);
-        sweep.replace("\"degree\":" + degree, "\"degree\":" + other);
-        sweep.check_damaged();
-    }
-}
-
 TEST_CASE("a number of a run line that nothing else repeats is guarded by the line's digest") {
     const SmallSweep sweep;
     const std::string degree = std::to_string(fake_engine::degree(sweep.number));
