@@ -1,5 +1,6 @@
 // plprove degrees under mpirun: the bytes of one process, whatever the number of ranks, and
 // whichever of them is killed. The program is plprove with a fake engine.
+#include "tests/support/process.h"
 #include "tests/support/program.h"
 
 #include <algorithm>
