@@ -2,6 +2,7 @@
 
 #include "prover/many_views/distinct.h"
 #include "prover/many_views/path.h"
+#include "prover/monodromy/path_ends.h"
 
 #include <algorithm>
 #include <optional>
@@ -106,9 +107,10 @@ private:
             return follow_all(system_, pencil_.at(from), pencil_.at(to), starts, care, threads_);
         };
         fill(ends, starts_, [&](const auto& open) {
-            Ends found = leg(0, between, open);
+            Ends found = leg(Complex(0), between, open);
             if (between != time)
-                found = follow_on(found, [&](const auto& from) { return leg(between, time, from); });
+                found =
+                    follow_on(found, [&](const auto& from) { return leg(between, time, from); });
             for (std::optional<Point>& end : found)
                 if (end && system_.has_null_quaternion(*end)) end.reset();
             return found;
