@@ -210,7 +210,7 @@ TEST_CASE("a sweep says what it did, names what fell short, and is silent on the
     CHECK(well.err.empty());
     const std::string runs = read_file(folder / "two" / "runs.jsonl");
     const auto line = nlohmann::json::parse(runs.substr(0, runs.find('\n')));
-    for (const char* field : {"number", "degree", "certificate", "complete", "tracks", "retried",
+    for (const char* field : {"number", "degree", "record", "complete", "tracks", "retried",
                               "failed", "seconds", "notes", "seed"})
         CHECK(line.contains(field));
     CHECK(!contains(runs, "certified")); // plcheck has not been asked yet

@@ -126,7 +126,6 @@ TEST_CASE("the classes that are expected to be small come first") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder folder;
     const SweepFolder results(folder.path(), 0);
-    run_sweep(results, classes, {0, 0});
     const SweepPlan plan = plan_sweep(results, classes, {0, 0}, false);
     CHECK(plan.classes.size() == classes.size());
     CHECK(std::ranges::is_sorted(plan.costs));
