@@ -1,6 +1,6 @@
 #include "prover/cli/bounds_command.h"
 
-#include "prover/bounds/template.h"
+#include "prover/solver/templates/template.h"
 #include "prover/system/progress.h"
 
 #include <iostream>
@@ -12,14 +12,14 @@ namespace plprove {
 namespace {
 
 /// A line of the table for people: how many solutions a type has at most.
-std::string line_of(const bounds::Registration& type, int classes,
-                    const std::optional<bounds::Template>& found) {
+std::string line_of(const templates::Registration& type, int classes,
+                    const std::optional<templates::Template>& found) {
     std::ostringstream text;
-    text << bounds::describe(type) << ": " << classes << " label classes, ";
+    text << templates::describe(type) << ": " << classes << " label classes, ";
     if (found)
         text << "at most " << found->basis.size() << " cameras; frame "
-             << bounds::name(found->frame) << ", minor of size "
-             << bounds::rotation_ring(found->frame).monomials(found->degree).size() -
+             << templates::name(found->frame) << ", minor of size "
+             << templates::RotationRing(found->frame).monomials(found->degree).size() -
                     found->basis.size();
     else
         text << "no template found";
@@ -27,21 +27,21 @@ std::string line_of(const bounds::Registration& type, int classes,
 }
 
 void prove_bounds(const std::string& path, bool table, const Deliver& deliver) {
-    auto types = bounds::registration_types(label_classes());
-    types.emplace(bounds::relative_pose(), 0);
-    std::vector<bounds::Template> templates;
+    auto types = templates::registration_types(label_classes());
+    types.emplace(templates::relative_pose(), 0);
+    std::vector<templates::Template> templates;
     std::string lines;
     {
         ProgressLine progress("templates of registration problems", types.size());
         std::size_t done = 0;
         for (const auto& [type, classes] : types) {
-            auto found = bounds::best_template(type);
+            auto found = templates::best_template(type);
             lines += line_of(type, classes, found);
             if (found) templates.push_back(std::move(*found));
             progress.show(++done);
         }
     }
-    deliver(path, bounds::write(templates));
+    deliver(path, templates::write(templates));
     if (table) std::cerr << lines;
     if (path != "-")
         std::cerr << "wrote " << path << ": templates of " << templates.size() << " of "

@@ -20,7 +20,7 @@ const char* degree_name(const Decision& decision) {
 void write_degree(std::ostream& out, const DegreeReport& report) {
     const DegreeRun& run = report.run;
     section(out, degree_name(report.decision)) << report.options.degree << ", by theorem\n";
-    section(out, "found") << run.degree << (run.complete() ? " solutions: all" : " solutions")
+    section(out, "found") << run.degree << (run.complete ? " solutions: all" : " solutions")
                           << '\n';
     section(out, "certificate");
     if (report.certified() > 0)
@@ -59,7 +59,7 @@ std::string json_report(const DegreeReport& report) {
         {"degree", report.options.degree},
         {"found", run.degree},
         {"certificate", report.certified()},
-        {"complete", run.complete()},
+        {"complete", run.complete},
         {"tracks", run.tracks},
         {"retried", run.retried},
         {"failed", run.failed},

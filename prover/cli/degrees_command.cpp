@@ -8,11 +8,14 @@
 #include "prover/system/exit.h"
 #include "prover/system/interruption.h"
 #include "prover/system/progress.h"
+#include "prover/system/ranks.h"
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -22,7 +25,7 @@ namespace {
 
 constexpr const char* degrees_examples =
     "You may kill a sweep at any moment: the same command goes on where it was. Under mpirun, all "
-    "ranks\nshare the work, and the folder.\n\n"
+    "ranks\nshare the work, and the folder. `plprove collect` writes its files again.\n\n"
     "A FILTER has the options of `plprove list`, with or without dashes, and numbers of classes. "
     "plprove computes\na system of equations (a constraint class) if one of its minimal classes "
     "passes one of the filters.\n\n"
@@ -33,36 +36,33 @@ constexpr const char* degrees_examples =
     "                                               the problems with points and lines only\n"
     "  mpirun -n 64 plprove degrees --exact -o sweep\n"
     "                                               the same sweep on 64 cores\n"
-    "  plprove degrees --classes 'one-pin points ..3' --classes 2394,6723 -o some\n"
-    "  plprove degrees --collect --below 300 --also pl0p -o sweep\n"
+    "  plprove degrees --classes 'one-pin points ..3' --classes 2394,6723 -o some\n";
+
+constexpr const char* collect_examples =
+    "Examples:\n"
+    "  plprove collect --below 300 --also pl0p -o sweep\n"
     "                                               write the files again, with fewer "
     "certificates\n"
     "  plcheck --json sweep/degrees*.plc >report\n"
     "                                               replay every certificate\n"
-    "  plprove degrees --collect --checked report -o sweep\n"
-    "                                               call certified what plcheck accepted\n";
+    "  plprove collect --checked report -o sweep    call certified what plcheck accepted\n";
 
 struct DegreesRequest {
     std::string folder;
-    DegreeOptions options{300, 0, true};
+    DegreeOptions options{300};
     bool exact = false;
-    bool no_certificates = false;
     bool retry = false;
-    bool collect_only = false;
     unsigned threads = 0; ///< 0: as many as are useful
     std::vector<ClassFilter> classes;
-    std::vector<ClassFilter> also;
-    std::string checked;
-    Selection selection;
 };
 
-std::vector<std::size_t> chosen_classes(const std::vector<ClassFilter>& filters) {
-    try {
-        return constraint_classes_of(filters);
-    } catch (const std::invalid_argument& error) {
-        throw BadInput(error.what());
-    }
-}
+struct CollectRequest {
+    std::string folder;
+    std::uint64_t seed = 0;
+    int below = 0;
+    std::vector<ClassFilter> also;
+    std::string checked;
+};
 
 /// `2 h 5 min`, `3 min`, `12 s`.
 std::string duration(double seconds) {
@@ -88,35 +88,32 @@ unsigned useful_threads(const Ranks& ranks) {
     return ranks.count > 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
 }
 
-/// Computes what is missing; ends the process if a signal asks for that.
+/// Computes what is missing; ends the process if a signal asks for that. Rank 0 speaks, of its own
+/// share.
 void run_sweep(const SweepFolder& folder, const SweepPlan& plan, const Ranks& ranks,
                const ComputeDegree& compute) {
     const Interruption interruption;
-    ProgressLine line("computing degrees", plan.classes.size());
+    const std::string of_rank = ranks.count > 1 ? " of rank 0" : "";
+    std::optional<ProgressLine> line;
+    if (ranks.leads()) line.emplace("computing degrees" + of_rank, plan.classes.size());
     SweepProgress last;
     SweepWatch watch;
     watch.progress = [&](const SweepProgress& progress) {
         last = progress;
-        line.show(progress.done, rate_and_time_left(progress));
+        if (line) line->show(progress.done, rate_and_time_left(progress));
     };
     watch.pause = [&] {
         const int signal = interruption.pending();
         if (signal == 0) return;
-        line.wipe();
-        std::cerr << "plprove: interrupted: " << last.done << " of " << last.total
-                  << " classes are on file; the same command goes on from there" << std::endl;
+        if (line) {
+            line->wipe();
+            std::cerr << "plprove: interrupted: " << last.done << " of " << last.total << " classes"
+                      << of_rank << " are on file; the same command goes on from there"
+                      << std::endl;
+        }
         Interruption::end_by(signal);
     };
-    sweep(folder, plan, ranks, compute, watch);
-}
-
-/// Computes what rank 0 gives this one; ends the process if a signal asks for that. Rank 0 speaks.
-void help(const SweepFolder& folder, const DegreeOptions& options, unsigned threads,
-          const Ranks& ranks, const ComputeDegree& compute) {
-    const Interruption interruption;
-    help_sweep(folder, options, threads, ranks, compute, [&] {
-        if (const int signal = interruption.pending(); signal != 0) Interruption::end_by(signal);
-    });
+    sweep(folder, plan, compute, watch);
 }
 
 /// ` #4 #6`, and ` ...` for the rest of a long list.
@@ -156,13 +153,7 @@ bool none_damaged(const std::vector<std::size_t>& damaged) {
 
 /// Writes the files of a collection and says what they have. Returns whether no class was left out
 /// because its file is damaged.
-bool write_collection(const SweepFolder& folder, const DegreesRequest& request) {
-    Selection selection = request.selection;
-    if (!request.checked.empty()) selection.checked.emplace(request.checked, folder.path());
-    if (!request.also.empty()) {
-        const std::vector<std::size_t> also = chosen_classes(request.also);
-        selection.also = {also.begin(), also.end()};
-    }
+bool write_collection(const SweepFolder& folder, const Selection& selection) {
     const Collected collected = collect(folder, selection);
     std::cout << "degrees       " << (folder.path() / "degrees.csv").string() << ": "
               << collected.classes << " classes, " << collected.exact << " with all solutions, "
@@ -178,9 +169,6 @@ bool write_collection(const SweepFolder& folder, const DegreesRequest& request) 
     if (!std::cout)
         throw std::runtime_error(
             "cannot write to standard output: is it closed, or the disk full?");
-    if (selection.checked && selection.checked->refused_something())
-        std::cerr << "plprove: plcheck refused something in " << request.checked
-                  << ": its class has nothing certified in degrees.csv\n";
     return none_damaged(collected.damaged);
 }
 
@@ -188,47 +176,69 @@ bool write_collection(const SweepFolder& folder, const DegreesRequest& request) 
 DegreeOptions options_of(const DegreesRequest& request) {
     DegreeOptions options = request.options;
     if (request.exact) options.target = 0;
-    options.certificate = !request.no_certificates;
     return options;
 }
 
-int collect_only(const SweepFolder& folder, const DegreesRequest& request) {
+int collect_results(const CollectRequest& request) {
+    const SweepFolder folder(request.folder, request.seed);
     if (folder.numbers().empty())
         throw BadInput("there are no results in " + request.folder +
                        ": run a sweep there first, or name another folder or --seed");
-    return write_collection(folder, request) ? 0 : exit_failure;
+    Selection selection;
+    selection.below = request.below;
+    if (!request.checked.empty()) selection.checked.emplace(request.checked, folder.path());
+    if (!request.also.empty()) {
+        const std::vector<std::size_t> also = constraint_classes_of(request.also);
+        selection.also = {also.begin(), also.end()};
+    }
+    const bool whole = write_collection(folder, selection);
+    if (selection.checked && selection.checked->refused_something())
+        std::cerr << "plprove: plcheck refused something in " << request.checked
+                  << ": its class has nothing certified in degrees.csv\n";
+    return whole ? 0 : exit_failure;
 }
 
-int sweep_and_collect(const SweepFolder& folder, const DegreesRequest& request, unsigned threads,
-                      const Ranks& ranks, const ComputeDegree& compute) {
-    const DegreeOptions options = options_of(request);
-    const std::vector<std::size_t> classes =
-        request.classes.empty() ? minimal_constraint_classes() : chosen_classes(request.classes);
-    const FolderLock lock(request.folder);
-    SweepPlan plan = plan_sweep(folder, classes, options, request.retry);
-    if (ranks.count > 1) plan = largest_first(std::move(plan));
-    plan.threads = threads;
-    const auto begin = std::chrono::steady_clock::now();
-    if (!plan.classes.empty()) run_sweep(folder, plan, ranks, compute);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    std::cout << "computed      " << plan.classes.size() << " classes in "
-              << duration(elapsed.count()) << "; " << plan.on_file << " were on file\n";
-    const bool whole = write_collection(folder, request);
-    const bool fulfilled = all_fulfilled(folder, classes, options);
-    return whole && fulfilled ? 0 : exit_failure;
+std::vector<std::size_t> classes_of(const DegreesRequest& request) {
+    return request.classes.empty() ? minimal_constraint_classes()
+                                   : constraint_classes_of(request.classes);
+}
+
+/// Rank 0 has made the folder.
+void require_shared(const std::string& folder) {
+    if (!std::filesystem::is_directory(folder))
+        throw std::runtime_error("not every rank sees " + folder +
+                                 ": name a folder that all machines share");
 }
 
 int find_degrees(const DegreesRequest& request, const ComputeDegree& compute) {
     const Ranks ranks = join_ranks();
-    const SweepFolder folder(request.folder, request.options.seed);
-    const unsigned threads = request.threads > 0 ? request.threads : useful_threads(ranks);
-    if (!ranks.leads()) {
-        help(folder, options_of(request), threads, ranks, compute);
-        return 0;
+    const DegreeOptions options = options_of(request);
+    const SweepFolder folder(request.folder, options.seed);
+    // What the user has to mend rank 0 finds first, while the others wait.
+    std::vector<std::size_t> classes;
+    std::optional<FolderLock> lock;
+    if (ranks.leads()) {
+        classes = classes_of(request);
+        lock.emplace(request.folder);
     }
-    const EndOfWork end(ranks);
-    if (request.collect_only) return collect_only(folder, request);
-    return sweep_and_collect(folder, request, threads, ranks, compute);
+    ranks.sum(0);
+    require_shared(request.folder);
+    if (!ranks.leads()) classes = classes_of(request);
+    SweepPlan plan = plan_sweep(folder,
+                                share_of(classes, static_cast<std::size_t>(ranks.number),
+                                         static_cast<std::size_t>(ranks.count)),
+                                options, request.retry);
+    plan.threads = request.threads > 0 ? request.threads : useful_threads(ranks);
+    const auto begin = std::chrono::steady_clock::now();
+    if (!plan.classes.empty()) run_sweep(folder, plan, ranks, compute);
+    const std::size_t computed = ranks.sum(plan.classes.size());
+    if (!ranks.leads()) return 0;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    std::cout << "computed      " << computed << " classes in " << duration(elapsed.count()) << "; "
+              << classes.size() - computed << " were on file\n";
+    const bool whole = write_collection(folder, {});
+    const bool fulfilled = all_fulfilled(folder, classes, options);
+    return whole && fulfilled ? 0 : exit_failure;
 }
 
 CLI::Option* add_class_filters(CLI::App& command, const char* name,
@@ -271,17 +281,23 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
                      "one a rank)")
         ->check(CLI::Range(1, 1024));
     add_seed(*command, request->options.seed);
-    command->add_flag("--no-certificates", request->no_certificates,
-                      "compute degrees only: quicker");
     command->add_flag("--retry", request->retry,
                       "compute those again that fell short before, or whose file is damaged");
-    CLI::Option* collect = command->add_flag("--collect", request->collect_only,
-                                             "compute nothing: write the files of what is there");
-    for (const char* option :
-         {"--target", "--exact", "--classes", "--threads", "--no-certificates", "--retry"})
-        collect->excludes(option);
+    command->footer(degrees_examples);
+    return {command,
+            [request, compute = std::move(compute)] { return find_degrees(*request, compute); }};
+}
+
+Command add_collect_command(CLI::App& program) {
+    const auto request = std::make_shared<CollectRequest>();
+    CLI::App* command = program.add_subcommand(
+        "collect", "Write the table and the certificates of a sweep, of what its folder has");
+    command->add_option("-o,--output", request->folder, "the folder of the sweep")
+        ->type_name("DIR")
+        ->required();
+    add_seed(*command, request->seed);
     command
-        ->add_option("--below", request->selection.below,
+        ->add_option("--below", request->below,
                      "write only certificates of complete classes with fewer solutions than this "
                      "(default: of all)")
         ->check(CLI::Range(1, largest_target));
@@ -293,12 +309,9 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
             "what `plcheck --json` printed of degrees.plc: keep what plcheck accepted, and "
             "call that certified in degrees.csv")
         ->type_name("REPORT")
-        ->needs(collect)
-        ->excludes("--below")
-        ->excludes("--also");
-    command->footer(degrees_examples);
-    return {command,
-            [request, compute = std::move(compute)] { return find_degrees(*request, compute); }};
+        ->excludes("--below");
+    command->footer(collect_examples);
+    return {command, [request] { return collect_results(*request); }};
 }
 
 } // namespace plprove

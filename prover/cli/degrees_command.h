@@ -1,4 +1,5 @@
-// The subcommand `plprove degrees`: the degrees of many classes, by threads and by ranks of MPI.
+// The commands of sweeps: `plprove degrees`, the degrees of many classes by threads and by ranks of
+// MPI, and `plprove collect`, the files that a sweep's folder gives.
 #pragma once
 
 #include "prover/cli/command.h"
@@ -8,5 +9,8 @@ namespace plprove {
 
 /// Adds `degrees -o DIR` to `program`.
 Command add_degrees_command(CLI::App& program, ComputeDegree compute);
+
+/// Adds `collect -o DIR` to `program`.
+Command add_collect_command(CLI::App& program);
 
 } // namespace plprove

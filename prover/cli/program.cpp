@@ -121,6 +121,7 @@ std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
             add_bounds_command(program, deliver),
             add_degree_command(program, deliver, compute),
             add_degrees_command(program, compute),
+            add_collect_command(program),
             add_solve_command(program, deliver),
             add_start_command(program, deliver),
             export_command(program)};

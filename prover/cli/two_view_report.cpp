@@ -59,7 +59,7 @@ std::string json_two_view_report(const DegreeReport& report) {
                        {"minimal", report.decision.verdict == Verdict::minimal},
                        {"degree", poses_of_five_points},
                        {"essential_matrices", poses_of_five_points / 2},
-                       {"complete", report.run.complete()},
+                       {"complete", report.run.complete},
                        {"extension", report.run.number},
                        {"extension_degree", report.run.degree},
                        {"third_cameras", third_cameras(report)},

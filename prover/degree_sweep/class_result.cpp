@@ -1,13 +1,14 @@
 #include "prover/degree_sweep/class_result.h"
 
-#include "prover/degree_sweep/read_record.h"
 #include "prover/degree_sweep/write.h"
 #include "prover/system/sha256.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 namespace plprove {
@@ -18,19 +19,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view run_mark = "# run ";
 constexpr std::string_view digest_mark = " sha256 ";
-constexpr const char* shown_key = "certificate"; // the word of `plprove degree --json`, too
-constexpr std::size_t longest_run_line = 16000;  // leaves room for the mark in a line of the format
+constexpr std::size_t longest_run_line = 16000; // leaves room for the mark in a line of the format
 
 Json json_of(const ClassResult& result) {
     const DegreeRun& run = result.run;
-    Json json = {
-        {"number", run.number},      {"degree", run.degree},      {"complete", run.complete()},
-        {shown_key, result.shown},   {"tracks", run.tracks},      {"retried", run.retried},
-        {"failed", run.failed},      {"seconds", result.seconds}, {"seed", result.seed},
-        {"attempts", Json::array()}, {"notes", run.notes}};
-    for (const Attempt& attempt : result.attempts)
-        json["attempts"].push_back(
-            {{"target", attempt.target}, {"certificate", attempt.certificate}});
+    Json json = {{"number", run.number},      {"degree", run.degree},
+                 {"complete", run.complete},  {"tracks", run.tracks},
+                 {"retried", run.retried},    {"failed", run.failed},
+                 {"seconds", result.seconds}, {"seed", result.seed},
+                 {"attempts", Json::array()}, {"record", sha256(result.record)},
+                 {"notes", run.notes}};
+    for (const int target : result.targets)
+        json["attempts"].push_back({{"target", target}});
     return json;
 }
 
@@ -81,8 +81,7 @@ ClassResult result_of(const Json& json) {
     DegreeRun& run = result.run;
     run.number = large_count(json.at("number"));
     run.degree = count(json.at("degree"));
-    json.at("complete").get_to(run.all);
-    result.shown = count(json.at(shown_key));
+    json.at("complete").get_to(run.complete);
     run.tracks = large_count(json.at("tracks"));
     run.retried = large_count(json.at("retried"));
     run.failed = large_count(json.at("failed"));
@@ -91,17 +90,9 @@ ClassResult result_of(const Json& json) {
     if (!json.at("seed").is_number_unsigned()) throw BadRunLine("no seed");
     json.at("seed").get_to(result.seed);
     for (const Json& attempt : json.at("attempts"))
-        result.attempts.push_back(
-            {count(attempt.at("target")), attempt.at("certificate").get<bool>()});
+        result.targets.push_back(count(attempt.at("target")));
     json.at("notes").get_to(run.notes);
     return result;
-}
-
-/// Whether the record is one of this class, and the run line says the same of it.
-bool is_whole(const ClassResult& result) {
-    if (result.shown > result.run.degree) return false;
-    if (result.record.empty()) return result.shown == 0;
-    return read_record(result.record, result.run.number) == result.shown;
 }
 
 } // namespace
@@ -109,44 +100,29 @@ bool is_whole(const ClassResult& result) {
 ClassResult class_result(DegreeRun run, const DegreeOptions& options, double seconds) {
     ClassResult result;
     result.seed = options.seed;
-    result.attempts = {{options.target, options.certificate}};
+    result.targets = {options.target};
     result.seconds = seconds;
-    if (run.certificate && !run.certificate->solutions.empty()) {
-        result.shown = run.certificate->degree();
+    if (run.certificate && !run.certificate->solutions.empty())
         result.record = write_record(*run.certificate);
-    }
     run.certificate.reset();
     result.run = std::move(run);
     return result;
 }
 
 ClassResult merged(ClassResult old, ClassResult recent) {
-    if (std::pair(old.run.complete(), old.run.degree) >
-        std::pair(recent.run.complete(), recent.run.degree)) {
-        recent.run = std::move(old.run);
-        recent.seconds = old.seconds;
-    }
-    if (old.shown > recent.shown) {
-        recent.shown = old.shown;
-        recent.record = std::move(old.record);
-    }
-    std::ranges::copy(old.attempts, std::back_inserter(recent.attempts));
-    std::ranges::sort(recent.attempts);
-    recent.attempts.erase(std::unique(recent.attempts.begin(), recent.attempts.end()),
-                          recent.attempts.end()); // clang 14 knows no subranges
-    return recent;
+    std::set<int> targets(old.targets.begin(), old.targets.end());
+    targets.insert(recent.targets.begin(), recent.targets.end());
+    ClassResult best = std::move(old.run.degree > recent.run.degree ? old : recent);
+    best.targets = {targets.begin(), targets.end()};
+    return best;
 }
 
 bool attempted(const ClassResult& result, const DegreeOptions& options) {
-    return std::ranges::any_of(result.attempts, [&](const Attempt& attempt) {
-        return attempt.target == options.target && attempt.certificate >= options.certificate;
-    });
+    return std::ranges::count(result.targets, options.target) > 0;
 }
 
 bool fulfils(const ClassResult& result, const DegreeOptions& options) {
-    const bool enough = options.target > 0 && result.degree() >= options.target;
-    if (!enough && !result.complete()) return false;
-    return !options.certificate || result.shown >= (enough ? options.target : result.degree());
+    return result.run.complete || (options.target > 0 && result.run.degree >= options.target);
 }
 
 std::string run_line(const ClassResult& result) {
@@ -170,10 +146,11 @@ std::optional<ClassResult> parse_class_result(std::istream& file, bool whole) {
     if (!std::getline(file, line) || !line.starts_with(run_mark)) return std::nullopt;
     try {
         const std::string_view text = std::string_view(line).substr(run_mark.size());
-        ClassResult result = result_of(Json::parse(undamaged(text)));
+        const Json json = Json::parse(undamaged(text));
+        ClassResult result = result_of(json);
         if (!whole) return result;
         result.record.assign(std::istreambuf_iterator<char>(file), {});
-        if (is_whole(result)) return result;
+        if (sha256(result.record) == json.at("record").get<std::string>()) return result;
     } catch (const Json::exception&) {
     } catch (const BadRunLine&) {
         // as of a file that another program wrote, or a disk damaged

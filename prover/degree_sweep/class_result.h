@@ -1,6 +1,6 @@
 // What a sweep keeps of a class: one file, which is a valid file of certificates (certs/FORMAT.md,
-// section 9) with the rest of the run in a comment, so that both appear at a stroke. A digest of
-// the comment shows damage to numbers that the record below does not repeat.
+// section 9) with the rest of the run in a comment, so that both appear at a stroke. The
+// comment has a digest of the record below, and ends with one of its own: they show damage.
 //
 //     plcert 2 degrees
 //     # run {"number":2394,"degree":312,...} sha256 5f70bf18...
@@ -10,46 +10,31 @@
 
 #include "prover/three_views/degree.h"
 
-#include <algorithm>
-#include <compare>
 #include <filesystem>
 #include <istream>
 #include <string>
 
 namespace plprove {
 
-/// What a run was asked for, beside the seed.
-struct Attempt {
-    int target = 0; ///< as in DegreeOptions
-    bool certificate = true;
-    auto operator<=>(const Attempt&) const = default;
-};
-
 /// What is known of a class from runs with one seed. `run` is the one that found most; its
-/// certificate is empty: `record` is the text of the certificate that shows most.
+/// certificate is empty: `record` is its text, which shows run.degree solutions.
 struct ClassResult {
     std::uint64_t seed = 0;
-    std::vector<Attempt> attempts; ///< all runs
+    std::vector<int> targets; ///< those of all runs, as in DegreeOptions
     DegreeRun run;
     double seconds = 0; ///< that `run` took
-    int shown = 0;      ///< how many solutions `record` shows, if plcheck accepts it
-    std::string record; ///< empty if there is no certificate
-
-    /// The largest number of solutions found.
-    int degree() const { return std::max(run.degree, shown); }
-    bool complete() const { return run.complete(); }
+    std::string record; ///< empty if no solution was found
 };
 
 ClassResult class_result(DegreeRun run, const DegreeOptions& options, double seconds);
 
-/// What is known of a class from both: neither a degree nor a certificate is ever lost.
+/// What is known of a class from both: no certificate is ever lost.
 ClassResult merged(ClassResult old, ClassResult recent);
 
 /// Whether the options were tried. A run that stopped short will do so again.
 bool attempted(const ClassResult& result, const DegreeOptions& options);
 
-/// Whether the result is what the options want: all solutions or as many as the target, shown by
-/// a certificate if one is wanted.
+/// Whether the result is what the options want: all solutions, or as many as the target.
 bool fulfils(const ClassResult& result, const DegreeOptions& options);
 
 /// One JSON object, in one line without its end; ASCII.
@@ -59,8 +44,7 @@ std::string run_line(const ClassResult& result);
 std::string write(const ClassResult& result);
 
 /// Reads such a file back, `record` only if `whole`. Nothing where there is none or it is damaged:
-/// where the first lines are not what write() writes, or, if `whole`, the record is not, or has not
-/// as many solutions as the run line says.
+/// where the first lines are not what write() writes, or, if `whole`, the record has another digest.
 std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole);
 
 /// The same from the bytes of such a file.

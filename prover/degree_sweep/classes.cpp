@@ -1,8 +1,9 @@
 #include "prover/degree_sweep/classes.h"
 
+#include "prover/system/exit.h"
+
 #include <algorithm>
 #include <set>
-#include <stdexcept>
 
 namespace plprove {
 
@@ -53,8 +54,7 @@ std::vector<std::size_t> constraint_classes_of(std::span<const ClassFilter> filt
                 chosen.insert(entry.constraint_class);
     }
     if (chosen.empty())
-        throw std::invalid_argument(
-            "no minimal class passes the filter: see what `plprove list` prints for it");
+        throw BadInput("no minimal class passes the filter: see what `plprove list` prints for it");
     return {chosen.begin(), chosen.end()};
 }
 

@@ -14,7 +14,7 @@ namespace plprove {
 std::vector<std::size_t> minimal_constraint_classes();
 
 /// Those that have a minimal label class which passes one of the filters, ascending. Throws
-/// std::invalid_argument if there is none.
+/// BadInput if there is none.
 std::vector<std::size_t> constraint_classes_of(std::span<const ClassFilter> filters);
 
 } // namespace plprove

@@ -51,7 +51,7 @@ private:
 bool selects(const Selection& selection, const ClassResult& result) {
     if (result.record.empty()) return false;
     if (selection.checked) return selection.checked->accepts(result);
-    return selection.below == 0 || (result.complete() && result.degree() < selection.below) ||
+    return selection.below == 0 || (result.run.complete && result.run.degree < selection.below) ||
            selection.also.contains(result.run.number);
 }
 
@@ -67,7 +67,7 @@ constexpr const char* csv_head =
 std::string csv_line(const ClassResult& result, int certified) {
     const std::size_t number = result.run.number;
     return std::to_string(number) + ',' + std::to_string(degree_on_file(number).value()) + ',' +
-           std::to_string(result.degree()) + ',' + std::to_string(certified) + '\n';
+           std::to_string(result.run.degree) + ',' + std::to_string(certified) + '\n';
 }
 
 } // namespace
@@ -84,14 +84,14 @@ Collected collect(const SweepFolder& folder, const Selection& selection, std::si
             continue;
         }
         runs += run_line(*result) + '\n';
-        if (result->degree() == 0) continue;
+        if (result->run.degree == 0) continue;
         ++collected.classes;
-        collected.exact += result->complete();
+        collected.exact += result->run.complete;
         const bool accepted = selection.checked && selection.checked->accepts(*result);
-        csv += csv_line(*result, accepted ? result->shown : 0);
+        csv += csv_line(*result, accepted ? result->run.degree : 0);
         if (!selects(selection, *result)) continue;
         ++collected.certificates;
-        collected.solutions += static_cast<std::uint64_t>(result->shown);
+        collected.solutions += static_cast<std::uint64_t>(result->run.degree);
         parts.add(result->record);
     }
     collected.files = parts.finish();

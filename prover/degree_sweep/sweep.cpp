@@ -1,7 +1,15 @@
 #include "prover/degree_sweep/sweep.h"
 
-#include "prover/degree_sweep/rank_messages.h"
+#include "prover/catalogue/degrees.h"
 
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <numeric>
+#include <shared_mutex>
 #include <thread>
 
 namespace plprove {
@@ -12,56 +20,120 @@ using Clock = std::chrono::steady_clock;
 
 /// How often the user is told, and signals are looked for.
 constexpr std::chrono::milliseconds watch_interval{100};
-/// How often a rank looks for messages: a class takes a thousand times as long.
-constexpr std::chrono::milliseconds message_interval{1};
 
-/// Does what the message asks for. A rank that asks for a class where none is left waits for the
-/// end.
-void answer(const Message& message, ClassQueue& queue, const Ranks& ranks) {
-    using namespace rank_messages;
-    if (says(message.text, done)) {
-        queue.done(number_in(message.text));
-    } else if (says(message.text, failed)) {
-        throw std::runtime_error(std::string(rest_of(message.text)));
-    } else if (says(message.text, next)) {
-        if (const std::optional<std::size_t> number = queue.next())
-            ranks.send(message.from, with(compute, *number));
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+DegreeRun run_of(std::size_t number, DegreeOptions options, const ComputeDegree& compute) {
+    options.degree = degree_on_file(number).value();
+    try {
+        return compute(number, options);
+    } catch (const std::bad_alloc&) {
+        throw; // says nothing about the class
+    } catch (const std::exception& error) {
+        DegreeRun failed;
+        failed.number = number;
+        failed.notes = {std::string("the computation failed: ") + error.what()};
+        return failed;
     }
 }
+
+/// The threads of a sweep. Each takes a class, computes it, puts the result on file, and takes the
+/// next one.
+class Workers {
+public:
+    Workers(const SweepFolder& folder, const SweepPlan& plan, const ComputeDegree& compute)
+        : folder_(folder), plan_(plan), compute_(compute),
+          whole_cost_(std::accumulate(plan.costs.begin(), plan.costs.end(), 0.0)),
+          working_(plan.threads) {
+        for (unsigned i = 0; i < plan.threads; ++i)
+            threads_.emplace_back([this] { work(); });
+    }
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+    /// Waits for the classes that are being computed.
+    ~Workers() { stopped_ = true; }
+
+    SweepProgress progress() const {
+        const std::lock_guard lock(mutex_);
+        return {done_, plan_.classes.size(), seconds_since(begin_), cost_ / whole_cost_};
+    }
+
+    /// Calls a function while no thread writes a file.
+    void between_files(const std::function<void()>& function) {
+        const std::unique_lock nobody_writes(writing_);
+        function();
+    }
+
+    /// Whether all threads have ended, now or within this time.
+    bool ended_within(std::chrono::milliseconds time) {
+        std::unique_lock lock(mutex_);
+        return ended_.wait_for(lock, time, [&] { return working_ == 0; });
+    }
+
+    /// Once all have ended: throws what one of them threw.
+    void require_success() const {
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
+private:
+    void work() {
+        std::exception_ptr failure;
+        try {
+            for (std::size_t i = next_++; i < plan_.classes.size() && !stopped_; i = next_++)
+                compute(i);
+        } catch (...) {
+            failure = std::current_exception();
+            stopped_ = true;
+        }
+        const std::lock_guard lock(mutex_);
+        if (!failure_) failure_ = failure;
+        --working_;
+        ended_.notify_all();
+    }
+
+    void compute(std::size_t index) {
+        const Clock::time_point begin = Clock::now();
+        DegreeRun run = run_of(plan_.classes[index], plan_.options, compute_);
+        const ClassResult result =
+            class_result(std::move(run), plan_.options, seconds_since(begin));
+        {
+            const std::shared_lock writes(writing_);
+            folder_.save(result);
+        }
+        const std::lock_guard lock(mutex_);
+        ++done_;
+        cost_ += plan_.costs[index];
+    }
+
+    const SweepFolder& folder_;
+    const SweepPlan& plan_;
+    const ComputeDegree& compute_;
+    const double whole_cost_;
+    const Clock::time_point begin_ = Clock::now();
+    std::atomic<std::size_t> next_ = 0; ///< index of a class
+    std::atomic<bool> stopped_ = false; ///< no thread takes another class
+    std::shared_mutex writing_; ///< shared by the threads that write, not with between_files()
+    mutable std::mutex mutex_;  ///< guards what follows
+    std::condition_variable ended_;
+    unsigned working_;
+    std::size_t done_ = 0;
+    double cost_ = 0;
+    std::exception_ptr failure_;
+    std::vector<std::jthread> threads_; // last: they use all the others
+};
 
 } // namespace
 
-void sweep(const SweepFolder& folder, const SweepPlan& plan, const Ranks& ranks,
-           const ComputeDegree& compute, const SweepWatch& watch) {
-    ClassQueue queue(plan);
-    Workers workers(
-        folder, plan.options, plan.threads, compute,
-        {[&] { return queue.next(); }, [&](std::size_t number) { queue.done(number); }});
-    const auto interval = ranks.count > 1 ? message_interval : watch_interval;
-    Clock::time_point due = Clock::now();
-    while (queue.unfinished() > 0 && !workers.failure()) {
-        while (const std::optional<Message> message = ranks.receive())
-            answer(*message, queue, ranks);
-        if (Clock::now() >= due) {
-            watch.progress(queue.progress());
-            workers.between_files(watch.pause);
-            due = Clock::now() + watch_interval;
-        }
-        queue.wait(interval);
-    }
-    workers.finish();
-}
-
-EndOfWork::~EndOfWork() {
-    for (int rank = 1; rank < ranks_.count; ++rank)
-        ranks_.send(rank, std::string(rank_messages::end));
-    for (int left = 1; left < ranks_.count;) {
-        const std::optional<Message> message = ranks_.receive();
-        if (!message)
-            std::this_thread::sleep_for(message_interval);
-        else if (rank_messages::says(message->text, rank_messages::left))
-            ++left;
-    }
+void sweep(const SweepFolder& folder, const SweepPlan& plan, const ComputeDegree& compute,
+           const SweepWatch& watch) {
+    Workers workers(folder, plan, compute);
+    do {
+        watch.progress(workers.progress());
+        workers.between_files(watch.pause);
+    } while (!workers.ended_within(watch_interval));
+    workers.require_success();
 }
 
 } // namespace plprove

@@ -22,7 +22,7 @@ std::string words_of(const FeatureImage& image) {
     return words;
 }
 
-std::string words_of(const ApproximateSolution& solution) {
+std::string words_of(const StartingValues& solution) {
     std::string words = std::to_string(solution.bits);
     for (const std::int64_t value : solution.values)
         words += ' ' + with_digits(value, digits_of_solutions, "a solution");
@@ -36,7 +36,7 @@ std::string write_record(const DegreeCertificate& certificate) {
     text.line("degree", certificate.number, "evidence none");
     for (const FeatureImage& image : certificate.images)
         text.line("image", words_of(image));
-    for (const ApproximateSolution& solution : certificate.solutions)
+    for (const StartingValues& solution : certificate.solutions)
         text.line(solution.real ? "real" : "pair", words_of(solution));
     return text.take();
 }

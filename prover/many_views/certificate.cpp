@@ -105,47 +105,6 @@ private:
     Evaluation evaluation_;
 };
 
-/// The coordinates as multiples of 2^-bits.
-Point rounded(const Point& point, int bits) {
-    return point.unaryExpr([&](const Complex& x) -> Complex {
-        return {std::ldexp(std::nearbyint(std::ldexp(x.real(), bits)), -bits),
-                std::ldexp(std::nearbyint(std::ldexp(x.imag(), bits)), -bits)};
-    });
-}
-
-bool has_few_digits(const Point& written, int bits) {
-    constexpr double limit = 1e18;
-    return std::ldexp(written.cwiseAbs().maxCoeff(), bits) < limit;
-}
-
-/// How many bits after the binary point are enough to find the point again; 0 if no number is.
-/// A single success may be luck, as the region that Newton's method converges from has a ragged
-/// edge: two coarser roundings must lead to the solution as well.
-int enough_bits(IntegerSystem& system, const Point& point) {
-    constexpr int wanted = 3;
-    constexpr double near = 1e-6;
-    const Point written = system.written(point);
-    int successes = 0;
-    for (const int bits : {3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44}) {
-        if (!has_few_digits(written, bits)) return 0;
-        const auto end = system.solve(system.read(rounded(written, bits)));
-        const bool good = end && has_near_coordinates(*end, point, near);
-        successes = good ? successes + 1 : 0;
-        if (successes == wanted) return bits;
-    }
-    return 0;
-}
-
-StartingValues starting_values(const Point& written, bool real, int bits) {
-    StartingValues result{real, bits, {}};
-    const auto put = [&](double x) { result.values.push_back(std::llrint(std::ldexp(x, bits))); };
-    for (const Complex& x : written) {
-        put(x.real());
-        if (!real) put(x.imag());
-    }
-    return result;
-}
-
 Eigen::Vector3cd vector(const Vector<Complex>& x) {
     return {x[0], x[1], x[2]};
 }
@@ -195,27 +154,38 @@ public:
             const Complex first = system_.written(point)[0];
             return std::pair(first.real(), std::abs(first.imag()));
         });
+        const std::vector<EnoughBits> bits = enough_bits_of_all();
         std::vector<StartingValues> result;
-        for (const Point& point : found_)
-            if (const int bits = enough_bits(system_, point); bits > 0)
-                result.push_back(starting_values(system_.written(point), is_real(point), bits));
+        for (std::size_t i = 0; i < found_.size(); ++i)
+            if (bits[i].sure > 0)
+                result.push_back(
+                    starting_values(system_.written(found_[i]), is_real(found_[i]), bits[i].sure));
         return result;
     }
 
 private:
+    std::vector<EnoughBits> enough_bits_of_all() {
+        constexpr std::array tried{3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44};
+        constexpr double near = 1e-6;
+        std::vector<Point> written;
+        for (const Point& point : found_)
+            written.push_back(system_.written(point));
+        return enough_bits(written, tried, [&](int, const auto& starts, const auto& indices) {
+            std::vector<bool> again;
+            for (std::size_t k = 0; k < starts.size(); ++k) {
+                const auto end = system_.solve(system_.read(starts[k]));
+                again.push_back(end && has_near_coordinates(*end, found_[indices[k]], near));
+            }
+            return again;
+        });
+    }
+
     IntegerSystem& system_;
     SolutionSet<Point> seen_{1e-7, Nearness::of_coordinates};
     std::vector<Point> found_;
 };
 
 } // namespace
-
-int SolutionsRecord::count() const {
-    int count = 0;
-    for (const StartingValues& solution : solutions)
-        count += solution.real ? 1 : 2;
-    return count;
-}
 
 SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t seed, int threads) {
     constexpr std::uint64_t stream = 2; // another one than that of monodromy

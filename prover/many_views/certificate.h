@@ -1,9 +1,10 @@
-// Certificates that a problem in general has at least so many solutions (certs/FORMAT.md, section
+// Certificates of lower bounds on the degrees of problems in general (certs/FORMAT.md, section
 // 14): the solutions that monodromy has found, carried over to integer images.
 #pragma once
 
 #include "prover/many_views/integer_pictures.h"
 #include "prover/many_views/monodromy.h"
+#include "prover/monodromy/starting_values.h"
 
 #include <array>
 #include <span>
@@ -11,22 +12,14 @@
 
 namespace plprove::many_views {
 
-/// Starting values of a solution, times 2^bits: of each coordinate the real part, and unless it is
-/// real the imaginary part. The cameras come first.
-struct StartingValues {
-    bool real = true;
-    int bits = 0;
-    std::vector<std::int64_t> values;
-};
-
 /// What a record of the file says.
 struct SolutionsRecord {
     Problem problem;
-    IntegerImages views; ///< what each sees
-    std::vector<StartingValues> solutions;
+    IntegerImages views;                   ///< what each sees
+    std::vector<StartingValues> solutions; ///< the cameras come first
 
-    /// How many solutions these are: one that is not real stands for its conjugate, too.
-    int count() const;
+    /// How many solutions these are.
+    int count() const { return count_solutions(solutions); }
 };
 
 /// Follows the solutions to random integer images, on other ways again if fewer than `wanted`

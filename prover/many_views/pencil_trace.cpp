@@ -2,6 +2,7 @@
 
 #include "prover/many_views/distinct.h"
 #include "prover/many_views/path.h"
+#include "prover/monodromy/path_ends.h"
 
 #include <algorithm>
 #include <optional>
@@ -80,7 +81,7 @@ Complex ImagesInPencil::coordinate(const Point& solution) const {
 
 namespace {
 
-using Ends = std::vector<std::optional<Point>>;
+using Ends = PathEnds<Point>;
 
 /// Follows solutions to a time, by the way of another one. Where this fails for some, they keep
 /// their ends.
@@ -102,24 +103,18 @@ public:
 private:
     /// Follows those that have no end.
     void follow_again(Ends& ends, const Complex& between, const Complex& time, Care care) const {
-        std::vector<std::size_t> indices;
-        std::vector<Point> points;
-        for (std::size_t i = 0; i < ends.size(); ++i) {
-            if (ends[i]) continue;
-            indices.push_back(i);
-            points.push_back(starts_[i]);
-        }
-        Ends found =
-            follow_all(system_, pencil_.at(0), pencil_.at(between), points, care, threads_);
-        if (between != time) found = continued(found, between, time, care);
-        for (std::size_t k = 0; k < indices.size(); ++k)
-            if (found[k] && !system_.has_null_quaternion(*found[k])) ends[indices[k]] = found[k];
-    }
-
-    Ends continued(Ends middle, const Complex& between, const Complex& time, Care care) const {
-        for (std::optional<Point>& point : middle)
-            if (point) point = follow(system_, pencil_.at(between), pencil_.at(time), *point, care);
-        return middle;
+        const auto leg = [&](const Complex& from, const Complex& to, const auto& starts) {
+            return follow_all(system_, pencil_.at(from), pencil_.at(to), starts, care, threads_);
+        };
+        fill(ends, starts_, [&](const auto& open) {
+            Ends found = leg(Complex(0), between, open);
+            if (between != time)
+                found =
+                    follow_on(found, [&](const auto& from) { return leg(between, time, from); });
+            for (std::optional<Point>& end : found)
+                if (end && system_.has_null_quaternion(*end)) end.reset();
+            return found;
+        });
     }
 
     const System& system_;

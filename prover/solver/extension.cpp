@@ -4,7 +4,7 @@
 #include "prover/solver/five_points.h"
 #include "prover/solver/in_parts.h"
 #include "prover/solver/poses.h"
-#include "prover/solver/registration_equations.h"
+#include "prover/solver/templates/values.h"
 
 namespace plprove {
 
@@ -15,8 +15,8 @@ namespace {
 /// twice as long for random images (docs/solve.md).
 constexpr std::size_t most_rows = 150;
 
-std::size_t rows(const bounds::Template& found) {
-    const auto columns = bounds::rotation_ring(found.frame).monomials(found.degree);
+std::size_t rows(const templates::Template& found) {
+    const auto columns = templates::RotationRing(found.frame).monomials(found.degree);
     return columns.size() - found.basis.size();
 }
 
@@ -43,11 +43,11 @@ bool is_second_of_pair(const ComplexPose& pose) {
 
 std::optional<ExtensionSolver> ExtensionSolver::make(const Signature& signature) {
     const std::array<int, 3> shared = shared_points(problem_of(signature)); // by pairs 12, 13, 23
-    std::optional<bounds::Template> best;
+    std::optional<templates::Template> best;
     int best_third = 0;
     for (int third = 0; third < 3; ++third) {
         if (shared[static_cast<std::size_t>(2 - third)] != 5) continue;
-        auto found = bounds::best_template(bounds::registration(signature, third));
+        auto found = templates::best_template(templates::registration(signature, third));
         if (!found || (best && rows(*best) <= rows(*found))) continue;
         best = std::move(found);
         best_third = third;

@@ -25,7 +25,7 @@ public:
     const RegistrationTemplate& registration() const { return registration_; }
 
 private:
-    ExtensionSolver(int third, const bounds::Template& found)
+    ExtensionSolver(int third, const templates::Template& found)
         : third_(third), registration_(found) {}
 
     /// The cameras with this relative pose of the two views that share points.

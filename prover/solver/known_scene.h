@@ -2,9 +2,9 @@
 // section 10, with numbers in place of integers.
 #pragma once
 
-#include "prover/bounds/registration.h"
 #include "prover/solver/bilinear.h"
 #include "prover/solver/solution.h"
+#include "prover/solver/templates/registration.h"
 #include "prover/three_views/camera_system.h"
 
 #include <array>
@@ -42,6 +42,8 @@ struct KnownScene {
         Vector point;
         std::vector<Ray> rays;
     };
+    friend const Vector& line_of(const Star&, const Pin& pin) { return pin.image; }
+
     std::vector<Star> stars;
     std::vector<Line> lines;
     std::vector<Incidence> incidences;

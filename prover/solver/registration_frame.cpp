@@ -39,7 +39,7 @@ std::array<Vector3cd, 2> feet(const KnownScene<Complex>::Line& a,
 }
 
 /// The rotations and the origin, without the scene.
-FramedScene way_to(const KnownScene<Complex>& scene, bounds::Frame frame, Random random) {
+FramedScene way_to(const KnownScene<Complex>& scene, templates::Frame frame, Random random) {
     const auto any = [&random] {
         const double x = random.real(), y = random.real(), z = random.real();
         return Vector3cd(x, y, z);
@@ -48,19 +48,19 @@ FramedScene way_to(const KnownScene<Complex>& scene, bounds::Frame frame, Random
     FramedScene way;
     way.origin = scene.stars.empty() ? Vector3cd(0, 0, 0) : scene.stars[0].point;
     switch (frame) {
-    case bounds::Frame::general:
+    case templates::Frame::general:
         way.space = rotation_with(0, a, b);
         way.view = rotation_with(2, c, d);
         break;
-    case bounds::Frame::line:
+    case templates::Frame::line:
         way.space = rotation_with(0, scene.lines[0].direction, b);
         way.view = rotation_with(2, scene.lines[0].image, d);
         break;
-    case bounds::Frame::points:
+    case templates::Frame::points:
         way.space = rotation_with(0, scene.stars[1].point - scene.stars[0].point, b);
         way.view = rotation_with(2, cross(scene.stars[0].image, scene.stars[1].image), d);
         break;
-    case bounds::Frame::lines:
+    case templates::Frame::lines:
         way.origin = scene.lines[0].point;
         // The next row is orthogonal to the first two: it is the second axis; the third is the
         // common perpendicular.
@@ -74,8 +74,8 @@ FramedScene way_to(const KnownScene<Complex>& scene, bounds::Frame frame, Random
 
 } // namespace
 
-FramedScene in_frame(KnownScene<Complex> scene, bounds::Frame frame, std::uint64_t attempt) {
-    if (frame == bounds::Frame::lines) {
+FramedScene in_frame(KnownScene<Complex> scene, templates::Frame frame, std::uint64_t attempt) {
+    if (frame == templates::Frame::lines) {
         const auto [first, second] = feet(scene.lines[0], scene.lines[1]);
         scene.lines[0].point = first;
         scene.lines[1].point = second;

@@ -2,8 +2,8 @@
 // (certs/FORMAT.md, section 10; Lemma U3 of proofs/templates.md).
 #pragma once
 
-#include "prover/bounds/equations.h"
 #include "prover/solver/known_scene.h"
+#include "prover/solver/templates/equations.h"
 
 namespace plprove {
 
@@ -22,7 +22,7 @@ struct FramedScene {
 
 /// What the frame leaves open is chosen at random, so that no scene is special: another way for
 /// another attempt. Assumes that the scene has what the frame needs.
-FramedScene in_frame(KnownScene<std::complex<double>> scene, bounds::Frame frame,
+FramedScene in_frame(KnownScene<std::complex<double>> scene, templates::Frame frame,
                      std::uint64_t attempt);
 
 } // namespace plprove

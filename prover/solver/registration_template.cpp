@@ -1,7 +1,7 @@
 #include "prover/solver/registration_template.h"
 
-#include "prover/solver/registration_equations.h"
 #include "prover/solver/rotation.h"
+#include "prover/solver/templates/values.h"
 #include "prover/three_views/random.h"
 
 #include <Eigen/Eigenvalues>
@@ -13,13 +13,13 @@ namespace plprove {
 
 namespace {
 
-using bounds::BiDegree;
-using bounds::Frame;
-using bounds::Monomial;
-using bounds::Polynomial;
 using Eigen::Matrix3cd;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
+using templates::BiDegree;
+using templates::Frame;
+using templates::Monomial;
+using templates::Polynomial;
 
 /// Residues of small integers.
 double signed_value(Residue x) {
@@ -82,13 +82,12 @@ std::vector<Monomial> unit_monomials(Frame frame) {
 
 } // namespace
 
-RegistrationTemplate::RegistrationTemplate(const bounds::Template& found)
-    : frame_(found.frame), ring_(bounds::rotation_ring(found.frame)),
-      solutions_(static_cast<int>(found.basis.size())) {
+RegistrationTemplate::RegistrationTemplate(const templates::Template& found)
+    : frame_(found.frame), ring_(found.frame), solutions_(static_cast<int>(found.basis.size())) {
     const std::vector<Monomial> monomials = ring_.monomials(found.degree);
     for (std::size_t i = 0; i < monomials.size(); ++i)
         columns_[monomials[i]] = static_cast<int>(i);
-    const auto equations = bounds::equations(found.data, frame_);
+    const auto equations = templates::equations(found.data, frame_);
     std::size_t most = 0; // monomials of an equation
     for (const auto& [number, multipliers] : found.rows)
         most = std::max(most, ring_.monomials(equations[number].degree).size());
@@ -123,7 +122,8 @@ void RegistrationTemplate::add_products(const BiDegree& degree) {
         h_.push_back(random.real());
     }
     for (const auto& [monomial, column] : columns_) {
-        if (!bounds::at_most(bounds::sum(ring_.degree(monomial), ring_.unit()), degree)) continue;
+        if (!templates::at_most(templates::sum(ring_.degree(monomial), ring_.unit()), degree))
+            continue;
         auto& products = products_.emplace_back();
         for (const Monomial& unit : units)
             products.push_back(terms(ring_.product({{unit, 1}}, {{monomial, 1}}), 0));

@@ -1,5 +1,5 @@
-// Elimination templates (prover/bounds/template.h) with numbers: all rotations of a camera that
-// sees a known scene.
+// Elimination templates (prover/solver/templates/template.h) with numbers: all rotations of a
+// camera that sees a known scene.
 //
 // A template says which multiples of the equations express all monomials up to a degree by those of
 // a basis. With the numbers of a scene these multiples are the rows of a matrix. The vectors of
@@ -10,16 +10,16 @@
 // large entries do no harm to the others; and the basis is chosen anew for each scene, by pivoting.
 #pragma once
 
-#include "prover/bounds/template.h"
 #include "prover/solver/registration_frame.h"
+#include "prover/solver/templates/template.h"
 
 namespace plprove {
 
 class RegistrationTemplate {
 public:
-    explicit RegistrationTemplate(const bounds::Template& found);
+    explicit RegistrationTemplate(const templates::Template& found);
 
-    bounds::Frame frame() const { return frame_; }
+    templates::Frame frame() const { return frame_; }
     /// How many solutions generic scenes have at most.
     int solutions() const { return solutions_; }
     /// How many rows the matrix has.
@@ -50,10 +50,10 @@ private:
     };
 
     void draw_samples(std::size_t count);
-    std::size_t interpolation(const bounds::BiDegree& degree);
-    void add_row(const bounds::BiDegree& degree, const bounds::Monomial& multiplier);
-    void add_products(const bounds::BiDegree& degree);
-    Terms terms(const bounds::Polynomial& polynomial, int coefficient) const;
+    std::size_t interpolation(const templates::BiDegree& degree);
+    void add_row(const templates::BiDegree& degree, const templates::Monomial& multiplier);
+    void add_products(const templates::BiDegree& degree);
+    Terms terms(const templates::Polynomial& polynomial, int coefficient) const;
 
     template <class Scalar>
     using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -70,13 +70,13 @@ private:
                                   const Matrix<Scalar>& basis) const;
     Eigen::Matrix3cd rotation(const Eigen::VectorXcd& values) const;
 
-    bounds::Frame frame_;
-    bounds::RotationRing ring_;
+    templates::Frame frame_;
+    templates::RotationRing ring_;
     int solutions_;
-    std::map<bounds::Monomial, int> columns_;
+    std::map<templates::Monomial, int> columns_;
     std::vector<Eigen::Vector4d> samples_; ///< coordinates of rotations
     std::vector<Eigen::Matrix3d> sample_rotations_;
-    std::vector<bounds::BiDegree> degrees_; ///< of the interpolations
+    std::vector<templates::BiDegree> degrees_; ///< of the interpolations
     std::vector<Eigen::MatrixXd> interpolations_;
     std::vector<Used> used_;
     std::vector<Row> rows_;

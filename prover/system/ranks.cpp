@@ -3,6 +3,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 #include <thread>
 
@@ -22,10 +23,6 @@ std::optional<int> number_in(const char* variable) {
 }
 
 } // namespace
-
-Ranks only_rank() {
-    return {0, 1, [](int, const std::string&) {}, [] { return std::nullopt; }};
-}
 
 int ranks_started() {
     if (const auto by_mpirun = number_in("OMPI_COMM_WORLD_SIZE")) return *by_mpirun;

@@ -2,33 +2,22 @@
 // started alone, or built without MPI, is the only rank.
 #pragma once
 
+#include <cstddef>
 #include <functional>
-#include <optional>
-#include <string>
 
 namespace plprove {
 
-struct Message {
-    int from = 0; ///< the rank that sent it
-    std::string text;
-};
-
-/// One rank, and how it talks to the others. Only the thread that joined may call the functions.
+/// One rank. Only the thread that joined may call the function.
 struct Ranks {
     int number = 0; ///< of this rank: from 0 to count - 1
     int count = 1;
 
-    /// Sends a short text to another rank. Messages from one rank to another arrive in order.
-    std::function<void(int to, const std::string& text)> send;
-    /// A message that has arrived, if there is one. Does not wait.
-    std::function<std::optional<Message>()> receive;
+    /// Waits for all ranks. The sum of what they give.
+    std::function<std::size_t(std::size_t)> sum = [](std::size_t alone) { return alone; };
 
-    /// Rank 0 leads: it plans, speaks, and collects.
+    /// Rank 0 speaks, and collects.
     bool leads() const { return number == 0; }
 };
-
-/// The only rank: it has nobody to talk to.
-Ranks only_rank();
 
 /// How many ranks were started together, as the environment says; 1 outside mpirun and srun.
 int ranks_started();
@@ -41,8 +30,9 @@ int number_of_rank();
 void leave_words_to_rank_0(int status);
 
 /// Joins the ranks that were started together. MPI ends with the last copy of the result, and waits
-/// there for all ranks. Throws BadInput if there are several, and this plprove was built without
-/// MPI. A plprove that was started alone does not start MPI.
+/// there for all ranks, unless an exception ends this one: then mpirun ends the others. Throws
+/// BadInput if there are several, and this plprove was built without MPI. A plprove that was
+/// started alone does not start MPI.
 Ranks join_ranks();
 
 } // namespace plprove

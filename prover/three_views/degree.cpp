@@ -7,13 +7,6 @@
 
 namespace plprove {
 
-int DegreeCertificate::degree() const {
-    int degree = 0;
-    for (const ApproximateSolution& solution : solutions)
-        degree += solution.real ? 1 : 2;
-    return degree;
-}
-
 DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
     // Some random images have a solution that is too ill-conditioned: then others do.
     constexpr std::size_t most_images = 12;
@@ -34,8 +27,7 @@ DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
         run.certificate = std::move(certificate);
         run.certificate->number = number;
     }
-    run.all = options.degree > 0 && run.degree == options.degree;
-    if (!options.certificate) run.certificate.reset();
+    run.complete = options.degree > 0 && run.degree == options.degree;
     return run;
 }
 

@@ -1,9 +1,10 @@
-// Camera-degrees: so many complex camera solutions has a minimal problem for generic images. A
-// theorem gives the number (certs/degrees.csv); here the solutions themselves are found, by
-// monodromy, as certificates that there are at least so many (certs/FORMAT.md, section 9).
+// Camera-degrees: the number of complex camera solutions that a minimal problem has for generic
+// images. A theorem gives it (certs/degrees.csv). Here the solutions themselves are found, by
+// monodromy, for certificates that there are at least as many (certs/FORMAT.md, section 9).
 #pragma once
 
 #include "prover/monodromy/progress.h"
+#include "prover/monodromy/starting_values.h"
 #include "prover/problem/signature.h"
 
 #include <array>
@@ -15,10 +16,9 @@
 namespace plprove {
 
 struct DegreeOptions {
-    int target = 0;          ///< stop once so many solutions are found; 0: find all
-    std::uint64_t seed = 0;  ///< another seed, another sequence of random images and charts
-    bool certificate = true; ///< keep the certificate
-    int at_least = 0;        ///< not 0: find so many solutions, whatever the degree is
+    int target = 0;         ///< stop once so many solutions are found; 0: find all
+    std::uint64_t seed = 0; ///< another seed, another sequence of random images and charts
+    int at_least = 0;       ///< not 0: find so many solutions, whatever the degree is
     /// Called now and then by the thread that computes; has no part in the result.
     std::function<void(const MonodromyProgress&)> progress = {};
     int degree = 0; ///< that a theorem gives: the number of all solutions
@@ -36,34 +36,25 @@ struct FeatureImage {
     std::vector<ViewImage> views;
 };
 
-/// A starting value for the checker: values / 2^bits; 11 of a real solution, 22 of a pair.
-struct ApproximateSolution {
-    bool real = false;
-    int bits = 0;
-    std::vector<std::int64_t> values;
-};
-
 struct DegreeCertificate {
     std::size_t number = 0; ///< of the label class
     std::vector<FeatureImage> images;
-    std::vector<ApproximateSolution> solutions;
+    std::vector<StartingValues> solutions;
 
-    /// How many solutions it shows: pairs count twice.
-    int degree() const;
+    /// How many solutions it shows.
+    int degree() const { return count_solutions(solutions); }
 };
 
 /// What came of tracking one class.
 struct DegreeRun {
     std::size_t number = 0;
-    int degree = 0;   ///< how many solutions were found: certified once plcheck accepts them
-    bool all = false; ///< whether these are as many as the theorem gives
+    int degree = 0;        ///< how many solutions were found: certified once plcheck accepts them
+    bool complete = false; ///< whether these are as many as the theorem gives
     std::uint64_t tracks = 0;       ///< paths followed, to an end or until lost for good
     std::uint64_t retried = 0;      ///< of these, followed with tighter settings and more digits
     std::uint64_t failed = 0;       ///< of these, lost for good
     std::vector<std::string> notes; ///< why nothing came of it
-    std::optional<DegreeCertificate> certificate;
-
-    bool complete() const { return all; }
+    std::optional<DegreeCertificate> certificate; ///< of these solutions
 };
 
 /// Finds what the options ask for, or as many solutions as it can. The same run for the same class

@@ -22,18 +22,18 @@ struct Demands {
     std::span<const int> bits; ///< how many bits to try after the binary point, ascending
 };
 
-constexpr std::array some_bits{3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 14, 16,
-                               19, 22, 26, 30, 35, 40, 44, 46, 48, 50, 52};
-constexpr std::array all_bits = [] {
-    std::array<int, 50> bits{};
+constexpr std::array bits_of_random_images{3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 14, 16,
+                                           19, 22, 26, 30, 35, 40, 44, 46, 48, 50, 52};
+constexpr std::array bits_of_given_images = [] {
+    std::array<int, 42> bits{};
     std::iota(bits.begin(), bits.end(), 3);
     return bits;
 }();
 
 /// If the checker refuses one of these, other images will do.
-constexpr Demands all{1e-13, false, some_bits};
+constexpr Demands all{1e-13, false, bits_of_random_images};
 /// Nothing else will do. Solutions with a large coordinate have room for few bits.
-constexpr Demands for_given_images{1e-9, true, all_bits};
+constexpr Demands for_given_images{1e-9, true, bits_of_given_images};
 
 /// The images as the certificate has them.
 std::vector<FeatureImage> feature_images(const CameraSystem& system,
@@ -69,20 +69,10 @@ bool is_real(const CameraPoint& point) {
     return imaginary < small_imaginary_part * size;
 }
 
-/// The coordinates as multiples of 2^-bits.
-CameraPoint rounded(const CameraPoint& point, int bits) {
-    CameraPoint result;
-    for (std::size_t k = 0; k < point.size(); ++k)
-        result[k] = {std::ldexp(std::nearbyint(std::ldexp(point[k].real(), bits)), -bits),
-                     std::ldexp(std::nearbyint(std::ldexp(point[k].imag(), bits)), -bits)};
-    return result;
-}
-
 /// A solution at the integer images.
 struct Found {
     CameraPoint point;
     bool real = false;
-    int bits = 0; ///< enough for Newton's method to find the point again; 0: not known yet
 };
 
 /// Solves the equations at fixed images from starting values nearby.
@@ -117,55 +107,24 @@ private:
     TrackedImages images_;
 };
 
-/// Whether the coordinates are written with at most 18 digits.
-bool has_few_digits(const CameraPoint& point, int bits) {
-    constexpr double limit = 1e18;
-    return std::ranges::all_of(point, [&](const Complex& x) {
-        return std::ldexp(std::max(std::abs(x.real()), std::abs(x.imag())), bits) < limit;
-    });
-}
-
-/// Finds for each solution how many bits after the binary point are enough. A single success may be
-/// luck, as the region that Newton's method converges from has a ragged edge: two coarser roundings
-/// must lead to the solution as well. Unless that is demanded, the last success counts.
-void choose_bits(std::vector<Found>& found, const FixedImages& fixed, const Demands& demands) {
-    constexpr int wanted = 3;
-    constexpr int most_sure_bits = 44;
-    std::vector<int> successes(found.size(), 0), last(found.size(), 0);
-    for (const int bits : demands.bits) {
-        if (demands.sure && bits > most_sure_bits) break;
-        std::vector<std::size_t> open;
-        std::vector<CameraPoint> starts;
-        for (std::size_t i = 0; i < found.size(); ++i)
-            if (found[i].bits == 0) {
-                open.push_back(i);
-                starts.push_back(rounded(found[i].point, bits));
-            }
+/// For each solution how many bits after the binary point are enough; 0: no number is.
+std::vector<int> bits_of(const std::vector<Found>& found, const FixedImages& fixed,
+                         const Demands& demands) {
+    std::vector<CameraPoint> points;
+    for (const Found& solution : found)
+        points.push_back(solution.point);
+    const auto find_again = [&](int bits, const auto& starts, const auto& indices) {
         // In the end few are left, which are ill-conditioned.
         const auto ends = bits < 12 ? fixed.solve(starts, fastest_tracker(), 1e-7)
                                     : fixed.solve(starts, fastest_double_double_tracker(), 1e-16);
-        for (std::size_t k = 0; k < open.size(); ++k) {
-            Found& solution = found[open[k]];
-            int& count = successes[open[k]];
-            count = ends[k] && approximates(*ends[k], solution.point) ? count + 1 : 0;
-            if (!has_few_digits(solution.point, bits)) continue;
-            if (count > 0) last[open[k]] = bits;
-            if (count >= wanted) solution.bits = bits;
-        }
-    }
-    for (std::size_t i = 0; i < found.size(); ++i)
-        if (found[i].bits == 0 && !demands.sure) found[i].bits = last[i];
-}
-
-ApproximateSolution approximate(const Found& solution) {
-    ApproximateSolution result{solution.real, solution.bits, {}};
-    const auto put = [&](double x) {
-        result.values.push_back(std::llrint(std::ldexp(x, solution.bits)));
+        std::vector<bool> again;
+        for (std::size_t k = 0; k < ends.size(); ++k)
+            again.push_back(ends[k] && approximates(*ends[k], points[indices[k]]));
+        return again;
     };
-    for (const Complex& x : solution.point) {
-        put(x.real());
-        if (!solution.real) put(x.imag());
-    }
+    std::vector<int> result;
+    for (const auto& [sure, last] : enough_bits(points, demands.bits, find_again))
+        result.push_back(sure > 0 || demands.sure ? sure : last);
     return result;
 }
 
@@ -183,7 +142,7 @@ public:
                 nondegeneracy(system_, vectors_, standard_chart().cameras(*point)) <
                     demands_.nondegeneracy)
                 continue;
-            Found solution{*point, is_real(*point), 0};
+            Found solution{*point, is_real(*point)};
             seen_.add(*point);
             if (solution.real)
                 for (Complex& x : solution.point)
@@ -194,14 +153,15 @@ public:
         }
     }
 
-    std::vector<ApproximateSolution> written() {
-        choose_bits(found_, fixed_, demands_);
+    std::vector<StartingValues> written() {
         std::ranges::sort(found_, {}, [](const Found& solution) {
             return std::pair(solution.point[0].real(), std::abs(solution.point[0].imag()));
         });
-        std::vector<ApproximateSolution> result;
-        for (const Found& solution : found_)
-            if (solution.bits > 0) result.push_back(approximate(solution));
+        const std::vector<int> bits = bits_of(found_, fixed_, demands_);
+        std::vector<StartingValues> result;
+        for (std::size_t i = 0; i < found_.size(); ++i)
+            if (bits[i] > 0)
+                result.push_back(starting_values(found_[i].point, found_[i].real, bits[i]));
         return result;
     }
 

@@ -166,6 +166,7 @@ public:
         ratio("replay_records", "flint_minor", "record");
         ratio("number_classes", "flint_minor");
         ratio("track_chicago", "track_chicago_one_lane", "track");
+        ratio("track_chicago", "track_chicago_any_views", "track");
         ratio("track_chicago_wide", "track_chicago", "track");
         ratio("track_chicago_triple", "track_chicago_wide", "track");
         ratio("check_solutions", "track_chicago", "solution and track");

@@ -1,8 +1,11 @@
 // Speed of the degree engine: paths of the Chicago problem (class 2394) with the widest lanes of
-// this machine, with one lane, and with two and three times as many digits, and proving solutions
-// in the checker.
+// this machine, with one lane, with two and three times as many digits, and by the engine for any
+// number of views, which knows nothing of three views; and proving solutions in the checker.
 #include "checker/replay.h"
 #include "prover/degree_sweep/write.h"
+#include "prover/general/notation.h"
+#include "prover/many_views/monodromy.h"
+#include "prover/many_views/path.h"
 #include "prover/three_views/camera_loops.h"
 #include "prover/three_views/degree.h"
 
@@ -69,6 +72,22 @@ void track_chicago_triple(benchmark::State& state) {
     follow(state, fastest_triple_double_tracker());
 }
 
+void track_chicago_any_views(benchmark::State& state) {
+    const Problem problem = parse_problem("2*Pa/Pa/Pa + P/P/P");
+    const many_views::MonodromyResult found = many_views::run_monodromy(problem, 0, {});
+    Random random(1, 1);
+    const auto to = many_views::random_images(problem, random);
+    std::ptrdiff_t lost = 0;
+    const auto lost_of = [](const auto& ends) {
+        return std::ranges::count_if(ends, [](const auto& end) { return !end; });
+    };
+    for (auto _ : state)
+        lost = lost_of(many_views::follow_all(found.system, found.images, to, found.points,
+                                              many_views::Care::usual, 1));
+    state.SetItemsProcessed(state.iterations() * std::ssize(found.points));
+    state.counters["lost"] = static_cast<double>(lost);
+}
+
 void check_solutions(benchmark::State& state) {
     const DegreeRun run = compute_degree(chicago, {.at_least = 312});
     const std::string bytes = write_degree_file(std::span(&*run.certificate, 1));
@@ -84,4 +103,5 @@ BENCHMARK(track_chicago)->Unit(benchmark::kMillisecond);
 BENCHMARK(track_chicago_one_lane)->Unit(benchmark::kMillisecond);
 BENCHMARK(track_chicago_wide)->Unit(benchmark::kMillisecond);
 BENCHMARK(track_chicago_triple)->Unit(benchmark::kMillisecond);
+BENCHMARK(track_chicago_any_views)->Unit(benchmark::kMillisecond);
 BENCHMARK(check_solutions)->Unit(benchmark::kMillisecond);

@@ -35,7 +35,7 @@ DegreeCertificate certificate_of(const DegreeRun& run, std::uint64_t seed) {
     for (const Feature& feature : problem_of(label_classes()[run.number]))
         certificate.images.push_back(image_of(feature, random));
     for (int left = run.degree; left > 0;) {
-        ApproximateSolution solution{left % 2 == 1, 40, {}};
+        StartingValues solution{left % 2 == 1, 40, {}};
         solution.values.resize(solution.real ? 11 : 22);
         for (std::int64_t& value : solution.values)
             value = static_cast<std::int64_t>(random() % 2'000'000'000'000) - 1'000'000'000'000;
@@ -71,12 +71,12 @@ DegreeRun compute(std::size_t number, const DegreeOptions& options) {
     if (falls_short(number))
         run.notes = {"the fake engine is tired", "and \xFF not even UTF-8"};
     else if (!stopped)
-        run.all = true;
+        run.complete = true;
     if (falls_short(number)) run.degree = 1;
     run.tracks = 10 * number;
     run.retried = number % 3;
     run.failed = number % 2;
-    if (options.certificate) run.certificate = certificate_of(run, options.seed);
+    run.certificate = certificate_of(run, options.seed);
     return run;
 }
 

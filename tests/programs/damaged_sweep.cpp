@@ -1,4 +1,4 @@
-// What plprove degrees says where a file of a sweep is damaged, or is none.
+// What plprove degrees and plprove collect say where a file of a sweep is damaged, or is none.
 #include "tests/support/program.h"
 
 #include <doctest/doctest.h>
@@ -12,7 +12,7 @@ TEST_CASE("a damaged file is named and left out, and --retry mends it; a pipe is
     const std::filesystem::path file = folder / "seed-0" / "002" / "2394.plc";
     std::string text = read_file(file);
     write_file(file, text.replace(text.find("\nimage "), 7, "\nimags "));
-    const std::string collect = plprove + " degrees --collect" + in;
+    const std::string collect = plprove + " collect" + in;
     for (const std::string& command : {sweep, collect}) {
         const Outcome damaged = run(command);
         CHECK(damaged.status == 1);

@@ -157,7 +157,7 @@ TEST_CASE("a second sweep in the same folder is refused until the first one ends
                             ": wait for it, or name another folder\n");
     // Another folder is free, and the results so far can be looked at.
     CHECK(run(shell(sweep_of(folder / "other"))).err.find("another sweep") == std::string::npos);
-    CHECK(run(shell({"degrees", "--collect", "-o", sweep.string()})).status == 0);
+    CHECK(run(shell({"collect", "-o", sweep.string()})).status == 0);
     ::kill(first, SIGKILL);
     wait_for(first);
     CHECK(contains(run(shell(sweep_of(sweep))).out, "were on file"));
@@ -210,7 +210,7 @@ TEST_CASE("a sweep says what it did, names what fell short, and is silent on the
     CHECK(well.err.empty());
     const std::string runs = read_file(folder / "two" / "runs.jsonl");
     const auto line = nlohmann::json::parse(runs.substr(0, runs.find('\n')));
-    for (const char* field : {"number", "degree", "certificate", "complete", "tracks", "retried",
+    for (const char* field : {"number", "degree", "record", "complete", "tracks", "retried",
                               "failed", "seconds", "notes", "seed"})
         CHECK(line.contains(field));
     CHECK(!contains(runs, "certified")); // plcheck has not been asked yet
@@ -351,11 +351,13 @@ TEST_CASE("what is no minimal problem, or no command, is refused") {
     refused("degrees -o d --classes --nonsense", 3, "nonsense");
     refused("degrees -o d --classes", 3, "--classes");
     refused("degrees -o d --classes 0", 2, "no minimal class passes the filter");
-    refused("degrees -o d --collect --exact", 3, "--collect");
-    refused("degrees -o d --also pl0p", 3, "--below");
-    refused("degrees -o d --checked report", 3, "--collect");
-    refused("degrees -o d --collect", 2, "no results in d");
-    for (const char* command : {"degree", "degrees"}) {
+    refused("degrees -o d --checked report", 3, "has no option '--checked'");
+    refused("collect", 3, "--output");
+    refused("collect -o d --exact", 3, "has no option '--exact'");
+    refused("collect -o d --also pl0p", 3, "--below");
+    refused("collect -o d --below 3 --checked report", 3, "--below");
+    refused("collect -o d", 2, "no results in d");
+    for (const char* command : {"degree", "degrees", "collect"}) {
         const Outcome help = run(plprove + " " + command + " --help");
         CHECK(help.status == 0);
         CHECK(contains(help.out, "Examples:"));

@@ -109,7 +109,7 @@ TEST_CASE("what a sweep certifies, plcheck has accepted, whatever the number of 
     CHECK(classes > 5);
     const Outcome collected =
         run(in_folder + plcheck + " --json 1/degrees.plc >report && " + plprove +
-            " degrees --collect --checked report -o 1 && " + plcheck + " 1/degrees.plc");
+            " collect --checked report -o 1 && " + plcheck + " 1/degrees.plc");
     CHECK(collected.status == 0);
     const std::size_t records = lines_with(read_file(folder / "1" / "degrees.plc"), "\ndegree ");
     CHECK(records > 5);

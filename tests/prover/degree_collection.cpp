@@ -48,7 +48,7 @@ struct FinishedSweep {
     TemporaryFolder folder;
     SweepFolder results{folder.path(), 0};
 
-    FinishedSweep() { run_sweep(results, classes, {40, 0, true}); }
+    FinishedSweep() { run_sweep(results, classes, {40, 0}); }
 
     std::vector<std::size_t> with_certificate() const {
         std::vector<std::size_t> numbers;
@@ -86,7 +86,7 @@ TEST_CASE("a collection calls nothing certified that plcheck has not seen") {
     for (const Row& row : sweep.rows()) {
         CHECK(row.certified == 0);
         CHECK(row.degree == degree_on_file(row.number));
-        CHECK(row.found == sweep.results.read(row.number, true)->degree());
+        CHECK(row.found == sweep.results.read(row.number, true)->run.degree);
     }
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("a collection that plcheck accepted is read as the project's own files
     CHECK(std::ranges::is_sorted(rows, {}, &Row::number));
     for (const Row& row : rows) {
         const auto result = sweep.results.read(row.number, true);
-        CHECK(row.certified == (has_record(whole, row.number) ? result->shown : 0));
+        CHECK(row.certified == (has_record(whole, row.number) ? result->run.degree : 0));
     }
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("a collection has the certificates that were chosen, and replaces an e
     const std::string some = sweep.certificates();
     for (const std::size_t number : sweep.classes) {
         const auto result = sweep.results.read(number, true);
-        const bool small = result->complete() && result->degree() < 20;
+        const bool small = result->run.complete && result->run.degree < 20;
         const bool expected = !result->record.empty() && (small || number == large);
         CHECK(has_record(some, number) == expected);
     }
@@ -170,7 +170,7 @@ TEST_CASE("nothing is certified but the very certificates that plcheck accepted"
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder folder;
     const SweepFolder results(folder.path(), 0);
-    run_sweep(results, classes, {40, 0, true});
+    run_sweep(results, classes, {40, 0});
     collect(results, {});
     // One is refused, and one is replaced after the check.
     std::vector<std::size_t> accepted;
@@ -178,8 +178,8 @@ TEST_CASE("nothing is certified but the very certificates that plcheck accepted"
     const std::size_t refused = accepted.back();
     accepted.pop_back();
     const Checked report = checked(folder.path(), accepted);
-    DegreeRun other = fake_engine::compute(accepted[0], {40, 1, true});
-    results.save(class_result(std::move(other), {40, 0, true}, 1));
+    DegreeRun other = fake_engine::compute(accepted[0], {40, 1});
+    results.save(class_result(std::move(other), {40, 0}, 1));
     CHECK(report.accepts(*results.read(accepted[1], true)));
     CHECK(!report.accepts(*results.read(accepted[0], true)));
     CHECK(!report.accepts(*results.read(refused, true)));

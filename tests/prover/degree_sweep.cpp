@@ -3,6 +3,7 @@
 #include "prover/cli/filter_options.h"
 #include "prover/degree_sweep/collect.h"
 #include "prover/problem/notation.h"
+#include "prover/system/exit.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/program.h"
 
@@ -45,7 +46,7 @@ TEST_CASE("filters choose the constraint classes that have a member which passes
           chosen({number_of("4*P/a/a + Pab/b/a + 4*a/P/a + 2*a/a/P").c_str()}));
     for (const char* none : {"0", "points 99", "not-minimal"}) {
         CAPTURE(none);
-        CHECK_THROWS_AS(chosen({none}), std::invalid_argument);
+        CHECK_THROWS_AS(chosen({none}), BadInput);
     }
     for (const char* wrong : {"", " ", "nonsense", "--nonsense", "points", "points x", "5..2",
                               "1,,2", "-1", "pl0p=3x", "1234567"}) {
@@ -58,8 +59,8 @@ TEST_CASE("results do not depend on the number of threads") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder one, four;
     const SweepFolder by_one(one.path(), 0), by_four(four.path(), 0);
-    run_sweep(by_one, classes, {30, 0, true}, 1);
-    run_sweep(by_four, classes, {30, 0, true}, 4);
+    run_sweep(by_one, classes, {30, 0}, 1);
+    run_sweep(by_four, classes, {30, 0}, 4);
     const Collected collected = collect(by_one, {});
     CHECK(collected.classes > 0);
     CHECK(collect(by_four, {}).solutions == collected.solutions);
@@ -78,27 +79,26 @@ TEST_CASE("what is on file is not computed again, unless more is asked for") {
     const auto above = [&](int degree) {
         return count([&](std::size_t n) { return is_well(n) && fake_engine::degree(n) >= degree; });
     };
-    CHECK(left_to_do(results, classes, {20, 0, true}) == classes.size());
-    run_sweep(results, classes, {20, 0, true});
-    CHECK(left_to_do(results, classes, {20, 0, true}) == 0);
-    CHECK(left_to_do(results, classes, {20, 0, true}, true) == classes.size() - well);
-    CHECK(left_to_do(results, classes, {10, 0, true}) == classes.size() - well);
-    CHECK(left_to_do(results, classes, {30, 0, true}) == classes.size() - well + above(20));
-    CHECK(left_to_do(results, classes, {0, 0, true}) == classes.size() - well + above(20));
-    CHECK(left_to_do(SweepFolder(folder.path(), 1), classes, {20, 1, true}) == classes.size());
-    run_sweep(results, classes, {0, 0, false});
-    CHECK(left_to_do(results, classes, {0, 0, false}) == 0);
-    CHECK(left_to_do(results, classes, {30, 0, true}) == classes.size() - well + above(21));
-    CHECK(left_to_do(results, classes, {20, 0, true}) == 0);
-    // Neither the exact degree nor the certificate of the first sweep is lost, nor by a later one.
-    run_sweep(results, classes, {25, 0, true});
+    CHECK(left_to_do(results, classes, {20, 0}) == classes.size());
+    run_sweep(results, classes, {20, 0});
+    CHECK(left_to_do(results, classes, {20, 0}) == 0);
+    CHECK(left_to_do(results, classes, {20, 0}, true) == classes.size() - well);
+    CHECK(left_to_do(results, classes, {10, 0}) == classes.size() - well);
+    CHECK(left_to_do(results, classes, {30, 0}) == classes.size() - well + above(20));
+    CHECK(left_to_do(results, classes, {0, 0}) == classes.size() - well + above(20));
+    CHECK(left_to_do(SweepFolder(folder.path(), 1), classes, {20, 1}) == classes.size());
+    run_sweep(results, classes, {0, 0});
+    CHECK(left_to_do(results, classes, {0, 0}) == 0);
+    CHECK(left_to_do(results, classes, {20, 0}) == 0);
+    CHECK(left_to_do(results, classes, {30, 0}) == classes.size() - well);
+    // No solution of the first sweeps is lost by a later one.
+    run_sweep(results, classes, {25, 0});
     for (const std::size_t number : classes) {
         if (!is_well(number)) continue;
         const auto result = results.read(number, true);
         REQUIRE(result);
-        CHECK(result->complete());
-        CHECK(result->degree() == fake_engine::degree(number));
-        CHECK(result->shown == std::min(fake_engine::degree(number), 25));
+        CHECK(result->run.complete);
+        CHECK(result->run.degree == fake_engine::degree(number));
     }
 }
 
@@ -127,11 +127,49 @@ TEST_CASE("the classes that are expected to be small come first") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder folder;
     const SweepFolder results(folder.path(), 0);
-    run_sweep(results, classes, {0, 0, false});
-    const SweepPlan plan = plan_sweep(results, classes, {0, 0, true}, false);
+    const SweepPlan plan = plan_sweep(results, classes, {0, 0}, false);
     CHECK(plan.classes.size() == classes.size());
     CHECK(std::ranges::is_sorted(plan.costs));
     CHECK(plan.costs.front() < plan.costs.back());
+}
+
+TEST_CASE("processes share out the classes: each has one owner, and none much more than its part") {
+    const std::vector<std::size_t> classes = minimal_constraint_classes();
+    for (const std::size_t processes : {1, 2, 7, 64}) {
+        CAPTURE(processes);
+        std::vector<std::size_t> all;
+        std::vector<int> solutions;
+        for (std::size_t process = 0; process < processes; ++process) {
+            const std::vector<std::size_t> share = share_of(classes, process, processes);
+            solutions.push_back(0);
+            for (const std::size_t number : share)
+                solutions.back() += degree_on_file(number).value();
+            all.insert(all.end(), share.begin(), share.end());
+        }
+        std::ranges::sort(all);
+        CHECK(all == classes);
+        const auto [least, most] = std::ranges::minmax(solutions);
+        CHECK(most - least <= 43224); // the largest degree
+    }
+}
+
+TEST_CASE("lack of memory ends a sweep, and results are kept") {
+    const std::vector<std::size_t> classes = some_classes();
+    const TemporaryFolder folder;
+    const SweepFolder results(folder.path(), 0);
+    SweepPlan plan = plan_sweep(results, classes, {30, 0}, false);
+    plan.threads = 2;
+    const std::size_t bad = plan.classes[40];
+    const auto compute = [&](std::size_t number, const DegreeOptions& options) {
+        if (number == bad) throw std::bad_alloc();
+        return fake_engine::compute(number, options);
+    };
+    CHECK_THROWS_AS(sweep(results, plan, compute, unwatched), std::bad_alloc);
+    const std::vector<std::size_t> kept = results.numbers();
+    CHECK(kept.size() >= 40);
+    CHECK(std::ranges::find(kept, bad) == kept.end());
+    run_sweep(results, classes, {30, 0});
+    CHECK(results.numbers() == classes);
 }
 
 TEST_CASE("a folder is locked once") {

@@ -25,7 +25,7 @@ inline void run_sweep(const SweepFolder& folder, const std::vector<std::size_t>&
                       const DegreeOptions& options, unsigned threads = 2, bool retry = false) {
     SweepPlan plan = plan_sweep(folder, classes, options, retry);
     plan.threads = threads;
-    sweep(folder, plan, only_rank(), fake_engine::compute, unwatched);
+    sweep(folder, plan, fake_engine::compute, unwatched);
 }
 
 inline std::size_t left_to_do(const SweepFolder& folder, const std::vector<std::size_t>& classes,

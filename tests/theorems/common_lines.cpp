@@ -133,7 +133,7 @@ TEST_CASE("six lines through a point: the 64 certified solutions have four forms
         else
             ++known->second;
     };
-    for (const ApproximateSolution& solution : run.certificate->solutions) {
+    for (const StartingValues& solution : run.certificate->solutions) {
         checker::CameraCoordinates<Complex> cameras, conjugate;
         for (std::size_t k = 0; k < cameras.size(); ++k) {
             const auto value = [&](std::size_t i) {

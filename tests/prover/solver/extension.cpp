@@ -6,8 +6,8 @@
 #include "prover/problem/notation.h"
 #include "prover/solver/camera_solver.h"
 #include "prover/solver/plan.h"
-#include "prover/solver/registration_equations.h"
 #include "prover/solver/synthetic.h"
+#include "prover/solver/templates/values.h"
 
 #include <Eigen/LU>
 #include <doctest/doctest.h>
@@ -20,15 +20,15 @@ namespace {
 /// An extension for each frame, and how many cameras a template registers with each relative pose.
 struct Extension {
     const char* problem;
-    bounds::Frame frame;
+    templates::Frame frame;
     int registrations;
 };
 
 constexpr std::array extensions{
-    Extension{"2*P/P/P + a/Pa/Pa + 2*-/P/P", bounds::Frame::line, 4},
-    Extension{"Pa/Pa/Pa + P/P/P + 3*-/P/P + P/-/P", bounds::Frame::points, 12},
-    Extension{"2*a/Pa/Pa + 3*-/P/P + 2*P/-/P", bounds::Frame::lines, 16},
-    Extension{"3*P/P/P + 2*-/P/P", bounds::Frame::general, 8}};
+    Extension{"2*P/P/P + a/Pa/Pa + 2*-/P/P", templates::Frame::line, 4},
+    Extension{"Pa/Pa/Pa + P/P/P + 3*-/P/P + P/-/P", templates::Frame::points, 12},
+    Extension{"2*a/Pa/Pa + 3*-/P/P + 2*P/-/P", templates::Frame::lines, 16},
+    Extension{"3*P/P/P + 2*-/P/P", templates::Frame::general, 8}};
 
 std::vector<Eigen::Vector3d> images_of(const SolvePlan& how, const CameraSystem& system,
                                        std::uint64_t seed) {
@@ -123,8 +123,8 @@ TEST_CASE("the equations vanish at the cameras that made the images, and nowhere
         };
         const auto at_truth = values_at(relative(third).R);
         const auto elsewhere = values_at(Eigen::Matrix3cd::Identity());
-        const auto in_integers = bounds::equations(
-            bounds::draw_data(bounds::registration(signature, 0), extension.frame, 1),
+        const auto in_integers = templates::equations(
+            templates::draw_data(templates::registration(signature, 0), extension.frame, 1),
             extension.frame);
         REQUIRE(at_truth.size() == in_integers.size());
         for (std::size_t e = 0; e < at_truth.size(); ++e)

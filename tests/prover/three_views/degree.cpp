@@ -33,7 +33,7 @@ TEST_CASE("published degrees are reached, with a certificate for all solutions")
         CAPTURE(notation);
         const DegreeRun result = compute_degree(number_of(notation), of_degree(degree));
         CHECK(result.degree == degree);
-        CHECK(result.complete());
+        CHECK(result.complete);
         REQUIRE(result.certificate);
         CHECK(result.certificate->degree() == degree);
     }
@@ -80,7 +80,7 @@ TEST_CASE("degrees are reached under swap, exchange and relabeling, tracked from
     std::swap(swapped[12], swapped[13]);
     for (const Signature& one : {signature, swapped})
         CHECK(compute_degree(class_number(label_classes(), representative(one)), of_degree(240))
-                  .complete());
+                  .complete);
 
     // The views in another order.
     const CameraSystem system = camera_system(relabelings(signature)[3]);
@@ -115,9 +115,9 @@ TEST_CASE("a run stops at its target") {
     const DegreeRun part = compute_degree(number, of_degree(216, 100));
     CHECK(part.degree >= 100);
     CHECK(part.degree < 216);
-    CHECK_FALSE(part.complete());
+    CHECK_FALSE(part.complete);
     CHECK(part.certificate->degree() == part.degree);
-    CHECK(compute_degree(number, of_degree(216, 300)).complete());
+    CHECK(compute_degree(number, of_degree(216, 300)).complete);
 }
 
 TEST_CASE("a lower bound is a certificate of so many different solutions, and no more is claimed") {
@@ -125,7 +125,7 @@ TEST_CASE("a lower bound is a certificate of so many different solutions, and no
         const DegreeRun found = compute_degree(number_of("2*Pa/Pa/Pa + P/P/P"), at_least(wanted));
         CHECK(found.degree >= wanted);
         CHECK(found.degree <= 312);
-        CHECK_FALSE(found.complete());
+        CHECK_FALSE(found.complete);
         REQUIRE(found.certificate);
         CHECK(found.certificate->degree() == found.degree);
         CHECK(found.certificate->solutions.size() <= static_cast<std::size_t>(found.degree));

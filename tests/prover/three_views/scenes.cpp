@@ -218,7 +218,7 @@ Images images_of(const DegreeCertificate& certificate) {
     return images;
 }
 
-CameraPoint starting_value(const ApproximateSolution& solution) {
+CameraPoint starting_value(const StartingValues& solution) {
     const auto value = [&](std::size_t i) {
         return std::ldexp(static_cast<double>(solution.values[i]), -solution.bits);
     };
@@ -234,7 +234,7 @@ CameraPoint starting_value(const ApproximateSolution& solution) {
 std::vector<CameraPoint> polished(const CameraSystem& system,
                                   const DegreeCertificate& certificate) {
     std::vector<CameraPoint> starts;
-    for (const ApproximateSolution& solution : certificate.solutions)
+    for (const StartingValues& solution : certificate.solutions)
         starts.push_back(starting_value(solution));
     TrackSettings settings;
     settings.first_step = settings.largest_step = 1;

@@ -1,9 +1,8 @@
-// The equations of a registration problem as functions of the rotation, the translation eliminated
-// (certs/FORMAT.md, section 10): their values at given rotations.
+// The equations of a registration problem with numbers: their values at given rotations.
 #pragma once
 
-#include "prover/bounds/equations.h"
 #include "prover/solver/known_scene.h"
+#include "prover/solver/templates/frame.h"
 
 #include <vector>
 
@@ -11,7 +10,7 @@ namespace plprove {
 
 /// The values of all equations, in the order of FORMAT. The scene is in the frame.
 template <class Scalar>
-std::vector<Scalar> equation_values(const KnownScene<Scalar>& scene, bounds::Frame frame,
+std::vector<Scalar> equation_values(const KnownScene<Scalar>& scene, templates::Frame frame,
                                     const Eigen::Matrix<Scalar, 3, 3>& rotation);
 
 /// The translation of a camera with this rotation that sees the scene, by least squares. In any

@@ -1,8 +1,8 @@
 // The text of templates, as certs/FORMAT.md section 10 has it.
-#include "prover/bounds/template.h"
 #include "prover/format/certificate_text.h"
+#include "prover/solver/templates/template.h"
 
-namespace plprove::bounds {
+namespace plprove::templates {
 
 namespace {
 
@@ -30,7 +30,7 @@ void append(CertificateText& text, const RegistrationData& data) {
         text.line("line", named("point", line.point), named("direction", line.direction),
                   named("image", line.image));
     for (const auto& incidence : data.incidences)
-        text.line("incidence", named("point", incidence.point), named("line", incidence.line));
+        text.line("incidence", named("point", incidence.point), named("line", incidence.image));
     for (const auto& group : data.groups) {
         std::vector<std::string> rays;
         for (const auto& ray : group.rays) {
@@ -62,4 +62,4 @@ std::string write(const std::vector<Template>& templates) {
     return certificate_file("bounds", text.take(), "write fewer templates");
 }
 
-} // namespace plprove::bounds
+} // namespace plprove::templates

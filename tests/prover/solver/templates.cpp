@@ -1,6 +1,6 @@
 // Registration problems and their templates: equations against planted cameras, degrees against
 // their bounds, and numbers of solutions against those of a Groebner basis modulo a prime.
-#include "prover/bounds/template.h"
+#include "prover/solver/templates/template.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 
 using namespace plprove;
-using namespace plprove::bounds;
+using namespace plprove::templates;
 
 namespace {
 
@@ -87,7 +87,7 @@ RegistrationData seen_by(const Planted& camera, RegistrationData data, Frame fra
     }
     int salt = 0;
     for (auto& incidence : data.incidences)
-        incidence.line = line_through(camera.image(incidence.point), ++salt);
+        incidence.image = line_through(camera.image(incidence.point), ++salt);
     for (auto& group : data.groups)
         for (auto& ray : group.rays)
             ray.image = camera.image(group.point + ray.direction);
@@ -157,7 +157,7 @@ TEST_CASE("no equation has a larger degree than is claimed of it, most have no s
         for (const Frame frame : frames(type)) {
             CAPTURE(describe(type));
             CAPTURE(name(frame));
-            const RotationRing ring = rotation_ring(frame);
+            const RotationRing ring(frame);
             for (const Equation& equation : equations(draw_data(type, frame, 3), frame)) {
                 BiDegree degree{};
                 for (const auto& [monomial, coefficient] : equation.polynomial)

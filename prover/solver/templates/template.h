@@ -3,12 +3,12 @@
 // elements of the basis (proofs/templates.md, section 5).
 #pragma once
 
-#include "prover/bounds/equations.h"
+#include "prover/solver/templates/equations.h"
 
 #include <optional>
 #include <utility>
 
-namespace plprove::bounds {
+namespace plprove::templates {
 
 struct Template {
     Frame frame = Frame::general;
@@ -30,4 +30,4 @@ std::optional<Template> best_template(const Registration& type);
 /// The text of a file with these templates (certs/FORMAT.md, section 10).
 std::string write(const std::vector<Template>& templates);
 
-} // namespace plprove::bounds
+} // namespace plprove::templates

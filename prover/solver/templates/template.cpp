@@ -1,9 +1,9 @@
-#include "prover/bounds/template.h"
+#include "prover/solver/templates/template.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace plprove::bounds {
+namespace plprove::templates {
 
 namespace {
 
@@ -135,7 +135,7 @@ std::optional<Template> find_template(const RotationRing& ring,
 } // namespace
 
 std::optional<Template> find_template(const RegistrationData& data, Frame frame) {
-    const RotationRing ring = rotation_ring(frame);
+    const RotationRing ring(frame);
     const std::vector<Equation> all = equations(data, frame);
     std::optional<Template> best;
     std::vector<BiDegree> degrees;
@@ -165,4 +165,4 @@ std::optional<Template> best_template(const Registration& type) {
     return best;
 }
 
-} // namespace plprove::bounds
+} // namespace plprove::templates

@@ -1,6 +1,6 @@
-#include "prover/bounds/rotation_ring.h"
+#include "prover/solver/templates/rotation_ring.h"
 
-namespace plprove::bounds {
+namespace plprove::templates {
 
 namespace {
 
@@ -13,13 +13,13 @@ void add_term(Polynomial& total, const Monomial& monomial, Residue coefficient) 
 } // namespace
 
 BiDegree RotationRing::degree(const Monomial& m) const {
-    if (rotations_ == Rotations::all) return {(m[0] + m[1] + m[2] + m[3]) / 2, 0};
+    if (frame_ == Frame::general) return {(m[0] + m[1] + m[2] + m[3]) / 2, 0};
     return {m[0] + m[1], m[2] + m[3]};
 }
 
 std::vector<Monomial> RotationRing::monomials(const BiDegree& bound) const {
     std::vector<Monomial> found;
-    const bool all = rotations_ == Rotations::all;
+    const bool all = frame_ == Frame::general;
     const int largest = all ? 2 * bound[0] : std::max(bound[0], bound[1]);
     for (int a = 0; a <= 1; ++a)
         for (int b = 0; b <= largest; ++b)
@@ -33,7 +33,7 @@ std::vector<Monomial> RotationRing::monomials(const BiDegree& bound) const {
 
 void RotationRing::add_normal(Polynomial& total, Monomial m, Residue coefficient) const {
     const Residue opposite = nmod_neg(coefficient, modulus_context());
-    if (rotations_ == Rotations::all) {
+    if (frame_ == Frame::general) {
         if (m[0] < 2) return add_term(total, m, coefficient);
         m[0] -= 2; // w² = 1 - x² - y² - z²; products of normal monomials have w² at most
         add_term(total, m, coefficient);
@@ -63,58 +63,62 @@ Polynomial RotationRing::product(const Polynomial& a, const Polynomial& b) const
     return total;
 }
 
-std::array<Polynomial, 9> RotationRing::matrix() const {
-    std::array<Polynomial, 4> u; // the coordinates, though on all rotations not functions
-    for (std::size_t i = 0; i < 4; ++i) {
+std::array<RotationFunction, 9> RotationRing::matrix() const {
+    const auto coordinate = [&](std::size_t i) { // a function only in products on all rotations
         Monomial m{};
         m[i] = 1;
-        u[i][m] = 1;
-    }
-    const auto times = [&](std::size_t i, std::size_t j) { return product(u[i], u[j]); };
-    if (rotations_ == Rotations::two_circles)
+        return RotationFunction(*this, {{m, 1}});
+    };
+    const std::array u{coordinate(0), coordinate(1), coordinate(2), coordinate(3)};
+    if (frame_ != Frame::general)
         return {u[0],
-                scaled(times(1, 2), -1),
-                times(1, 3), // the first circle turns
+                u[1] * u[2] * -1,
+                u[1] * u[3], // the first circle turns
                 u[1],
-                times(0, 2),
-                scaled(times(0, 3), -1), // what the second has
-                {},
+                u[0] * u[2],
+                u[0] * u[3] * -1, // what the second has
+                one() * 0,
                 u[3],
                 u[2]}; // turned
-    std::array<Polynomial, 9> entries;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3;
-        const std::size_t k = (i + 2) % 3;
-        entries[4 * i] = difference(sum(times(0, 0), times(i + 1, i + 1)),
-                                    sum(times(j + 1, j + 1), times(k + 1, k + 1)));
-        entries[3 * i + j] = scaled(difference(times(i + 1, j + 1), times(0, k + 1)), 2);
-        entries[3 * j + i] = scaled(sum(times(i + 1, j + 1), times(0, k + 1)), 2);
-    }
-    return entries;
+    const auto square = [&](std::size_t i) { return u[i] * u[i]; };
+    const auto off = [&](std::size_t i, std::size_t j, std::size_t k, int sign) {
+        return (u[i] * u[j] + u[0] * u[k] * sign) * 2;
+    };
+    return {square(0) + square(1) - square(2) - square(3),
+            off(1, 2, 3, -1),
+            off(1, 3, 2, 1),
+            off(2, 1, 3, 1),
+            square(0) + square(2) - square(3) - square(1),
+            off(2, 3, 1, -1),
+            off(3, 1, 2, -1),
+            off(3, 2, 1, 1),
+            square(0) + square(3) - square(1) - square(2)};
 }
 
-Polynomial constant(std::int64_t value) {
-    Polynomial total;
-    add_term(total, {}, residue(value));
-    return total;
+RotationFunction RotationRing::one() const {
+    return {*this, {{Monomial{}, 1}}};
 }
 
-Polynomial scaled(const Polynomial& a, std::int64_t factor) {
-    Polynomial total;
-    for (const auto& [m, x] : a)
-        add_term(total, m, nmod_mul(x, residue(factor), modulus_context()));
-    return total;
-}
-
-Polynomial sum(const Polynomial& a, const Polynomial& b) {
-    Polynomial total = a;
-    for (const auto& [m, x] : b)
+RotationFunction operator+(const RotationFunction& a, const RotationFunction& b) {
+    Polynomial total = a.polynomial_;
+    for (const auto& [m, x] : b.polynomial_)
         add_term(total, m, x);
-    return total;
+    return {*a.ring_, std::move(total)};
 }
 
-Polynomial difference(const Polynomial& a, const Polynomial& b) {
-    return sum(a, scaled(b, -1));
+RotationFunction operator-(const RotationFunction& a, const RotationFunction& b) {
+    return a + b * -1;
 }
 
-} // namespace plprove::bounds
+RotationFunction operator*(const RotationFunction& a, const RotationFunction& b) {
+    return {*a.ring_, a.ring_->product(a.polynomial_, b.polynomial_)};
+}
+
+RotationFunction operator*(const RotationFunction& a, std::int64_t factor) {
+    Polynomial total;
+    for (const auto& [m, x] : a.polynomial_)
+        add_term(total, m, nmod_mul(x, residue(factor), modulus_context()));
+    return {*a.ring_, std::move(total)};
+}
+
+} // namespace plprove::templates

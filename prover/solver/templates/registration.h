@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-namespace plprove::bounds {
+namespace plprove::templates {
 
 /// The conditions that registration puts on the third camera, six in all.
 struct Registration {
@@ -40,4 +40,4 @@ std::map<Registration, int> registration_types(const std::vector<Signature>& cla
 /// A type in words: "stars 1 0, lines 1, incidences 0, transversals none".
 std::string describe(const Registration& type);
 
-} // namespace plprove::bounds
+} // namespace plprove::templates

@@ -3,24 +3,14 @@
 // that hold for arbitrary data.
 #pragma once
 
-#include "prover/bounds/registration.h"
-#include "prover/bounds/rotation_ring.h"
 #include "prover/minimal/placement.h"
+#include "prover/solver/templates/registration.h"
+#include "prover/solver/templates/rotation_ring.h"
 
 #include <cstdint>
-#include <string>
+#include <vector>
 
-namespace plprove::bounds {
-
-/// Which coordinates the rotations have, and what is special in the coordinates of space.
-enum class Frame {
-    general, // all rotations
-    line,    // those that take the first known line into the plane of its image
-    points,  // those that take the line through the first two known points into that of its image
-    lines,   // like `line`; the common perpendicular of the first two lines is the third axis
-};
-
-std::string name(Frame frame);
+namespace plprove::templates {
 
 /// Whether a type has what the frame needs.
 bool suits(Frame frame, const Registration& type);
@@ -38,7 +28,7 @@ struct RegistrationData {
         Vector3 point, direction, image;
     };
     struct Incidence {
-        Vector3 point, line;
+        Vector3 point, image;
     };
     struct Ray {
         Vector3 direction, image;
@@ -53,6 +43,9 @@ struct RegistrationData {
     std::vector<Group> groups;
 };
 
+/// The line that the camera sees of a pin: from the image of the point toward another one.
+Vector3 line_of(const RegistrationData::Star& star, const RegistrationData::Pin& pin);
+
 /// Data of the type, in the frame, that depend on the arguments alone. Assumes that they suit.
 RegistrationData draw_data(const Registration& type, Frame frame, std::uint64_t seed);
 
@@ -62,9 +55,7 @@ struct Equation {
     BiDegree degree;
 };
 
-RotationRing rotation_ring(Frame frame);
-
 /// The equations, in the order of FORMAT.
 std::vector<Equation> equations(const RegistrationData& data, Frame frame);
 
-} // namespace plprove::bounds
+} // namespace plprove::templates

@@ -1,4 +1,4 @@
-#include "prover/bounds/registration.h"
+#include "prover/solver/templates/registration.h"
 
 #include "prover/minimal/obstruction.h"
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace plprove::bounds {
+namespace plprove::templates {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::string describe(const Registration& type) {
            std::to_string(type.incidences) + ", transversals" + list(type.groups);
 }
 
-} // namespace plprove::bounds
+} // namespace plprove::templates
