@@ -16,7 +16,7 @@ struct ExpectedProblem {
     CanonicalProblem problem{}; // of section 1; in 0 views if it is none
     std::string verdict{}; // a word of `expected_verdicts`, perhaps with a number; empty for any
     std::optional<ExpectedDegree> degree{};
-    std::optional<general::Problem> in_general{}; // of section 13; none if it is not
+    std::optional<Problem> in_general{}; // of section 13; none if it is not
 };
 
 /// That every label class has a certificate.

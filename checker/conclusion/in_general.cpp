@@ -9,7 +9,7 @@
 #include "checker/problem/notation.h"
 
 namespace checker {
-general::Problem parse_general_problem(std::string_view notation) {
+Problem parse_general_problem(std::string_view notation) {
     std::string line;
     for (const char c : notation) {
         if (c == ' ' || c == '\t' || c == '\n') continue;
@@ -19,7 +19,7 @@ general::Problem parse_general_problem(std::string_view notation) {
     }
     line += '\n';
     Reader reader(line);
-    return general::read_notation(reader).problem;
+    return read_notation(reader).problem;
 }
 
 /// The files of a kind that count.
@@ -33,15 +33,14 @@ template <class Kind> static std::vector<const ReplayedFile*> files_of(const Fin
     return files;
 }
 
-static bool same(const general::Problem& a, const general::Problem& b) {
-    return general::invariant(a) == general::invariant(b) && general::isomorphic(a, b);
+static bool same(const Problem& a, const Problem& b) {
+    return invariant(a) == invariant(b) && isomorphic(a, b);
 }
 
-std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
-                                                const general::Problem& problem) {
-    for (const ReplayedFile* file : files_of<general::ProblemsFile>(findings))
+std::optional<ProvedInGeneral> prove_in_general(const Findings& findings, const Problem& problem) {
+    for (const ReplayedFile* file : files_of<ProblemsFile>(findings))
         for (const auto& [notation, other, minimal] :
-             std::get<general::ProblemsFile>(file->content).verdicts)
+             std::get<ProblemsFile>(file->content).verdicts)
             if (same(problem, other)) return ProvedInGeneral{minimal, file->name};
     const CountedInGeneral counted = count_in_general(findings, problem);
     if (counted.solutions > 0) return ProvedInGeneral{true, counted.file};
@@ -50,7 +49,7 @@ std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
 
 /// What records say of problems, by what a renaming keeps of these, and the file of each.
 template <class Record>
-using ByInvariant = std::map<general::Invariant, std::vector<std::pair<Record, std::string>>>;
+using ByInvariant = std::map<Invariant, std::vector<std::pair<Record, std::string>>>;
 
 /// What some kind of files says of problems, in one of its members.
 template <class Kind, class Record>
@@ -59,33 +58,32 @@ static ByInvariant<Record> by_invariant(const Findings& findings,
     ByInvariant<Record> all;
     for (const ReplayedFile* file : files_of<Kind>(findings))
         for (const Record& record : std::get<Kind>(file->content).*records)
-            all[general::invariant(record.problem)].emplace_back(record, file->name);
+            all[invariant(record.problem)].emplace_back(record, file->name);
     return all;
 }
 
 /// Does something with each record about a problem, and its file.
 template <class Record, class Use>
-static void for_each(const ByInvariant<Record>& all, const general::Problem& problem,
-                     const Use& use) {
-    const auto alike = all.find(general::invariant(problem));
+static void for_each(const ByInvariant<Record>& all, const Problem& problem, const Use& use) {
+    const auto alike = all.find(invariant(problem));
     if (alike == all.end()) return;
     for (const auto& [record, file] : alike->second)
-        if (general::isomorphic(problem, record.problem)) use(record, file);
+        if (isomorphic(problem, record.problem)) use(record, file);
 }
 
-CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem) {
+CountedInGeneral count_in_general(const Findings& findings, const Problem& problem) {
     CountedInGeneral most;
-    for_each(by_invariant(findings, &general::SolutionsFile::counts), problem,
-             [&](const general::SolutionCount& count, const std::string& file) {
+    for_each(by_invariant(findings, &SolutionsFile::counts), problem,
+             [&](const SolutionCount& count, const std::string& file) {
                  if (count.solutions > most.solutions) most = {count.solutions, file};
              });
     return most;
 }
 
-using UpperBounds = ByInvariant<general::SolutionBound>;
+using UpperBounds = ByInvariant<SolutionBound>;
 
 static UpperBounds upper_bounds_of(const Findings& findings) {
-    return by_invariant(findings, &general::AtMostFile::bounds);
+    return by_invariant(findings, &AtMostFile::bounds);
 }
 
 UpperBound upper_bound(const BoundedInGeneral& bound) {
@@ -93,30 +91,28 @@ UpperBound upper_bound(const BoundedInGeneral& bound) {
     return {bound.at_most, ByForms{}};
 }
 
-static std::optional<BoundedInGeneral> bound_by_theorem(const general::Problem& problem) {
+static std::optional<BoundedInGeneral> bound_by_theorem(const Problem& problem) {
     std::optional<BoundedInGeneral> least;
     const auto consider = [&](std::optional<std::size_t> at_most, std::string_view theorem) {
         if (at_most && (!least || *at_most < least->at_most)) least = {*at_most, theorem, {}};
     };
-    consider(general::degree_bound(problem), theorem_of_points_and_lines);
-    consider(general::degree_in_three_views(problem), theorem_of_cameras);
-    consider(general::degree_by_invariants(problem), theorem_of_arrangements);
-    if (const auto proved = general::proved_degree(problem))
-        consider(proved->at_most, proved->theorem);
+    consider(degree_bound(problem), theorem_of_points_and_lines);
+    consider(degree_in_three_views(problem), theorem_of_cameras);
+    consider(degree_by_invariants(problem), theorem_of_arrangements);
+    if (const auto proved = proved_degree(problem)) consider(proved->at_most, proved->theorem);
     return least;
 }
 
 static std::optional<BoundedInGeneral> least_bound(const UpperBounds& bounds,
-                                                   const general::Problem& problem) {
+                                                   const Problem& problem) {
     std::optional<BoundedInGeneral> least = bound_by_theorem(problem);
-    for_each(bounds, problem, [&](const general::SolutionBound& bound, const std::string& file) {
+    for_each(bounds, problem, [&](const SolutionBound& bound, const std::string& file) {
         if (!least || bound.at_most < least->at_most) least = {bound.at_most, {}, file};
     });
     return least;
 }
 
-std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
-                                                 const general::Problem& problem) {
+std::optional<BoundedInGeneral> bound_in_general(const Findings& findings, const Problem& problem) {
     return least_bound(upper_bounds_of(findings), problem);
 }
 
@@ -124,9 +120,9 @@ Contradictions contradictions_in_general(const Findings& findings) {
     const UpperBounds bounds = upper_bounds_of(findings);
     Contradictions found;
     for (std::size_t i = 0; i < findings.files.size(); ++i) {
-        const auto* file = std::get_if<general::SolutionsFile>(&findings.files[i].content);
+        const auto* file = std::get_if<SolutionsFile>(&findings.files[i].content);
         if (!file || !findings.counts(i)) continue;
-        for (const general::SolutionCount& count : file->counts) {
+        for (const SolutionCount& count : file->counts) {
             const auto bound = least_bound(bounds, count.problem);
             if (!bound || count.solutions <= bound->at_most) continue;
             const auto reason = contradiction(count.solutions, upper_bound(*bound));
@@ -139,14 +135,14 @@ Contradictions contradictions_in_general(const Findings& findings) {
     return found;
 }
 
-DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems) {
-    const auto counts = by_invariant(findings, &general::SolutionsFile::counts);
+DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& problems) {
+    const auto counts = by_invariant(findings, &SolutionsFile::counts);
     const UpperBounds bounds = upper_bounds_of(findings);
     DegreesInGeneral degrees;
-    for (const general::Verdict& verdict : problems.verdicts) {
+    for (const ProblemVerdict& verdict : problems.verdicts) {
         if (!verdict.minimal) continue;
         std::size_t solutions = 0;
-        for_each(counts, verdict.problem, [&](const general::SolutionCount& count, const auto&) {
+        for_each(counts, verdict.problem, [&](const SolutionCount& count, const auto&) {
             solutions = std::max(solutions, count.solutions);
         });
         if (solutions > 0) ++degrees.at_least[solutions];
@@ -160,8 +156,8 @@ DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFil
 }
 
 const ReplayedFile* file_of_family(const Findings& findings, std::string_view family) {
-    for (const ReplayedFile* file : files_of<general::ProblemsFile>(findings)) {
-        const auto& content = std::get<general::ProblemsFile>(file->content);
+    for (const ReplayedFile* file : files_of<ProblemsFile>(findings)) {
+        const auto& content = std::get<ProblemsFile>(file->content);
         if (content.family == family && content.missing == 0) return file;
     }
     return nullptr;

@@ -5,7 +5,7 @@
 
 namespace checker {
 /// The problem of a notation of section 13; blanks do not matter. Throws Malformed.
-general::Problem parse_general_problem(std::string_view notation);
+Problem parse_general_problem(std::string_view notation);
 
 /// A verdict on a problem, and the file that proves it.
 struct ProvedInGeneral {
@@ -15,8 +15,7 @@ struct ProvedInGeneral {
 
 /// Finds the problem, by whatever names of its points and lines, among verdicts or solutions; none
 /// if no record is about it.
-std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
-                                                const general::Problem& problem);
+std::optional<ProvedInGeneral> prove_in_general(const Findings& findings, const Problem& problem);
 
 /// So many solutions a problem has at least, and the file that proves it.
 struct CountedInGeneral {
@@ -25,7 +24,7 @@ struct CountedInGeneral {
 };
 
 /// The most that any record counts; 0 if none is about the problem.
-CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem);
+CountedInGeneral count_in_general(const Findings& findings, const Problem& problem);
 
 /// So many solutions a minimal problem has at most. A theorem proves it, or else a file.
 struct BoundedInGeneral {
@@ -37,8 +36,7 @@ struct BoundedInGeneral {
 UpperBound upper_bound(const BoundedInGeneral& bound);
 
 /// The least that the theorems or any record say; none if they do not speak of the problem.
-std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
-                                                 const general::Problem& problem);
+std::optional<BoundedInGeneral> bound_in_general(const Findings& findings, const Problem& problem);
 
 /// Files of solutions that count more than a theorem or a file of upper bounds allows, and these
 /// files of upper bounds. (A problem whose solutions are counted is minimal.)
@@ -51,7 +49,7 @@ struct DegreesInGeneral {
     std::size_t exact_by_theorem = 0;              // of these, by theorem
 };
 
-DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems);
+DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& problems);
 
 /// The file that has all problems of a family; null if none does.
 const ReplayedFile* file_of_family(const Findings& findings, std::string_view family);

@@ -121,8 +121,8 @@ Judgement judge(const Findings& findings, const WholeFamily& expected) {
                 expected.name, ".plc");
         return judgement;
     }
-    const auto& verdicts = std::get<general::ProblemsFile>(file->content).verdicts;
-    const auto minimal = std::ranges::count_if(verdicts, &general::Verdict::minimal);
+    const auto& verdicts = std::get<ProblemsFile>(file->content).verdicts;
+    const auto minimal = std::ranges::count_if(verdicts, &ProblemVerdict::minimal);
     judgement.verified = true;
     judgement.statement = say("the family ", expected.name, ": all ", verdicts.size(),
                               " problems are certified, ", minimal, " minimal");

@@ -2,8 +2,8 @@
 
 namespace checker {
 /// The class's record in a classification file; none if it has none.
-static const Verdict* record_of(const ClassificationFile& file, std::size_t number) {
-    const auto place = std::ranges::lower_bound(file.verdicts, number, {}, &Verdict::number);
+static const ClassVerdict* record_of(const ClassificationFile& file, std::size_t number) {
+    const auto place = std::ranges::lower_bound(file.verdicts, number, {}, &ClassVerdict::number);
     return place != file.verdicts.end() && place->number == number ? &*place : nullptr;
 }
 
@@ -21,7 +21,7 @@ static Proved prove_by_class(const Classification& classes, const Findings& find
             return proved;
         }
         const auto* all = std::get_if<ClassificationFile>(&file.content);
-        const Verdict* record = all && proved.number ? record_of(*all, *proved.number) : nullptr;
+        const ClassVerdict* record = all && proved.number ? record_of(*all, *proved.number) : nullptr;
         if (!record || !proved.verdict.empty()) continue;
         proved.verdict = record->obstruction.minimal() ? "minimal" : "obstructed";
         proved.file = file.name;

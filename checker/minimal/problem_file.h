@@ -10,10 +10,10 @@
 namespace checker {
 /// What a problem file proves.
 struct ProblemFile {
-    std::string problem{};           // in notation
-    CanonicalProblem canonical{};    // the same problem
-    std::string verdict{};           // empty if the file is refused
-    std::optional<Verdict> of_class; // on the label class of the lifted problem, if it has one
+    std::string problem{};                // in notation
+    CanonicalProblem canonical{};         // the same problem
+    std::string verdict{};                // empty if the file is refused
+    std::optional<ClassVerdict> of_class; // on the label class of the lifted problem, if it has one
     Refusals refusals{};
 };
 

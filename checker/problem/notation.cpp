@@ -75,7 +75,7 @@ static std::size_t cut_multiplicity(const Reader& reader, std::string_view& word
 
 /// The kind of cameras that the notation begins with.
 static const CameraModel* read_cameras(Reader& reader, std::string& notation) {
-    for (const CameraModel* model : camera_models)
+    for (const CameraModel* model : camera_models())
         if (!model->prefix.empty() && reader.comes(model->prefix)) {
             notation = say(reader.word(), ' ');
             return model;

@@ -45,7 +45,7 @@ void require_sense(const ReplayedFile& file, std::string_view bytes) {
                 "a problem file has a verdict and is refused, or neither");
         require(!content->of_class || refusals.count == 0, "a refused file proves something");
     }
-    if (const auto* content = std::get_if<general::ProblemsFile>(&file.content)) {
+    if (const auto* content = std::get_if<checker::ProblemsFile>(&file.content)) {
         require(content->verdicts.size() + refusals.count > 0, "a record is not told");
         require(content->missing == 0 || refusals.count > 0, "a family lacks problems, and holds");
     }

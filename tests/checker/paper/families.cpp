@@ -17,7 +17,7 @@ std::string text_of(const std::string& name) {
 
 /// A file that counts so many solutions of a problem.
 ReplayedFile solutions_of(const std::string& notation, std::size_t solutions) {
-    general::SolutionsFile content;
+    SolutionsFile content;
     content.counts.push_back({notation, parse_general_problem(notation), solutions});
     return {.name = "solutions", .content = content};
 }

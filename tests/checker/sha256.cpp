@@ -1,5 +1,5 @@
 // Digests of known texts.
-#include "checker/file/sha256.h"
+#include "checker/sha256.h"
 
 #include <doctest/doctest.h>
 
