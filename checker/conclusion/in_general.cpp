@@ -9,19 +9,6 @@
 #include "checker/problem/notation.h"
 
 namespace checker {
-Problem parse_general_problem(std::string_view notation) {
-    std::string line;
-    for (const char c : notation) {
-        if (c == ' ' || c == '\t' || c == '\n') continue;
-        if (c == '+') line += " + ";
-        if (c != '+') line += c;
-        if (c == ':') line += ' ';
-    }
-    line += '\n';
-    Reader reader(line);
-    return read_notation(reader).problem;
-}
-
 /// The files of a kind that count.
 template <class Kind> static std::vector<const ReplayedFile*> files_of(const Findings& findings) {
     std::vector<const ReplayedFile*> files;

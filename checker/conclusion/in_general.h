@@ -4,9 +4,6 @@
 #include "checker/conclusion/findings.h"
 
 namespace checker {
-/// The problem of a notation of section 13; blanks do not matter. Throws Malformed.
-Problem parse_general_problem(std::string_view notation);
-
 /// A verdict on a problem, and the file that proves it.
 struct ProvedInGeneral {
     bool minimal = false;

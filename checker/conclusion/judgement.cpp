@@ -77,7 +77,7 @@ Judgement judge(const Classification& classes, const Findings& findings,
     if (gap.empty() && expected.degree) {
         if (!proved.file.empty()) add_file(judgement, proved.file);
         gap = judge_degree(judgement, degree_of(classes, findings, proved, expected),
-                           expected.problem.views == 0, *expected.degree);
+                           expected.in_general, *expected.degree);
     }
     judgement.verified = gap.empty();
     judgement.statement = in_words(expected);

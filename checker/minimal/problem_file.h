@@ -3,7 +3,7 @@
 #pragma once
 
 #include "checker/minimal/classification_file.h"
-#include "checker/problem/canonical.h"
+#include "checker/problem/problem.h"
 
 #include <optional>
 
@@ -11,7 +11,7 @@ namespace checker {
 /// What a problem file proves.
 struct ProblemFile {
     std::string problem{};                // in notation
-    CanonicalProblem canonical{};         // the same problem
+    Problem meaning{};                    // the same problem
     std::string verdict{};                // empty if the file is refused
     std::optional<ClassVerdict> of_class; // on the label class of the lifted problem, if it has one
     Refusals refusals{};

@@ -2,6 +2,7 @@
 
 #include "checker/conclusion/in_general.h"
 #include "checker/conclusion/known_degree.h"
+#include "checker/problem/notation.h"
 
 namespace checker {
 std::string_view kind_of(const ReplayedFile& file) {
@@ -45,7 +46,7 @@ static void add_families(Report& report) {
         table.exact = degrees.exact;
         table.exact_by_theorem = degrees.exact_by_theorem;
         for (paper::FamilyDegree& degree : table.degrees) {
-            const Problem problem = parse_general_problem(degree.problem);
+            const Problem problem = parse_problem(degree.problem);
             set_certified(degree, count_in_general(findings, problem).solutions);
         }
         report.families.push_back(table);

@@ -1,5 +1,6 @@
 // Fuzzed: the checker's core, from the bytes of a file to the printed report. Whatever the bytes,
 // it returns a report with complaints fit for a terminal, and every complaint names a line.
+#include "checker/problem/notation.h"
 #include "tests/fuzz/require.h"
 #include "tests/mutation/short_archive.h"
 #include "tests/support/report.h"

@@ -2,7 +2,7 @@
 // by a second method.
 #include "checker/general_bounds/hilbert.h"
 
-#include "checker/conclusion/in_general.h"
+#include "checker/problem/notation.h"
 #include "tests/checker/general_bounds/degrees_on_file.h"
 #include "tests/checker/problem/visible_problem.h"
 
@@ -22,7 +22,7 @@ using Pins = std::vector<std::size_t>; // of each point
 using Row = std::vector<int>;
 
 Degree degree_of(const std::string& notation) {
-    return degree_by_invariants(parse_general_problem(notation));
+    return degree_by_invariants(parse_problem(notation));
 }
 
 /// A problem of the theorem.
@@ -237,7 +237,7 @@ TEST_CASE("the theorem says nothing of other problems") {
              "projective: 7*P/P",                     // fourteen
          }) {
         CAPTURE(notation);
-        const Problem problem = parse_general_problem(notation);
+        const Problem problem = parse_problem(notation);
         CHECK(invariants(problem, 1) == std::nullopt);
         CHECK(degree_by_invariants(problem) == std::nullopt);
     }

@@ -2,7 +2,7 @@
 // and its conditions at their borders.
 #include "checker/general_bounds/three_views.h"
 
-#include "checker/conclusion/in_general.h"
+#include "checker/problem/notation.h"
 #include "tests/checker/general_bounds/degrees_on_file.h"
 #include "tests/checker/problem/visible_problem.h"
 
@@ -13,7 +13,7 @@ using namespace checker;
 namespace {
 
 std::optional<std::size_t> degree_of(const std::string& notation) {
-    return degree_in_three_views(parse_general_problem(notation));
+    return degree_in_three_views(parse_problem(notation));
 }
 
 /// Calls `visit` with all lists of numbers of pins, 4 at most and ascending, of points that leave
