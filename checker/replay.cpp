@@ -18,9 +18,9 @@ static FileContent replay_certificates(const Classification& classes, std::strin
     if (kind == "problem") return replay_problem(reader, classes);
     if (kind == "degrees") return replay_degrees(reader, classes, execution);
     if (kind == "bounds") return replay_bounds(reader, execution);
-    if (kind == "problems") return general::replay_problems(reader, execution);
-    if (kind == "solutions") return general::replay_solutions(reader, execution);
-    if (kind == "at-most") return general::replay_at_most(reader, execution);
+    if (kind == "problems") return replay_problems(reader, execution);
+    if (kind == "solutions") return replay_solutions(reader, execution);
+    if (kind == "at-most") return replay_at_most(reader, execution);
     throw Malformed{
         {1, say("found `", printable(kind, 40), "`, expected `classification`, ",
                 "`problem`, `problems`, `solutions`, `at-most`, `degrees` or `bounds`")}};

@@ -3,11 +3,11 @@
 
 #include "checker/bounds/bounds_file.h"
 #include "checker/degrees/degree_file.h"
+#include "checker/family/problems_file.h"
 #include "checker/general_bounds/at_most_file.h"
 #include "checker/general_degrees/solutions_file.h"
 #include "checker/minimal/classification_file.h"
 #include "checker/minimal/problem_file.h"
-#include "checker/family/problems_file.h"
 
 #include <variant>
 
@@ -18,9 +18,8 @@ struct Unreadable {
 };
 
 /// What a file proves. Malformed: it does not conform to FORMAT.md, and proves nothing.
-using FileContent =
-    std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile,
-                 general::ProblemsFile, general::SolutionsFile, general::AtMostFile, Unreadable>;
+using FileContent = std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile,
+                                 ProblemsFile, SolutionsFile, AtMostFile, Unreadable>;
 
 struct ReplayedFile {
     std::string name{};   // printable

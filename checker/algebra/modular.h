@@ -14,6 +14,15 @@
 namespace checker {
 inline constexpr std::uint64_t modulus = (std::uint64_t{1} << 61) - 1;
 
+template <class Field> constexpr Field power(Field x, std::uint64_t exponent) {
+    Field product{1};
+    for (; exponent != 0; exponent >>= 1) {
+        if (exponent & 1) product = product * x;
+        x = x * x;
+    }
+    return product;
+}
+
 struct Residue {
     std::uint64_t value = 0; // less than q
 
@@ -49,15 +58,7 @@ struct Residue {
     }
 
     /// The inverse of this, if it is not 0: its power q - 2, by Fermat.
-    constexpr Residue inverse() const {
-        Residue power{1};
-        Residue square = *this;
-        for (std::uint64_t rest = modulus - 2; rest != 0; rest >>= 1) {
-            if (rest & 1) power = power * square;
-            square = square * square;
-        }
-        return power;
-    }
+    constexpr Residue inverse() const { return power(*this, modulus - 2); }
 };
 
 /// The residue of an integer of any size.

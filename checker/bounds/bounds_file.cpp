@@ -1,7 +1,7 @@
 #include "checker/bounds/bounds_file.h"
 
 #include "checker/bounds/template_equations.h"
-#include "checker/minimal/record.h"
+#include "checker/minimal/record_lines.h"
 
 namespace checker {
 /// A rows line: an equation, and the monomials by which it is multiplied; numbered from 1.

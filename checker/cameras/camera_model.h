@@ -1,8 +1,10 @@
-// Kinds of cameras. A kind is a row of the table below and a file that says how a record places
-// such a camera, and how it moves; nothing else of the checker knows what a camera is.
+// Kinds of cameras. A kind is a file beside this one, and its name in kinds.cpp: the file says
+// how a record places such a camera, how it moves, and what the coordinates of a solution mean.
+// Nothing else of the checker knows what a camera is.
 #pragma once
 
 #include "checker/algebra/dual.h"
+#include "checker/cameras/coordinate_polynomial.h"
 #include "checker/file/complaint.h"
 
 #include <array>
@@ -10,8 +12,10 @@
 
 namespace checker {
 /// The columns of a camera matrix: it takes X to X_1 c_1 + X_2 c_2 + X_3 c_3 + c_4. T is a ring.
-template <class T> using CameraMatrix = std::array<Vector3<Dual<T>>, 4>;
+template <class T> using CameraMatrix = std::array<Vector3<T>, 4>;
 
+/// Camera 1 is [I | 0], whatever the kind. That of view 2, the `second`, has fewer unknowns than
+/// those after it: what it lacks is fixed by moving space.
 struct CameraModel {
     std::string_view name{};
     std::string_view prefix{}; // of a notation; empty for the usual kind
@@ -19,42 +23,49 @@ struct CameraModel {
     int unknowns = 0;          // of a camera
     int motions_of_space = 0;  // the dimension of the group that moves all cameras and the scene
 
-    /// The motions of a camera that keep images (FORMAT.md, section 13, *Not minimal*): whether
-    /// there are those of a plane, and whether those of a star may keep a subspace, too.
-    bool plane_motions = false;
-    bool subspace_motions = false;
+    /// Whether all matrices of rank 3 are such cameras. Then a camera may also move so that it
+    /// keeps the images of a plane, or of a subspace (FORMAT.md, section 13, *Not minimal*).
+    /// Theorems on projective cameras are about this kind.
+    bool all_matrices = false;
 
-    /// Why a record may not place the camera of view 2 so; empty if it may.
-    std::string_view (*objection)(std::span<const int> second) = nullptr;
+    /// Why a record may not place a camera so; empty if it may.
+    std::string_view (*objection)(std::span<const int> numbers, bool second) = nullptr;
 
-    /// The camera that the numbers place, whose unknowns are numbered on. That of view 2, the
-    /// `second`, has fewer: what is left out is fixed by moving space.
-    CameraMatrix<Residue> (*place_modulo)(Source<Residue>& source, bool second) = nullptr;
-    CameraMatrix<mpz_class> (*place)(Source<mpz_class>& source, bool second) = nullptr;
+    /// The camera that the numbers of a record place; its unknowns are numbered on.
+    CameraMatrix<Dual<Residue>> (*place_modulo)(Source<Residue>& source, bool second) = nullptr;
+    CameraMatrix<Dual<mpz_class>> (*place)(Source<mpz_class>& source, bool second) = nullptr;
+
+    /// The camera by its coordinates in a solution, as many as it has unknowns (FORMAT.md, section
+    /// 14).
+    CameraMatrix<CoordinatePolynomial> (*of_solution)(bool second) = nullptr;
+
+    /// How many unknowns, and coordinates in a solution, a camera has.
+    std::size_t unknowns_of(bool second) const {
+        return static_cast<std::size_t>(second ? 2 * unknowns - motions_of_space : unknowns);
+    }
 };
 
+// Two kinds in which there are families of problems. A notation without a prefix means the first.
 extern const CameraModel calibrated_cameras;
 extern const CameraModel projective_cameras;
 
 /// All kinds.
-inline constexpr std::array<const CameraModel*, 2> camera_models{&calibrated_cameras,
-                                                                 &projective_cameras};
+std::span<const CameraModel* const> camera_models();
 
-/// Camera 1 is [I | 0], whatever the kind.
-template <class T> CameraMatrix<T> first_camera() {
-    CameraMatrix<T> camera;
+template <class T> CameraMatrix<Dual<T>> first_camera() {
+    CameraMatrix<Dual<T>> camera;
     for (std::size_t i = 0; i < 3; ++i)
         camera[i][i] = constant<T>(T{1});
     return camera;
 }
 
-inline CameraMatrix<Residue> place_camera(const CameraModel& model, Source<Residue>& source,
-                                          bool second) {
+inline CameraMatrix<Dual<Residue>> place_camera(const CameraModel& model, Source<Residue>& source,
+                                                bool second) {
     return model.place_modulo(source, second);
 }
 
-inline CameraMatrix<mpz_class> place_camera(const CameraModel& model, Source<mpz_class>& source,
-                                            bool second) {
+inline CameraMatrix<Dual<mpz_class>> place_camera(const CameraModel& model,
+                                                  Source<mpz_class>& source, bool second) {
     return model.place(source, second);
 }
 } // namespace checker

@@ -1,5 +1,7 @@
 #include "checker/command/expected.h"
 
+#include "checker/problem/notation.h"
+
 namespace checker {
 std::optional<std::size_t> parse_number(std::string_view digits) {
     std::size_t number = 0;
@@ -34,7 +36,8 @@ static ExpectedDegree parse_degree(std::string_view text) {
     return {exactly, *solutions};
 }
 
-/// Whether only section 13 of FORMAT.md may spell this: `projective:`, shared lines, many views.
+/// Whether only section 13 of FORMAT.md may spell this: a kind of cameras, shared lines, many
+/// views.
 static bool only_in_general(std::string_view notation) {
     const auto is_shared = [](char c) { return c >= 'A' && c <= 'Z' && c != 'P'; };
     const std::string_view feature = notation.substr(0, notation.find('+'));
@@ -42,24 +45,18 @@ static bool only_in_general(std::string_view notation) {
            std::ranges::count(feature, '/') > 2;
 }
 
-/// The problem by section 1 or section 13, or both. Where section 1 could spell it, it must.
+/// The problem by section 13 if only that may spell it, else by section 1.
 static ExpectedProblem parse_expected(std::string_view notation) {
-    ExpectedProblem expected{.notation = printable(notation, 4096)};
-    std::string in_section_1, in_section_13; // what is wrong
+    const bool in_general = only_in_general(notation);
     try {
-        expected.problem = parse_problem(notation);
+        return {.notation = printable(notation, 4096),
+                .problem = parse_problem(notation, in_general ? section_13 : section_1),
+                .in_general = in_general};
     } catch (const Malformed& malformed) {
-        in_section_1 = malformed.complaint.reason;
+        throw WrongUsage{say("--expect ", printable(notation, 200), ": ",
+                             malformed.complaint.reason,
+                             "; write it like '2*Pa/Pa/Pa + P/P/P', in quotes")};
     }
-    try {
-        expected.in_general = parse_general_problem(notation);
-    } catch (const Malformed& malformed) {
-        in_section_13 = malformed.complaint.reason;
-    }
-    const std::string& wrong = only_in_general(notation) ? in_section_13 : in_section_1;
-    if (wrong.empty()) return expected;
-    throw WrongUsage{say("--expect ", printable(notation, 200), ": ", wrong,
-                         "; write it like '2*Pa/Pa/Pa + P/P/P', in quotes")};
 }
 
 static Expectation family_of(const ExpectedWords& words) {

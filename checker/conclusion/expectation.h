@@ -12,11 +12,11 @@ struct ExpectedDegree {
 
 /// The verdict on a problem, or its degree, or both.
 struct ExpectedProblem {
-    std::string notation{};     // printable
-    CanonicalProblem problem{}; // of section 1; in 0 views if it is none
-    std::string verdict{}; // a word of `expected_verdicts`, perhaps with a number; empty for any
+    std::string notation{}; // printable
+    Problem problem{};
+    bool in_general = false; // whether only section 13 may spell it
+    std::string verdict{};   // a word of `expected_verdicts`, perhaps with a number; empty for any
     std::optional<ExpectedDegree> degree{};
-    std::optional<general::Problem> in_general{}; // of section 13; none if it is not
 };
 
 /// That every label class has a certificate.
@@ -35,10 +35,6 @@ using Expectation = std::variant<std::monostate, ExpectedProblem, WholeClassific
 inline constexpr std::array<std::string_view, 6> expected_verdicts{
     "minimal",    "camera-minimal",    "not-minimal",
     "obstructed", "under-constrained", "over-constrained"};
-
-/// The problem of a sum of features as section 1 spells them; blanks do not matter, and equal
-/// features may stand side by side. Throws Malformed.
-CanonicalProblem parse_problem(std::string_view notation);
 
 /// The expectation as a statement; empty if there is none.
 std::string in_words(const Expectation& expectation);

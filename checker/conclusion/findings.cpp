@@ -29,9 +29,9 @@ int status_of(const Findings& findings, std::size_t file) {
 struct HasRecords {
     bool operator()(const DegreeFile& file) const { return !file.bounds.empty(); }
     bool operator()(const BoundsFile& file) const { return file.templates > 0; }
-    bool operator()(const general::SolutionsFile& file) const { return !file.counts.empty(); }
-    bool operator()(const general::ProblemsFile& file) const { return !file.verdicts.empty(); }
-    bool operator()(const general::AtMostFile& file) const { return !file.bounds.empty(); }
+    bool operator()(const SolutionsFile& file) const { return !file.counts.empty(); }
+    bool operator()(const ProblemsFile& file) const { return !file.verdicts.empty(); }
+    bool operator()(const AtMostFile& file) const { return !file.bounds.empty(); }
     template <class Other> bool operator()(const Other&) const { return true; }
 };
 

@@ -5,48 +5,9 @@
 #include "checker/general_bounds/hilbert.h"
 #include "checker/general_bounds/proved_degrees.h"
 #include "checker/general_bounds/three_views.h"
-#include "checker/problem/isomorphism.h"
 #include "checker/problem/notation.h"
 
 namespace checker {
-general::Problem parse_general_problem(std::string_view notation) {
-    std::string line;
-    for (const char c : notation) {
-        if (c == ' ' || c == '\t' || c == '\n') continue;
-        if (c == '+') line += " + ";
-        if (c != '+') line += c;
-        if (c == ':') line += ' ';
-    }
-    line += '\n';
-    Reader reader(line);
-    return general::read_notation(reader).problem;
-}
-
-/// Whether the line is known from its points, two of them, wherever it is seen.
-static bool is_implied(const general::Problem& problem, const general::Line& line) {
-    return line.points.size() == 2 && std::ranges::all_of(line.points, [&](std::size_t point) {
-               return (line.seen_by & ~problem.points[point].seen_by) == 0;
-           });
-}
-
-std::optional<CanonicalProblem> without_implied_lines(const general::Problem& problem) {
-    if (problem.cameras != &calibrated_cameras) return std::nullopt;
-    CanonicalProblem result{.views = static_cast<unsigned>(problem.view_count())};
-    for (const general::Line& line : problem.lines) {
-        if (line.points.size() > 1 && !is_implied(problem, line)) return std::nullopt;
-        if (line.points.empty()) ++result.features[{.free_line = true, .pins = {line.seen_by}}];
-    }
-    for (const general::Point& point : problem.points) {
-        CanonicalFeature seen{.point = point.seen_by};
-        for (const std::size_t line : point.lines)
-            if (problem.lines[line].points.size() == 1)
-                seen.pins.push_back(problem.lines[line].seen_by);
-        std::ranges::sort(seen.pins);
-        ++result.features[seen];
-    }
-    return result;
-}
-
 /// The files of a kind that count.
 template <class Kind> static std::vector<const ReplayedFile*> files_of(const Findings& findings) {
     std::vector<const ReplayedFile*> files;
@@ -58,59 +19,48 @@ template <class Kind> static std::vector<const ReplayedFile*> files_of(const Fin
     return files;
 }
 
-static bool same(const general::Problem& a, const general::Problem& b) {
-    return general::invariant(a) == general::invariant(b) && general::isomorphic(a, b);
-}
-
 std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
-                                                const general::Problem& problem) {
-    for (const ReplayedFile* file : files_of<general::ProblemsFile>(findings))
-        for (const auto& [notation, other, minimal] :
-             std::get<general::ProblemsFile>(file->content).verdicts)
-            if (same(problem, other)) return ProvedInGeneral{minimal, file->name};
+                                                const Problem& problem) {
+    ByProblem<std::optional<ProvedInGeneral>> proved;
+    for (const ReplayedFile* file : files_of<ProblemsFile>(findings))
+        for (const ProblemVerdict& verdict :
+             std::get<ProblemsFile>(file->content).verdicts) {
+            std::optional<ProvedInGeneral>& first = proved[verdict.problem];
+            if (!first) first = ProvedInGeneral{verdict.minimal, file->name};
+        }
+    if (const auto* found = proved.find(problem)) return *found;
     const CountedInGeneral counted = count_in_general(findings, problem);
     if (counted.solutions > 0) return ProvedInGeneral{true, counted.file};
     return std::nullopt;
 }
 
-/// What records say of problems, by what a renaming keeps of these, and the file of each.
-template <class Record>
-using ByInvariant = std::map<general::Invariant, std::vector<std::pair<Record, std::string>>>;
-
-/// What some kind of files says of problems, in one of its members.
-template <class Kind, class Record>
-static ByInvariant<Record> by_invariant(const Findings& findings,
-                                        std::vector<Record> Kind::*records) {
-    ByInvariant<Record> all;
-    for (const ReplayedFile* file : files_of<Kind>(findings))
-        for (const Record& record : std::get<Kind>(file->content).*records)
-            all[general::invariant(record.problem)].emplace_back(record, file->name);
-    return all;
+ByProblem<CountedInGeneral> counts_in_general(const Findings& findings) {
+    ByProblem<CountedInGeneral> counts;
+    for (const ReplayedFile* file : files_of<SolutionsFile>(findings))
+        for (const auto& [notation, problem, solutions] :
+             std::get<SolutionsFile>(file->content).counts) {
+            CountedInGeneral& most = counts[problem];
+            if (solutions > most.solutions) most = {solutions, file->name, notation};
+        }
+    return counts;
 }
 
-/// Does something with each record about a problem, and its file.
-template <class Record, class Use>
-static void for_each(const ByInvariant<Record>& all, const general::Problem& problem,
-                     const Use& use) {
-    const auto alike = all.find(general::invariant(problem));
-    if (alike == all.end()) return;
-    for (const auto& [record, file] : alike->second)
-        if (general::isomorphic(problem, record.problem)) use(record, file);
+CountedInGeneral count_in_general(const Findings& findings, const Problem& problem) {
+    const auto counts = counts_in_general(findings);
+    const CountedInGeneral* most = counts.find(problem);
+    return most ? *most : CountedInGeneral{};
 }
 
-CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem) {
-    CountedInGeneral most;
-    for_each(by_invariant(findings, &general::SolutionsFile::counts), problem,
-             [&](const general::SolutionCount& count, const std::string& file) {
-                 if (count.solutions > most.solutions) most = {count.solutions, file};
-             });
-    return most;
-}
-
-using UpperBounds = ByInvariant<general::SolutionBound>;
-
-static UpperBounds upper_bounds_of(const Findings& findings) {
-    return by_invariant(findings, &general::AtMostFile::bounds);
+ByProblem<BoundedInGeneral> bounds_in_general(const Findings& findings) {
+    ByProblem<BoundedInGeneral> bounds;
+    for (const ReplayedFile* file : files_of<AtMostFile>(findings))
+        for (const auto& [notation, problem, at_most] :
+             std::get<AtMostFile>(file->content).bounds) {
+            BoundedInGeneral& least = bounds[problem];
+            if (least.notation.empty() || at_most < least.at_most)
+                least = {at_most, {}, file->name, notation};
+        }
+    return bounds;
 }
 
 UpperBound upper_bound(const BoundedInGeneral& bound) {
@@ -118,40 +68,38 @@ UpperBound upper_bound(const BoundedInGeneral& bound) {
     return {bound.at_most, ByForms{}};
 }
 
-static std::optional<BoundedInGeneral> bound_by_theorem(const general::Problem& problem) {
+static std::optional<BoundedInGeneral> bound_by_theorem(const Problem& problem) {
     std::optional<BoundedInGeneral> least;
     const auto consider = [&](std::optional<std::size_t> at_most, std::string_view theorem) {
-        if (at_most && (!least || *at_most < least->at_most)) least = {*at_most, theorem, {}};
+        if (at_most && (!least || *at_most < least->at_most)) least = {*at_most, theorem, {}, {}};
     };
-    consider(general::degree_bound(problem), theorem_of_points_and_lines);
-    consider(general::degree_in_three_views(problem), theorem_of_cameras);
-    consider(general::degree_by_invariants(problem), theorem_of_arrangements);
-    if (const auto proved = general::proved_degree(problem))
-        consider(proved->at_most, proved->theorem);
+    consider(degree_bound(problem), theorem_of_points_and_lines);
+    consider(degree_in_three_views(problem), theorem_of_cameras);
+    consider(degree_by_invariants(problem), theorem_of_arrangements);
+    if (const auto proved = proved_degree(problem)) consider(proved->at_most, proved->theorem);
     return least;
 }
 
-static std::optional<BoundedInGeneral> least_bound(const UpperBounds& bounds,
-                                                   const general::Problem& problem) {
+static std::optional<BoundedInGeneral> least_bound(const ByProblem<BoundedInGeneral>& bounds,
+                                                   const Problem& problem) {
     std::optional<BoundedInGeneral> least = bound_by_theorem(problem);
-    for_each(bounds, problem, [&](const general::SolutionBound& bound, const std::string& file) {
-        if (!least || bound.at_most < least->at_most) least = {bound.at_most, {}, file};
-    });
+    const BoundedInGeneral* by_file = bounds.find(problem);
+    if (by_file && (!least || by_file->at_most < least->at_most)) least = *by_file;
     return least;
 }
 
 std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
-                                                 const general::Problem& problem) {
-    return least_bound(upper_bounds_of(findings), problem);
+                                                 const Problem& problem) {
+    return least_bound(bounds_in_general(findings), problem);
 }
 
 Contradictions contradictions_in_general(const Findings& findings) {
-    const UpperBounds bounds = upper_bounds_of(findings);
+    const auto bounds = bounds_in_general(findings);
     Contradictions found;
     for (std::size_t i = 0; i < findings.files.size(); ++i) {
-        const auto* file = std::get_if<general::SolutionsFile>(&findings.files[i].content);
+        const auto* file = std::get_if<SolutionsFile>(&findings.files[i].content);
         if (!file || !findings.counts(i)) continue;
-        for (const general::SolutionCount& count : file->counts) {
+        for (const SolutionCount& count : file->counts) {
             const auto bound = least_bound(bounds, count.problem);
             if (!bound || count.solutions <= bound->at_most) continue;
             const auto reason = contradiction(count.solutions, upper_bound(*bound));
@@ -164,16 +112,14 @@ Contradictions contradictions_in_general(const Findings& findings) {
     return found;
 }
 
-DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems) {
-    const auto counts = by_invariant(findings, &general::SolutionsFile::counts);
-    const UpperBounds bounds = upper_bounds_of(findings);
+DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& problems) {
+    const auto counts = counts_in_general(findings);
+    const auto bounds = bounds_in_general(findings);
     DegreesInGeneral degrees;
-    for (const general::Verdict& verdict : problems.verdicts) {
+    for (const ProblemVerdict& verdict : problems.verdicts) {
         if (!verdict.minimal) continue;
-        std::size_t solutions = 0;
-        for_each(counts, verdict.problem, [&](const general::SolutionCount& count, const auto&) {
-            solutions = std::max(solutions, count.solutions);
-        });
+        const CountedInGeneral* counted = counts.find(verdict.problem);
+        const std::size_t solutions = counted ? counted->solutions : 0;
         if (solutions > 0) ++degrees.at_least[solutions];
         // A minimal problem has a solution, whatever the files count.
         const auto bound = least_bound(bounds, verdict.problem);
@@ -185,8 +131,8 @@ DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFil
 }
 
 const ReplayedFile* file_of_family(const Findings& findings, std::string_view family) {
-    for (const ReplayedFile* file : files_of<general::ProblemsFile>(findings)) {
-        const auto& content = std::get<general::ProblemsFile>(file->content);
+    for (const ReplayedFile* file : files_of<ProblemsFile>(findings)) {
+        const auto& content = std::get<ProblemsFile>(file->content);
         if (content.family == family && content.missing == 0) return file;
     }
     return nullptr;

@@ -2,61 +2,60 @@
 #pragma once
 
 #include "checker/conclusion/findings.h"
+#include "checker/problem/by_problem.h"
 
 namespace checker {
-/// The problem of a notation of section 13; blanks do not matter. Throws Malformed.
-general::Problem parse_general_problem(std::string_view notation);
-
-/// The problem without its implied lines (FORMAT.md, section 10): each has two points, and each
-/// view that sees it sees both, so it has no parameters in space and in images. None if other
-/// cameras are meant, other views see such a line, or a line has more points.
-std::optional<CanonicalProblem> without_implied_lines(const general::Problem& problem);
-
 /// A verdict on a problem, and the file that proves it.
 struct ProvedInGeneral {
     bool minimal = false;
     std::string file{};
 };
 
-/// Finds the problem, by whatever names of its points and lines, among verdicts or solutions; none
-/// if no record is about it.
+/// Finds the problem among verdicts or solutions; none if no record is about it.
 std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
-                                                const general::Problem& problem);
+                                                const Problem& problem);
 
 /// So many solutions a problem has at least, and the file that proves it.
 struct CountedInGeneral {
     std::size_t solutions = 0;
     std::string file{};
+    std::string notation{}; // of the problem, in that file
 };
 
-/// The most that any record counts; 0 if none is about the problem.
-CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem);
+/// The most that any record counts for each problem.
+ByProblem<CountedInGeneral> counts_in_general(const Findings& findings);
+
+/// The same for one problem; 0 if no record is about it.
+CountedInGeneral count_in_general(const Findings& findings, const Problem& problem);
 
 /// So many solutions a minimal problem has at most. A theorem proves it, or else a file.
 struct BoundedInGeneral {
     std::size_t at_most = 0;
     std::string_view theorem{};
     std::string file{};
+    std::string notation{}; // of the problem, in that file
 };
+
+/// The least that any record says for each problem.
+ByProblem<BoundedInGeneral> bounds_in_general(const Findings& findings);
 
 UpperBound upper_bound(const BoundedInGeneral& bound);
 
 /// The least that the theorems or any record say; none if they do not speak of the problem.
-std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
-                                                 const general::Problem& problem);
+std::optional<BoundedInGeneral> bound_in_general(const Findings& findings, const Problem& problem);
 
 /// Files of solutions that count more than a theorem or a file of upper bounds allows, and these
-/// files of upper bounds. (A problem whose solutions are counted is minimal.)
+/// files of upper bounds. (A problem with solutions that are counted is minimal.)
 Contradictions contradictions_in_general(const Findings& findings);
 
 /// What is known of the degrees of the minimal problems of a file.
 struct DegreesInGeneral {
     std::map<std::size_t, std::size_t> at_least{}; // how many problems have each lower bound
-    std::size_t exact = 0;                         // of so many, bounds meet
+    std::size_t exact = 0;                         // of how many bounds meet
     std::size_t exact_by_theorem = 0;              // of these, by theorem
 };
 
-DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems);
+DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& problems);
 
 /// The file that has all problems of a family; null if none does.
 const ReplayedFile* file_of_family(const Findings& findings, std::string_view family);

@@ -77,7 +77,7 @@ Judgement judge(const Classification& classes, const Findings& findings,
     if (gap.empty() && expected.degree) {
         if (!proved.file.empty()) add_file(judgement, proved.file);
         gap = judge_degree(judgement, degree_of(classes, findings, proved, expected),
-                           expected.problem.views == 0, *expected.degree);
+                           expected.in_general, *expected.degree);
     }
     judgement.verified = gap.empty();
     judgement.statement = in_words(expected);
@@ -121,8 +121,8 @@ Judgement judge(const Findings& findings, const WholeFamily& expected) {
                 expected.name, ".plc");
         return judgement;
     }
-    const auto& verdicts = std::get<general::ProblemsFile>(file->content).verdicts;
-    const auto minimal = std::ranges::count_if(verdicts, &general::Verdict::minimal);
+    const auto& verdicts = std::get<ProblemsFile>(file->content).verdicts;
+    const auto minimal = std::ranges::count_if(verdicts, &ProblemVerdict::minimal);
     judgement.verified = true;
     judgement.statement = say("the family ", expected.name, ": all ", verdicts.size(),
                               " problems are certified, ", minimal, " minimal");

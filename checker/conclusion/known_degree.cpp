@@ -60,8 +60,8 @@ static DegreeBounds bounds_of_poses(const Classification& classes, const Finding
 
 /// What class or relative poses say of the degree.
 static KnownDegree degree_of_class(const Classification& classes, const Findings& findings,
-                                   const Proved& proved, unsigned views) {
-    if (views == 2 && implies(proved.verdict, "camera-minimal")) {
+                                   const Proved& proved, const Problem& problem) {
+    if (problem.view_count() == 2 && implies(proved.verdict, "camera-minimal")) {
         std::vector<std::string> files{proved.file};
         for (std::size_t i = 0; i < findings.files.size(); ++i)
             if (std::holds_alternative<ClassificationFile>(findings.files[i].content))
@@ -83,16 +83,15 @@ static KnownDegree degree_of_class(const Classification& classes, const Findings
 // theorems say.
 KnownDegree degree_of(const Classification& classes, const Findings& findings, const Proved& proved,
                       const ExpectedProblem& expected) {
-    KnownDegree known = degree_of_class(classes, findings, proved, expected.problem.views);
-    if (!expected.in_general) return known;
-    const CountedInGeneral counted = count_in_general(findings, *expected.in_general);
+    KnownDegree known = degree_of_class(classes, findings, proved, expected.problem);
+    const CountedInGeneral counted = count_in_general(findings, expected.problem);
     if (counted.solutions > known.bounds.at_least) {
         known.bounds.at_least = counted.solutions;
         known.files.lower = {counted.file};
         if (known.source.empty()) known.source = "its solutions are counted by " + counted.file;
     }
     if (proved.verdict != "minimal" || known.bounds.exact()) return known;
-    const auto bound = bound_in_general(findings, *expected.in_general);
+    const auto bound = bound_in_general(findings, expected.problem);
     if (!bound) return known;
     known.files.upper = {proved.file};
     known.bounds.at_most = upper_bound(*bound);

@@ -4,6 +4,10 @@
 #include "checker/conclusion/expectation.h"
 
 namespace checker {
+/// The number of the label class to which the problem belongs as it stands; none if it is not
+/// balanced, or has other features than the 27.
+std::optional<std::size_t> class_of(const Classification& classes, const Problem& problem);
+
 /// What is proved of a problem beside its degree.
 struct Proved {
     std::string verdict{}; // empty if none

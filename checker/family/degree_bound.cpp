@@ -78,7 +78,7 @@ static std::optional<std::size_t> bound_of_axis(const Problem& problem, const Li
 }
 
 std::optional<std::size_t> degree_bound(const Problem& problem) {
-    if (problem.cameras != &projective_cameras || !all_views_see_all(problem)) return std::nullopt;
+    if (!problem.cameras->all_matrices || !all_views_see_all(problem)) return std::nullopt;
     if (axes_meet(problem)) return 1;
     std::optional<std::size_t> least;
     if (std::popcount(problem.views) == 2) least = 3; // item 3

@@ -1,7 +1,8 @@
 #include "checker/family/problems_file.h"
 
 #include "checker/family/family.h"
-#include "checker/minimal/problem_record.h"
+#include "checker/minimal/record_lines.h"
+#include "checker/problem/notation.h"
 
 #include <set>
 
@@ -32,7 +33,7 @@ static std::size_t size_of(const Placement& placement) {
 }
 
 /// The effort of a record: that of elimination grows with the cube of the size of J.
-static std::uint64_t effort_of(const ProblemRecord& record) {
+static std::uint64_t effort_of(const Record& record) {
     const auto* minor = std::get_if<MinorClaim>(&record.claim);
     const std::uint64_t size = minor ? size_of(minor->placement) : 0;
     return 10 + size * size * size / 200'000;
@@ -46,18 +47,20 @@ ProblemsFile replay_problems(Reader& reader, const Execution& execution) try {
     const IsomorphismClasses classes = has_family ? family(file.family) : IsomorphismClasses{};
     std::set<const Problem*> decided; // classes of the family
     while (!reader.at_end()) {
-        const ProblemRecord record = read_problem_record(reader);
-        effort.spend(effort_of(record), record.line);
-        const auto& [notation, list, problem] = record.problem;
+        const std::size_t line = reader.line();
+        reader.take("problem");
+        const auto [notation, list, problem] = read_notation(reader);
+        const Record record = read_record(reader, line, problem);
+        effort.spend(effort_of(record), line);
         try {
             const Problem* of_family = has_family ? find(classes, problem) : nullptr;
             if (has_family && !of_family) throw Refused("it is not in the family ", file.family);
             if (decided.contains(of_family)) throw Refused("a record before decides it");
-            check_record(record);
+            check_record(record, problem);
             if (has_family) decided.insert(of_family);
             file.verdicts.push_back({notation, problem, record.minimal()});
         } catch (const Refused& refused) {
-            file.refusals.add(record.line, say(printable(notation, 200), ": ", refused.reason));
+            file.refusals.add(line, say(printable(notation, 200), ": ", refused.reason));
         }
     }
     file.missing = size_of(classes) - decided.size();

@@ -24,7 +24,3 @@ struct ProblemsFile {
 /// Replays a file after its first line. Throws Malformed.
 ProblemsFile replay_problems(Reader& reader, const Execution& execution);
 } // namespace checker
-
-namespace checker::general {
-using Verdict = ProblemVerdict;
-}

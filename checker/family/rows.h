@@ -14,7 +14,3 @@ struct FamilyRow {
 /// The rows of a complete family, in the order of the table; none of another file.
 std::vector<FamilyRow> rows_of(const ProblemsFile& file);
 } // namespace checker
-
-namespace checker::general {
-using Row = FamilyRow;
-}

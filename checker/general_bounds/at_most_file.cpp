@@ -3,7 +3,7 @@
 #include "checker/general_bounds/section.h"
 #include "checker/problem/notation.h"
 
-namespace checker::general {
+namespace checker {
 struct AtMostRecord {
     std::size_t line = 0;
     Written problem{};
@@ -61,4 +61,4 @@ AtMostFile replay_at_most(Reader& reader, const Execution& execution) try {
 } catch (const TooMuchEffort& too_much) {
     return {.refusals = too_much.refusals()};
 }
-} // namespace checker::general
+} // namespace checker

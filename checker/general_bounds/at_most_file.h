@@ -6,7 +6,7 @@
 #include "checker/file/reader.h"
 #include "checker/problem/problem.h"
 
-namespace checker::general {
+namespace checker {
 /// What a record proves: if the problem is minimal, it has at most so many camera solutions.
 struct SolutionBound {
     std::string notation{};
@@ -22,4 +22,4 @@ struct AtMostFile {
 
 /// Replays a file after its first line. Throws Malformed.
 AtMostFile replay_at_most(Reader& reader, const Execution& execution);
-} // namespace checker::general
+} // namespace checker

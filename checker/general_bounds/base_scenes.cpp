@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace checker::general {
+namespace checker {
 using Point4 = std::array<Small, 4>;
 
 /// The own depths of the places of a line that are no points.
@@ -258,4 +258,4 @@ SmallRow choose_scene(const SceneSystem& system, const Pencil& pencil, Choices& 
     }
     return own;
 }
-} // namespace checker::general
+} // namespace checker

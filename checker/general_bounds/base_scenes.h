@@ -5,7 +5,7 @@
 #include "checker/general_bounds/small_field.h"
 #include "checker/general_degrees/scene_system.h"
 
-namespace checker::general {
+namespace checker {
 /// The scenes of which only some depths are not 0: a camera [0 | t] sees them.
 struct FewDepths {
     std::vector<std::size_t> depths{};
@@ -44,4 +44,4 @@ SmallRow choose_scene(const SceneSystem& system, const FewDepths& few, Choices& 
 /// The own depths of such a scene, and the direction. Throws Refused as well.
 std::array<SmallRow, 2> choose_tangent(const Problem& problem, const SceneSystem& system,
                                        const Tangent& tangent, Choices& choices);
-} // namespace checker::general
+} // namespace checker

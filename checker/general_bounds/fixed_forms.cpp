@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace checker::general {
+namespace checker {
 /// The image vector of each own depth.
 static std::vector<Row3> vectors_of_depths(const SceneSystem& system) {
     std::vector<Row3> vectors;
@@ -64,7 +64,7 @@ public:
     Monomials(std::size_t variables, std::vector<Bound> bounds)
         : current_(variables), bounds_(std::move(bounds)) {}
 
-    std::vector<Exponents> of_degree(int degree) && {
+    std::vector<Monomial> of_degree(int degree) && {
         choose(0, degree);
         return std::move(found_);
     }
@@ -101,9 +101,9 @@ private:
             if (bound.variables[variable]) bound.most += by;
     }
 
-    Exponents current_;
+    Monomial current_;
     std::vector<Bound> bounds_; // what is left of them
-    std::vector<Exponents> found_{};
+    std::vector<Monomial> found_{};
 };
 
 /// A form vanishes to an order where only some variables are not 0 if and only if its monomials
@@ -140,7 +140,7 @@ static Series product(const Series& a, const Series& b) {
 using Curve = std::vector<SmallRow>;
 
 /// The coefficients of all monomials on a curve, below an order: one row for each power.
-static std::vector<SmallRow> jets(const std::vector<Exponents>& monomials, int degree,
+static std::vector<SmallRow> jets(const std::vector<Monomial>& monomials, int degree,
                                   const Curve& curve, std::size_t order) {
     const std::size_t coordinates = curve[0].size();
     std::vector<std::vector<Series>> powers(coordinates);
@@ -168,7 +168,7 @@ static std::vector<SmallRow> jets(const std::vector<Exponents>& monomials, int d
 /// The conditions on forms, as rows over their monomials.
 class Conditions {
 public:
-    Conditions(const std::vector<Exponents>& monomials, const SceneCoordinates& coordinates,
+    Conditions(const std::vector<Monomial>& monomials, const SceneCoordinates& coordinates,
                const Powers& powers, Choices& choices)
         : monomials_(monomials), coordinates_(coordinates), powers_(powers), choices_(choices) {}
 
@@ -190,21 +190,21 @@ public:
     }
 
 private:
-    const std::vector<Exponents>& monomials_;
+    const std::vector<Monomial>& monomials_;
     const SceneCoordinates& coordinates_;
     const Powers& powers_;
     Choices& choices_;
     RowSpace space_{};
 };
 
-std::vector<Exponents> monomials_that_fit(const BaseScenes& base,
-                                          const SceneCoordinates& coordinates,
-                                          const Powers& powers) {
+std::vector<Monomial> monomials_that_fit(const BaseScenes& base,
+                                         const SceneCoordinates& coordinates,
+                                         const Powers& powers) {
     return Monomials(coordinates.kept().size(), bounds_of(base.few_depths, coordinates, powers))
         .of_degree(powers.degree());
 }
 
-std::size_t rank_of_conditions(const std::vector<Exponents>& monomials, const Problem& problem,
+std::size_t rank_of_conditions(const std::vector<Monomial>& monomials, const Problem& problem,
                                const SceneSystem& system, const BaseScenes& base,
                                const SceneCoordinates& coordinates, const Powers& powers,
                                Choices& choices) {
@@ -222,4 +222,4 @@ std::size_t rank_of_conditions(const std::vector<Exponents>& monomials, const Pr
         conditions.add(2, [&] { return choose_tangent(problem, system, tangent, choices); });
     return conditions.rank();
 }
-} // namespace checker::general
+} // namespace checker

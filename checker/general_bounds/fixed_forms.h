@@ -5,7 +5,7 @@
 
 #include "checker/general_bounds/base_scenes.h"
 
-namespace checker::general {
+namespace checker {
 /// Scenes up to motions that fix camera 1: these change all depths D by a linear form of the image
 /// vectors, so three depths can be 0.
 class SceneCoordinates {
@@ -35,18 +35,17 @@ struct Powers {
 };
 
 /// A monomial in the coordinates.
-using Exponents = std::vector<int>;
+using Monomial = std::vector<int>;
 
 /// All monomials that forms may have which vanish where only some coordinates are not 0. Throws
 /// Refused if there are more than 10,000.
-std::vector<Exponents> monomials_that_fit(const BaseScenes& base,
-                                          const SceneCoordinates& coordinates,
-                                          const Powers& powers);
+std::vector<Monomial> monomials_that_fit(const BaseScenes& base,
+                                         const SceneCoordinates& coordinates, const Powers& powers);
 
 /// How many conditions the other base scenes put on their coefficients, at least, for generic image
 /// vectors of view 1.
-std::size_t rank_of_conditions(const std::vector<Exponents>& monomials, const Problem& problem,
+std::size_t rank_of_conditions(const std::vector<Monomial>& monomials, const Problem& problem,
                                const SceneSystem& system, const BaseScenes& base,
                                const SceneCoordinates& coordinates, const Powers& powers,
                                Choices& choices);
-} // namespace checker::general
+} // namespace checker

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace checker::general {
+namespace checker {
 namespace {
 
 using Partition = std::array<int, 4>;
@@ -22,7 +22,7 @@ using Schur = std::map<Partition, mpz_class>;
 /// K S_(first n, p) over the partitions p with no row longer than first n, where K is the
 /// coefficient of S_p in h_n^pins. A point has first = 2; a free line, for S_(n, n), has
 /// first = pins = 1.
-struct Feature {
+struct FeatureType {
     int first = 0;
     int pins = 0;
 };
@@ -45,7 +45,7 @@ Schur times_h(const Schur& sum, int boxes, int longest) {
 }
 
 /// What the feature stands for.
-Schur expansion(const Feature& feature, int n) {
+Schur expansion(const FeatureType& feature, int n) {
     const int first = feature.first * n;
     Schur power{{Partition{}, 1}};
     for (int pin = 0; pin < feature.pins; ++pin)
@@ -59,7 +59,7 @@ Schur expansion(const Feature& feature, int n) {
 /// The product with what the feature stands for, if it has not more pins than first: then no row of
 /// p is too long, and the Jacobi-Trudi determinants, expanded along their first rows, add up to the
 /// sum of (-1)^i binomial(pins, i) h_(first n + i) h_n^(pins - i) h_(n - 1)^i.
-Schur times_feature(const Schur& factor, const Feature& feature, int n) {
+Schur times_feature(const Schur& factor, const FeatureType& feature, int n) {
     Schur product;
     int weight = 1;
     for (int i = 0; i <= feature.pins; ++i) {
@@ -85,55 +85,54 @@ mpz_class determinants(const Schur& a, const Schur& b, int n) {
 }
 
 /// Those of a problem of Theorem T, the ones with most pins first; none of another problem.
-std::vector<Feature> features_of(const Problem& problem) {
-    if (problem.cameras != &projective_cameras || !all_views_see_all(problem) ||
-        surplus(problem) != 0)
+std::vector<FeatureType> features_of(const Problem& problem) {
+    if (!problem.cameras->all_matrices || !all_views_see_all(problem) || surplus(problem) != 0)
         return {};
-    std::vector<Feature> features;
+    std::vector<FeatureType> types;
     int equations = 0; // of each view
     for (const Point& point : problem.points) {
-        features.push_back({.first = 2, .pins = static_cast<int>(point.lines.size())});
-        equations += 2 + features.back().pins;
+        types.push_back({.first = 2, .pins = static_cast<int>(point.lines.size())});
+        equations += 2 + types.back().pins;
     }
     for (const Line& line : problem.lines) {
         if (line.points.size() > 1) return {};
         if (!line.points.empty()) continue;
-        features.push_back({.first = 1, .pins = 1});
+        types.push_back({.first = 1, .pins = 1});
         equations += 2;
     }
     if (equations != 12) return {};
-    std::ranges::sort(features, std::greater{}, &Feature::pins);
-    return features;
+    std::ranges::sort(types, std::greater{}, &FeatureType::pins);
+    return types;
 }
 
 /// The first two features have representations as large as they are; each other has at most two
 /// pins, as three points with three pins or more give fifteen equations.
-mpz_class invariants(const std::vector<Feature>& features, int n) {
-    std::array<Schur, 2> products{expansion(features[0], n), {{Partition{}, 1}}};
-    if (features.size() > 1) products[1] = expansion(features[1], n);
-    for (std::size_t i = 2; i < features.size(); ++i)
-        products[i % 2] = times_feature(products[i % 2], features[i], n);
+mpz_class invariants(const std::vector<FeatureType>& types, int n) {
+    std::array<Schur, 2> products{expansion(types[0], n), {{Partition{}, 1}}};
+    if (types.size() > 1) products[1] = expansion(types[1], n);
+    for (std::size_t i = 2; i < types.size(); ++i)
+        products[i % 2] = times_feature(products[i % 2], types[i], n);
     return determinants(products[0], products[1], n);
 }
 
 } // namespace
 
 std::optional<mpz_class> invariants(const Problem& problem, int n) {
-    const std::vector<Feature> features = features_of(problem);
-    if (features.empty()) return std::nullopt;
-    return invariants(features, n);
+    const std::vector<FeatureType> types = features_of(problem);
+    if (types.empty()) return std::nullopt;
+    return invariants(types, n);
 }
 
 std::optional<std::size_t> degree_by_invariants(const Problem& problem) {
-    const std::vector<Feature> features = features_of(problem);
-    if (features.empty() || !general_arrangements_are_stable(problem)) return std::nullopt;
+    const std::vector<FeatureType> types = features_of(problem);
+    if (types.empty() || !general_arrangements_are_stable(problem)) return std::nullopt;
     std::vector<mpz_class> values;
     for (int n = 0; n <= std::popcount(problem.views); ++n)
-        values.push_back(invariants(features, n));
+        values.push_back(invariants(types, n));
     for (; values.size() > 1; values.pop_back())
         for (std::size_t i = 0; i + 1 < values.size(); ++i)
             values[i] = values[i + 1] - values[i];
     if (values[0] < 0) throw std::logic_error("a degree is negative");
     return values[0].get_ui();
 }
-} // namespace checker::general
+} // namespace checker

@@ -6,7 +6,7 @@
 
 #include <gmpxx.h>
 
-namespace checker::general {
+namespace checker {
 /// r(n) of Theorem T: the multiplicity of det^3n in the tensor product of representations of GL_4,
 /// one for each point, with the lines through it, and for each free line; none if the theorem says
 /// nothing of the problem.
@@ -16,4 +16,4 @@ std::optional<mpz_class> invariants(const Problem& problem, int n);
 /// difference of these numbers. None if Theorem T says nothing of the problem, as when general
 /// arrangements are not stable.
 std::optional<std::size_t> degree_by_invariants(const Problem& problem);
-} // namespace checker::general
+} // namespace checker

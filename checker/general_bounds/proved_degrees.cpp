@@ -7,16 +7,16 @@
 #include <map>
 #include <string>
 
-namespace checker::general {
+namespace checker {
 /// A row of a theorem's table: a problem with projective cameras, as one view sees it.
-struct Row {
+struct ProvedRow {
     unsigned views = 0;
     std::string_view view{};
     std::size_t at_most = 0;
     std::string_view theorem{};
 };
 
-static constexpr Row rows[] = {
+static constexpr ProvedRow rows[] = {
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},
@@ -83,7 +83,7 @@ static constexpr Row rows[] = {
 };
 
 /// The row's problem: each view sees each feature in the same way.
-static Problem problem_of(const Row& row) {
+static Problem problem_of(const ProvedRow& row) {
     std::string notation = "projective: ";
     std::string_view rest = row.view;
     while (!rest.empty()) {
@@ -101,11 +101,11 @@ static Problem problem_of(const Row& row) {
 }
 
 /// All rows, by what a renaming keeps of their problems.
-using Rows = std::multimap<Invariant, std::pair<Problem, ProvedDegree>>;
+using RowsByInvariant = std::multimap<Invariant, std::pair<Problem, ProvedDegree>>;
 
-static Rows all_rows() {
-    Rows all;
-    for (const Row& row : rows) {
+static RowsByInvariant all_rows() {
+    RowsByInvariant all;
+    for (const ProvedRow& row : rows) {
         const Problem problem = problem_of(row);
         all.emplace(invariant(problem), std::pair{problem, ProvedDegree{row.at_most, row.theorem}});
     }
@@ -113,10 +113,10 @@ static Rows all_rows() {
 }
 
 std::optional<ProvedDegree> proved_degree(const Problem& problem) {
-    static const Rows all = all_rows();
+    static const RowsByInvariant all = all_rows();
     const auto [first, last] = all.equal_range(invariant(problem));
     for (auto row = first; row != last; ++row)
         if (isomorphic(row->second.first, problem)) return row->second.second;
     return std::nullopt;
 }
-} // namespace checker::general
+} // namespace checker

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace checker::general {
+namespace checker {
 /// So many solutions for its cameras a minimal problem has at most, by this theorem.
 struct ProvedDegree {
     std::size_t at_most = 0;
@@ -15,4 +15,4 @@ struct ProvedDegree {
 /// The bound of the problem's row in the theorems' tables, whatever the names of its points and
 /// lines; none if it has no row.
 std::optional<ProvedDegree> proved_degree(const Problem& problem);
-} // namespace checker::general
+} // namespace checker

@@ -2,7 +2,7 @@
 
 #include "checker/file/complaint.h"
 
-namespace checker::general {
+namespace checker {
 Row3 residues(const ImageCoordinates& v) {
     return {Small::of_integer(v[0]), Small::of_integer(v[1]), Small::of_integer(v[2])};
 }
@@ -48,15 +48,15 @@ static std::vector<SmallRow> relations(std::vector<SmallRow> rows, std::size_t c
 Resection::Resection(const SceneSystem& system, std::size_t camera) {
     constexpr std::size_t entries_of_m = 9;
     std::vector<SmallRow> by_m;
-    for (const Incidence& incidence : system.incidences) {
-        if (incidence.camera != camera) continue;
-        const auto line = residues(incidence.line);
-        const auto x = residues(system.places[incidence.place].x);
+    for (const SceneEquation& equation : system.equations) {
+        if (equation.camera != camera) continue;
+        const auto line = residues(equation.line);
+        const auto x = residues(system.places[equation.place].x);
         SmallRow& row = by_m.emplace_back();
         for (const Small l : line)
             for (const Small coordinate : x)
                 row.push_back(l * coordinate);
-        incidences_.push_back({line, incidence.place});
+        incidences_.push_back({line, equation.place});
     }
     if (by_m.size() < entries_of_m + 3) throw Refused("an image has fewer than 12 equations");
     eliminations_ = relations(by_m, entries_of_m);
@@ -81,4 +81,4 @@ SmallRow Resection::cubics(const SmallRow& depths) const {
                 minors.push_back(determinant(n[a], n[b], n[c]));
     return minors;
 }
-} // namespace checker::general
+} // namespace checker

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace checker::general {
+namespace checker {
 /// Image coordinates modulo the prime.
 Row3 residues(const ImageCoordinates& vector);
 
@@ -38,4 +38,4 @@ private:
     std::vector<Seen> incidences_{};
     std::vector<SmallRow> eliminations_{}; // combinations of the incidences in which M is missing
 };
-} // namespace checker::general
+} // namespace checker

@@ -4,7 +4,7 @@
 
 #include <bit>
 
-namespace checker::general {
+namespace checker {
 static void multiply(SmallRow& row, const SmallRow& by) {
     for (std::size_t k = 0; k < row.size(); ++k)
         row[k] = row[k] * by[k];
@@ -102,7 +102,7 @@ template <class Make> static void fill(RowSpace& space, const Make& make) {
 
 std::size_t solutions_at_most(const Problem& problem, const std::vector<Numbers>& views,
                               const Powers& powers, const Spend& spend) {
-    if (problem.cameras != &projective_cameras) throw Refused("its cameras are calibrated");
+    if (!problem.cameras->all_matrices) throw Refused("its cameras are ", problem.cameras->name);
     const SceneSystem system = scene_system(problem, views);
     const BaseScenes base = base_scenes(problem, system);
     const SceneCoordinates coordinates(system, base.few_depths);
@@ -134,4 +134,4 @@ std::size_t solutions_at_most(const Problem& problem, const std::vector<Numbers>
                       " dimensions open: take other powers");
     return dimension - at_solutions;
 }
-} // namespace checker::general
+} // namespace checker

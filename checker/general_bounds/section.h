@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace checker::general {
+namespace checker {
 /// Is told how many monomials the forms have, before they are used.
 using Spend = std::function<void(std::size_t monomials)>;
 
@@ -15,4 +15,4 @@ using Spend = std::function<void(std::size_t monomials)>;
 /// these powers do not give one.
 std::size_t solutions_at_most(const Problem& problem, const std::vector<Numbers>& views,
                               const Powers& powers, const Spend& spend);
-} // namespace checker::general
+} // namespace checker

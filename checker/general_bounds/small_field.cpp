@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace checker::general {
+namespace checker {
 void RowSpace::reduce(Rest& rest, const Reduced& by) {
     const std::uint64_t factor = (-Small::of(rest[by.pivot])).value;
     if (factor == 0) return;
@@ -43,4 +43,4 @@ bool RowSpace::add(const std::vector<SmallRow>& rows) {
     }
     return rows_.size() > known;
 }
-} // namespace checker::general
+} // namespace checker

@@ -2,12 +2,14 @@
 // at least these.
 #pragma once
 
+#include "checker/algebra/modular.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace checker::general {
+namespace checker {
 inline constexpr std::uint32_t small_prime = (std::uint32_t{1} << 31) - 1;
 
 struct Small {
@@ -32,15 +34,7 @@ struct Small {
     constexpr Small operator*(Small b) const { return of(std::uint64_t{value} * b.value); }
 
     /// The inverse of this, if it is not 0: its power p - 2, by Fermat.
-    constexpr Small inverse() const {
-        Small power{1};
-        Small square = *this;
-        for (std::uint32_t rest = small_prime - 2; rest != 0; rest >>= 1) {
-            if (rest & 1) power = power * square;
-            square = square * square;
-        }
-        return power;
-    }
+    constexpr Small inverse() const { return power(*this, small_prime - 2); }
 };
 
 using SmallRow = std::vector<Small>;
@@ -95,4 +89,4 @@ private:
 
     std::vector<Reduced> rows_{};
 };
-} // namespace checker::general
+} // namespace checker

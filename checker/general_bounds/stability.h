@@ -3,8 +3,8 @@
 
 #include "checker/problem/problem.h"
 
-namespace checker::general {
+namespace checker {
 /// Whether they are, for a problem whose views give twelve equations each, where no line has two
 /// points, and no point more than four lines (Lemma T4).
 bool general_arrangements_are_stable(const Problem& problem);
-} // namespace checker::general
+} // namespace checker

@@ -6,13 +6,13 @@
 #include <array>
 #include <stdexcept>
 
-namespace checker::general {
+namespace checker {
 /// The coordinate in row a and column j of the camera of view v has the weight h_v - x_j +
 /// u[v][j][a] of the torus.
 using Shifts = std::array<std::array<Row3, 4>, 3>;
 
 /// The Chern roots of V and those of the line bundles, where the torus fixes a point.
-struct Roots {
+struct ChernRoots {
     std::array<Small, 4> x{};
     std::array<Small, 3> h{}; // h_1 = 0
 };
@@ -32,12 +32,12 @@ using Tree = std::vector<Edge>; // from h_1 to the leaves
 constexpr std::size_t most_pins = 4;
 constexpr std::size_t of_free_line = 0;
 constexpr std::size_t of_point = 1; // add the number of its pins
-using Classes = std::array<Small, of_point + most_pins + 1>;
+using ChernClasses = std::array<Small, of_point + most_pins + 1>;
 
 /// What a fixed point adds to an integral is the weight times the values of the classes.
-struct FixedPoint {
+struct TorusFixedPoint {
     Small weight{};
-    Classes classes{};
+    ChernClasses classes{};
 };
 
 /// The edges at x_j, if the vertex is j < 4, or at h_v, if it is 4 + v.
@@ -73,8 +73,9 @@ static std::optional<Tree> stable_tree(Graph graph) {
 }
 
 /// The point where one coordinate for each edge, in this row, has weight 0.
-static Roots roots_at(const Tree& tree, const std::array<std::size_t, 6>& rows, const Shifts& u) {
-    Roots roots;
+static ChernRoots roots_at(const Tree& tree, const std::array<std::size_t, 6>& rows,
+                           const Shifts& u) {
+    ChernRoots roots;
     for (std::size_t i = 0; i < tree.size(); ++i) {
         const auto [j, v, yields_x] = tree[i];
         const Small shift = u[v][j][rows[i]];
@@ -87,7 +88,7 @@ static Roots roots_at(const Tree& tree, const std::array<std::size_t, 6>& rows, 
 }
 
 /// The product of x_l - x_j over the l that are not j.
-static Small differences(const Roots& roots, std::size_t j) {
+static Small differences(const ChernRoots& roots, std::size_t j) {
     Small product{1};
     for (std::size_t l = 0; l < 4; ++l)
         if (l != j) product = product * (roots.x[l] - roots.x[j]);
@@ -101,7 +102,7 @@ static Small inverse(Small number) {
 }
 
 /// The product of all x_i - x_j by that of all weights but six, those of the tree, which are 0.
-static Small weight_at(const Roots& roots, const Shifts& u) {
+static Small weight_at(const ChernRoots& roots, const Shifts& u) {
     Small above{1}, below{1};
     std::size_t zeros = 0;
     for (std::size_t j = 0; j < 4; ++j) {
@@ -120,7 +121,7 @@ static Small weight_at(const Roots& roots, const Shifts& u) {
 }
 
 /// c_1^2 - c_2 of L_1 + L_2 + L_3 - V.
-static Small class_of_free_line(const Roots& roots) {
+static Small class_of_free_line(const ChernRoots& roots) {
     Small c1, c2;
     for (const Small h : roots.h) {
         c2 = c2 + c1 * h;
@@ -133,9 +134,9 @@ static Small class_of_free_line(const Roots& roots) {
     return c1 * c1 - c2;
 }
 
-static Classes classes_at(const Roots& roots) {
+static ChernClasses classes_at(const ChernRoots& roots) {
     const auto& [x, h] = roots;
-    Classes classes;
+    ChernClasses classes;
     classes[of_free_line] = class_of_free_line(roots);
     for (std::size_t j = 0; j < 4; ++j) {
         const Small at_point = (h[0] - x[j]) * (h[1] - x[j]) * (h[2] - x[j]);
@@ -160,7 +161,7 @@ static Shifts generic_shifts() {
 }
 
 /// Those of a tree: one for each choice of a row for each edge.
-static void append_fixed_points(std::vector<FixedPoint>& points, const Tree& tree,
+static void append_fixed_points(std::vector<TorusFixedPoint>& points, const Tree& tree,
                                 const Shifts& shifts) {
     constexpr unsigned choices_of_rows = 729;
     for (unsigned choice = 0; choice < choices_of_rows; ++choice) {
@@ -170,14 +171,14 @@ static void append_fixed_points(std::vector<FixedPoint>& points, const Tree& tre
             row = digits % 3;
             digits /= 3;
         }
-        const Roots roots = roots_at(tree, rows, shifts);
+        const ChernRoots roots = roots_at(tree, rows, shifts);
         points.push_back({weight_at(roots, shifts), classes_at(roots)});
     }
 }
 
-static std::vector<FixedPoint> fixed_points() {
+static std::vector<TorusFixedPoint> fixed_points() {
     const Shifts shifts = generic_shifts();
-    std::vector<FixedPoint> points;
+    std::vector<TorusFixedPoint> points;
     for (Graph graph = 0; graph < 1U << 12; ++graph) {
         if (std::popcount(graph) != 6) continue;
         if (const auto tree = stable_tree(graph)) append_fixed_points(points, *tree, shifts);
@@ -187,27 +188,27 @@ static std::vector<FixedPoint> fixed_points() {
 
 /// The place of the class of each feature; none if the theorem does not speak of one of them.
 static std::optional<Indices> features_of(const Problem& problem) {
-    Indices features;
+    Indices list;
     for (const Line& line : problem.lines) {
         if (line.points.size() > 1) return std::nullopt;
-        if (line.points.empty()) features.push_back(of_free_line);
+        if (line.points.empty()) list.push_back(of_free_line);
     }
     for (const Point& point : problem.points) {
         if (point.lines.size() > most_pins) return std::nullopt;
-        features.push_back(of_point + point.lines.size());
+        list.push_back(of_point + point.lines.size());
     }
-    return features;
+    return list;
 }
 
 /// The integral of a product of classes. By Martin's theorem it is one over a toric variety, by the
 /// order of the Weyl group.
-static Small integral(const Indices& features) {
-    static const std::vector<FixedPoint> points = fixed_points();
+static Small integral(const Indices& list) {
+    static const std::vector<TorusFixedPoint> points = fixed_points();
     constexpr Small order{24};
     Small sum;
-    for (const FixedPoint& point : points) {
+    for (const TorusFixedPoint& point : points) {
         Small product = point.weight;
-        for (const std::size_t feature : features)
+        for (const std::size_t feature : list)
             product = product * point.classes[feature];
         sum = sum + product;
     }
@@ -215,12 +216,11 @@ static Small integral(const Indices& features) {
 }
 
 std::optional<std::size_t> degree_in_three_views(const Problem& problem) {
-    const bool applies = problem.cameras == &projective_cameras &&
-                         std::popcount(problem.views) == 3 && all_views_see_all(problem) &&
-                         surplus(problem) == 0;
+    const bool applies = problem.cameras->all_matrices && std::popcount(problem.views) == 3 &&
+                         all_views_see_all(problem) && surplus(problem) == 0;
     if (!applies) return std::nullopt;
-    const std::optional<Indices> features = features_of(problem);
-    if (!features) return std::nullopt;
-    return integral(*features).value; // itself, as it is at most 3^14
+    const std::optional<Indices> list = features_of(problem);
+    if (!list) return std::nullopt;
+    return integral(*list).value; // itself, as it is at most 3^14
 }
-} // namespace checker::general
+} // namespace checker

@@ -6,7 +6,7 @@
 #include "checker/degrees/degeneracy.h"
 #include "checker/general_degrees/scene_system.h"
 
-namespace checker::general {
+namespace checker {
 template <class T> class SceneAt {
 public:
     explicit SceneAt(const SceneSystem& system) : system_(system), depths_(system.places.size()) {}
@@ -16,10 +16,8 @@ public:
         cameras_.clear();
         std::size_t next = 0;
         for (std::size_t n = 0; n < system_.cameras; ++n) {
-            cameras_.push_back(system_.projective ? projective(&z[next], n)
-                                                  : calibrated(&z[next], n));
-            cameras_[n].first = next;
-            next += system_.coordinates_of(n);
+            cameras_.push_back(camera_at(system_.form_of(n), z, next));
+            next += system_.form_of(n).coordinates;
         }
         first_depth_ = next;
         for (std::size_t p = 0; p < depths_.size(); ++p) {
@@ -32,13 +30,14 @@ public:
 
     /// The value of an equation there; its derivatives by the coordinates go to the row.
     T equation(std::size_t e, std::vector<T>& row) const {
-        const auto& [camera, line, place] = system_.incidences[e];
+        const auto& [camera, line, place] = system_.equations[e];
         const auto& [x, form] = system_.places[place];
         const CameraAt& at = cameras_[camera];
         const Vector3<T> l = vector(line);
         const std::array<T, 4> point{number(x[0]), number(x[1]), number(x[2]), depths_[place]};
         std::fill(row.begin(), row.end(), T(0));
-        derive_by_camera(row, at, l, point);
+        for (const auto& [k, i, column, derivative] : at.changes)
+            row[k] = row[k] + l[i] * derivative * point[column];
         const T by_depth = dot(l, at.columns[3]);
         for (std::size_t k = 0; k < form.size(); ++k)
             if (form[k] != 0) row[first_depth_ + k] = number(form[k]) * by_depth;
@@ -59,13 +58,30 @@ public:
     }
 
 private:
+    /// How an entry of a camera matrix changes with a coordinate.
+    struct Change {
+        std::size_t coordinate = 0; // of all
+        std::size_t row = 0, column = 0;
+        T derivative{};
+    };
+
     /// [M | t]: it takes (x, depth) to M x + depth t.
     struct CameraAt {
-        std::array<Vector3<T>, 4> columns{};
-        std::array<Matrix3<T>, 3> turned{}; // of a calibrated one: M derived by x, y, z, by columns
-        std::size_t first = 0;              // of its coordinates
-        std::size_t fixed = 0;              // of the numbers that make it, the first
+        CameraMatrix<T> columns{};
+        std::vector<Change> changes{};
     };
+
+    /// The camera whose coordinates begin at this one.
+    static CameraAt camera_at(const CameraForm& form, const std::vector<T>& z, std::size_t first) {
+        CameraAt at;
+        for (std::size_t column = 0; column < 4; ++column)
+            for (std::size_t row = 0; row < 3; ++row)
+                at.columns[column][row] = value_at(&z[first], form.matrix[column][row]);
+        for (const auto& [coordinate, row, column, derivative] : form.changes)
+            at.changes.push_back(
+                {first + coordinate, row, column, value_at(&z[first], derivative)});
+        return at;
+    }
 
     /// The sum of two integers that doubles hold exactly: of 32 and of 31 bits.
     static T number(std::int64_t value) {
@@ -75,45 +91,6 @@ private:
 
     static Vector3<T> vector(const ImageCoordinates& v) {
         return {number(v[0]), number(v[1]), number(v[2])};
-    }
-
-    /// x, y, z of the quaternion (1, x, y, z), then t; of camera 0 without t_1, which is 1.
-    static CameraAt calibrated(const T* z, std::size_t camera) {
-        const TransposedRotation<T> rotation = transposed_rotation(z[0], z[1], z[2]);
-        CameraAt at;
-        std::copy(rotation.matrix.begin(), rotation.matrix.end(), at.columns.begin());
-        at.turned = rotation.derivatives;
-        at.fixed = camera == 0 ? 1 : 0;
-        at.columns[3] = camera == 0 ? Vector3<T>{T(1), z[3], z[4]} : Vector3<T>{z[3], z[4], z[5]};
-        return at;
-    }
-
-    /// The entries row by row, without the first: 1; of camera 0 without 0, 0, 0, 1, 1.
-    static CameraAt projective(const T* z, std::size_t camera) {
-        CameraAt at;
-        at.fixed = camera == 0 ? 5 : 1;
-        for (std::size_t entry = 0; entry < 12; ++entry) {
-            const bool is_one = camera != 0 || entry >= 3;
-            const T fixed(is_one ? 1 : 0);
-            at.columns[entry % 4][entry / 4] = entry < at.fixed ? fixed : z[entry - at.fixed];
-        }
-        return at;
-    }
-
-    /// Sets the derivatives of l · (M x + depth t) by the coordinates of the camera.
-    void derive_by_camera(std::vector<T>& row, const CameraAt& at, const Vector3<T>& l,
-                          const std::array<T, 4>& point) const {
-        if (system_.projective) {
-            for (std::size_t entry = at.fixed; entry < 12; ++entry)
-                row[at.first + entry - at.fixed] = l[entry / 4] * point[entry % 4];
-            return;
-        }
-        for (std::size_t k = 0; k < 3; ++k)
-            for (std::size_t column = 0; column < 3; ++column)
-                row[at.first + k] =
-                    row[at.first + k] + dot(l, at.turned[k][column]) * point[column];
-        for (std::size_t i = at.fixed; i < 3; ++i)
-            row[at.first + 3 + i - at.fixed] = l[i] * point[3];
     }
 
     /// Where the camera sees a place: M x + depth t.
@@ -137,4 +114,4 @@ private:
     std::vector<T> depths_; // of the places
     std::size_t first_depth_ = 0;
 };
-} // namespace checker::general
+} // namespace checker

@@ -4,18 +4,18 @@
 #include "checker/degrees/krawczyk_operator.h"
 #include "checker/general_degrees/scene_at.h"
 
-namespace checker::general {
+namespace checker {
 Box certify_cameras(const SceneSystem& system, const ApproximateSolution& start) {
     Box box = prove_box<SceneAt>(system, start);
     box.low.resize(2 * system.camera_coordinates());
     box.high.resize(2 * system.camera_coordinates());
     return box;
 }
-} // namespace checker::general
+} // namespace checker
 #else
-namespace checker::general {
+namespace checker {
 Box certify_cameras(const SceneSystem&, const ApproximateSolution&) {
     throw Refused("this plcheck was built without Arb");
 }
-} // namespace checker::general
+} // namespace checker
 #endif

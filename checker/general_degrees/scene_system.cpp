@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace checker::general {
+namespace checker {
 /// What a view shows: its points, two points of each of its lines, and the factors that make a
 /// dependent point from the first two of its carrier.
 struct Picture {
@@ -35,21 +35,13 @@ static std::array<ImageCoordinates, 2> lines_through(const ImageCoordinates& y) 
 }
 
 std::size_t depths_of(const Problem& problem) {
-    std::size_t count = 0;
-    for (std::size_t p = 0; p < problem.points.size(); ++p)
-        count += carrier(problem, p) ? 0 : 1;
-    for (const Line& line : problem.lines)
-        count += own_points(line);
-    return count;
+    const SceneParts parts = scene_parts(problem);
+    return parts.free + parts.of_lines;
 }
 
 std::size_t numbers_of_view(const Problem& problem) {
-    std::size_t count = 0;
-    for (std::size_t p = 0; p < problem.points.size(); ++p)
-        count += carrier(problem, p) ? 2 : 3;
-    for (const Line& line : problem.lines)
-        count += 3 * own_points(line);
-    return count;
+    const auto [free, carried, of_lines] = scene_parts(problem);
+    return 3 * free + 2 * carried + 3 * of_lines;
 }
 
 Numbers read_view(Reader& reader, const Problem& problem) {
@@ -142,33 +134,40 @@ static void add_places(SceneSystem& system, const Problem& problem, const Pictur
 }
 
 /// Adds what a view but the first says of the places.
-static void add_incidences(SceneSystem& system, const Problem& problem, const Picture& picture,
-                           std::size_t camera) {
+static void add_equations(SceneSystem& system, const Problem& problem, const Picture& picture,
+                          std::size_t camera) {
     for (std::size_t p = 0; p < system.points; ++p) {
         const auto [first, second] = lines_through(picture.points[p]);
-        system.incidences.push_back({camera, first, p});
-        if (!carrier(problem, p)) system.incidences.push_back({camera, second, p});
+        system.equations.push_back({camera, first, p});
+        if (!carrier(problem, p)) system.equations.push_back({camera, second, p});
     }
     for (std::size_t n = 0; n < problem.lines.size(); ++n) {
         const ImageCoordinates line = join(picture.lines[n][0], picture.lines[n][1]);
         for (const std::size_t place : system.lines[n])
-            if (place >= system.points) system.incidences.push_back({camera, line, place});
+            if (place >= system.points) system.equations.push_back({camera, line, place});
     }
 }
 
+CameraForm camera_form(const CameraModel& model, bool second) {
+    CameraForm form{.coordinates = model.unknowns_of(second), .matrix = model.of_solution(second)};
+    for (std::size_t k = 0; k < form.coordinates; ++k)
+        for (std::size_t column = 0; column < 4; ++column)
+            for (std::size_t row = 0; row < 3; ++row) {
+                const CoordinatePolynomial change = derivative(form.matrix[column][row], k);
+                if (!change.terms.empty()) form.changes.push_back({k, row, column, change});
+            }
+    return form;
+}
+
 SceneSystem scene_system(const Problem& problem, const std::vector<Numbers>& views) {
-    static_assert(camera_models.size() == 2, "scene_at.h has equations for two kinds of cameras; "
-                                             "add those of the third, or refuse it here");
     if (surplus(problem) != 0) throw Refused("it is not balanced, so it has no degree");
-    const auto is_hidden = [&](const auto& seen) { return seen.seen_by != problem.views; };
-    if (std::ranges::any_of(problem.points, is_hidden) ||
-        std::ranges::any_of(problem.lines, is_hidden))
-        throw Refused("some view misses a point or a line");
-    SceneSystem system{.projective = problem.cameras == &projective_cameras,
+    if (!all_views_see_all(problem)) throw Refused("some view misses a point or a line");
+    SceneSystem system{.second = camera_form(*problem.cameras, true),
+                       .other = camera_form(*problem.cameras, false),
                        .cameras = views.size() - 1};
     add_places(system, problem, picture_of(problem, views[0]));
     for (std::size_t view = 1; view < views.size(); ++view)
-        add_incidences(system, problem, picture_of(problem, views[view]), view - 1);
+        add_equations(system, problem, picture_of(problem, views[view]), view - 1);
     return system;
 }
-} // namespace checker::general
+} // namespace checker

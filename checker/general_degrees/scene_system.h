@@ -9,7 +9,7 @@
 #include "checker/file/reader.h"
 #include "checker/problem/problem.h"
 
-namespace checker::general {
+namespace checker {
 /// Of an image point: integers, at most 10^9 in size. Of an image line: at most 2 · 10^18.
 using ImageCoordinates = Vector3<std::int64_t>;
 
@@ -23,34 +23,44 @@ struct Place {
 };
 
 /// line · (M x + depth t) = 0: the camera sees a place on an image line.
-struct Incidence {
+struct SceneEquation {
     std::size_t camera = 0; // 0 is that of view 2
     ImageCoordinates line{};
     std::size_t place = 0;
 };
 
+/// An entry of a camera matrix that changes with a coordinate of the camera.
+struct ChangingEntry {
+    std::size_t coordinate = 0;
+    std::size_t row = 0, column = 0;
+    CoordinatePolynomial derivative{};
+};
+
+/// A camera [M | t] by its coordinates.
+struct CameraForm {
+    std::size_t coordinates = 0;
+    CameraMatrix<CoordinatePolynomial> matrix{};
+    std::vector<ChangingEntry> changes{};
+};
+
+CameraForm camera_form(const CameraModel& model, bool second);
+
 /// A problem's equations for its cameras and depths, as many as there are of these.
 struct SceneSystem {
-    bool projective = false;
+    CameraForm second{};     // the camera of view 2
+    CameraForm other{};      // each camera after it
     std::size_t cameras = 0; // but the first
     std::size_t depths = 0;
     std::vector<Place> places{}; // the points come first
     std::size_t points = 0;
     std::vector<std::array<std::size_t, 2>> lines{}; // two places of each
-    std::vector<Incidence> incidences{};
+    std::vector<SceneEquation> equations{};
 
-    /// How many coordinates a camera has.
-    std::size_t coordinates_of(std::size_t camera) const {
-        if (projective) return camera == 0 ? 7 : 11;
-        return camera == 0 ? 5 : 6;
-    }
+    const CameraForm& form_of(std::size_t camera) const { return camera == 0 ? second : other; }
 
-    /// Of all cameras: their coordinates come first.
+    /// How many coordinates all cameras have: these come first.
     std::size_t camera_coordinates() const {
-        std::size_t sum = 0;
-        for (std::size_t camera = 0; camera < cameras; ++camera)
-            sum += coordinates_of(camera);
-        return sum;
+        return second.coordinates + (cameras - 1) * other.coordinates;
     }
 };
 
@@ -66,4 +76,4 @@ Numbers read_view(Reader& reader, const Problem& problem);
 /// The system of a problem and what its views see, each in so many numbers. Throws Refused if the
 /// problem has no such system, or if the images do not meet the conditions.
 SceneSystem scene_system(const Problem& problem, const std::vector<Numbers>& views);
-} // namespace checker::general
+} // namespace checker

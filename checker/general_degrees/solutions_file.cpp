@@ -4,7 +4,7 @@
 #include "checker/general_degrees/scene_certify.h"
 #include "checker/problem/notation.h"
 
-namespace checker::general {
+namespace checker {
 /// A record up to its solutions.
 struct ImagesRecord {
     std::size_t line = 0;
@@ -26,10 +26,7 @@ static ImagesRecord read_record_of_images(Reader& reader) {
 
 /// How many coordinates a solution of the problem has.
 static std::size_t coordinates_of(const Problem& problem) {
-    const auto views = static_cast<std::size_t>(std::popcount(problem.views));
-    const SceneSystem shape{.projective = problem.cameras == &projective_cameras,
-                            .cameras = views - 1};
-    return shape.camera_coordinates() + depths_of(problem);
+    return static_cast<std::size_t>(camera_columns(problem)) + depths_of(problem);
 }
 
 SolutionsFile replay_solutions(Reader& reader, const Execution& execution) try {
@@ -56,4 +53,4 @@ SolutionsFile replay_solutions(Reader& reader, const Execution& execution) try {
 } catch (const TooMuchEffort& too_much) {
     return {.refusals = too_much.refusals()};
 }
-} // namespace checker::general
+} // namespace checker

@@ -6,7 +6,7 @@
 #include "checker/file/reader.h"
 #include "checker/problem/problem.h"
 
-namespace checker::general {
+namespace checker {
 /// What a record proves: the problem is minimal, and has at least so many camera solutions.
 struct SolutionCount {
     std::string notation{};
@@ -22,4 +22,4 @@ struct SolutionsFile {
 
 /// Replays a file after its first line. Throws Malformed.
 SolutionsFile replay_solutions(Reader& reader, const Execution& execution);
-} // namespace checker::general
+} // namespace checker

@@ -1,7 +1,5 @@
 #include "checker/minimal/block.h"
 
-#include <numeric>
-
 namespace checker {
 /// Puts a row into row c whose entry in column c is not 0. Whether there is one; flips the sign if
 /// rows trade places.
@@ -28,11 +26,12 @@ Block eliminate(std::size_t unknowns, Rows<Residue> rows) {
     Block block{.unknowns = unknowns, .factor = {1}};
     for (std::size_t c = 0; c < unknowns; ++c) {
         const auto is_zero = [](Residue x) { return x == Residue{}; };
-        if (!find_pivot(rows, c, block.factor, is_zero)) return {};
+        if (!find_pivot(rows, c, block.factor, is_zero)) return {.unknowns = unknowns};
         const Residue pivot = rows[c][c];
         const Residue inverse = pivot.inverse();
         block.factor = block.factor * pivot;
         for (std::size_t r = c + 1; r < rows.size(); ++r) {
+            if (rows[r][c] == Residue{}) continue;
             const Residue multiple = -rows[r][c] * inverse;
             for (std::size_t k = c; k < rows[r].size(); ++k)
                 rows[r][k] = rows[r][k] + multiple * rows[c][k];
@@ -101,69 +100,17 @@ Residue minor_of(const std::vector<const Block*>& blocks, std::size_t camera_col
     return factor * determinant(std::move(matrix));
 }
 
-/// By point and line, numbered as in Jacobian: the component of the scene to which it belongs.
-static Indices components_of(const Problem& problem) {
-    const std::size_t points = problem.points.size();
-    Indices component(points + problem.lines.size());
-    std::iota(component.begin(), component.end(), std::size_t{0});
-    for (std::size_t n = 0; n < problem.lines.size(); ++n)
-        for (const std::size_t p : problem.lines[n].points) {
-            const std::size_t joined = component[p];
-            std::ranges::replace(component, component[points + n], joined);
-        }
-    return component;
-}
-
-/// The order of the numbers 0, 1, ... by component, and whether it is odd.
-struct Order {
-    Indices numbers{};
-    bool odd = false;
-};
-
-static Order order_by(const Indices& component) {
-    Order order{.numbers = Indices(component.size())};
-    std::iota(order.numbers.begin(), order.numbers.end(), std::size_t{0});
-    std::ranges::stable_sort(order.numbers, {}, [&](std::size_t i) { return component[i]; });
-    for (std::size_t j = 0; j < component.size(); ++j)
-        for (std::size_t i = 0; i < j; ++i)
-            order.odd ^= component[i] > component[j];
-    return order;
-}
-
-static Indices components(const Indices& things, const Indices& component_of_thing) {
-    Indices result;
-    for (const std::size_t thing : things)
-        result.push_back(component_of_thing[thing]);
-    return result;
-}
-
+/// Rows of different components of the scene have only columns of the cameras in common. So
+/// elimination is that of each component, though J is one block here.
 Residue jacobian_determinant(const Problem& problem, const Placement& placement) {
-    const Jacobian<Residue> j = jacobian<Residue>(problem, placement);
-    const auto cameras = static_cast<std::size_t>(camera_columns(problem));
-    const Indices component = components_of(problem);
-    const Indices of_row = components(j.thing_of_row, component);
-    const Indices of_column = components(j.thing_of_column, component);
-    const Order rows = order_by(of_row), columns = order_by(of_column);
-    std::vector<Block> blocks;
-    std::size_t r = 0, c = 0;
-    for (std::size_t number = 0; number < component.size(); ++number) {
-        const std::size_t first_column = c;
-        while (c < columns.numbers.size() && of_column[columns.numbers[c]] == number)
-            ++c;
-        Rows<Residue> own;
-        for (; r < rows.numbers.size() && of_row[rows.numbers[r]] == number; ++r) {
-            const std::vector<Residue>& whole = j.rows[rows.numbers[r]];
-            std::vector<Residue>& row = own.emplace_back();
-            for (std::size_t k = first_column; k < c; ++k)
-                row.push_back(whole[columns.numbers[k]]);
-            row.insert(row.end(), whole.end() - std::ptrdiff_t(cameras), whole.end());
-        }
-        blocks.push_back(eliminate(c - first_column, std::move(own)));
-    }
-    std::vector<const Block*> pointers;
-    for (const Block& block : blocks)
-        pointers.push_back(&block);
-    const Residue minor = minor_of(pointers, cameras);
-    return rows.odd != columns.odd ? -minor : minor;
+    Jacobian<Residue> j = jacobian<Residue>(problem, placement);
+    const Block block = eliminate(j.own, std::move(j.rows));
+    return minor_of({&block}, static_cast<std::size_t>(camera_columns(problem)));
+}
+
+Component component_of(std::size_t unknowns, Rows<mpz_class> rows) {
+    Block block = eliminate(unknowns, modulo_q(rows));
+    Rows<mpz_class> conditions = conditions_on_cameras(unknowns, rows);
+    return {std::move(rows), std::move(conditions), std::move(block)};
 }
 } // namespace checker

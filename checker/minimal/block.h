@@ -6,7 +6,7 @@
 #include "checker/minimal/jacobian.h"
 
 namespace checker {
-/// What is left of a component modulo q when its own unknowns are eliminated.
+/// What is left of J, or of a component, modulo q when its own unknowns are eliminated.
 struct Block {
     std::size_t unknowns = 0;
     Rows<Residue> left{}; // by camera columns
@@ -25,7 +25,7 @@ Block eliminate(std::size_t unknowns, Rows<Residue> rows);
 Residue minor_of(const std::vector<const Block*>& blocks, std::size_t camera_columns,
                  const Numbers& deleted_columns = {});
 
-/// det J modulo q, of a balanced problem, by the components of its scene.
+/// det J modulo q, of a balanced problem.
 Residue jacobian_determinant(const Problem& problem, const Placement& placement);
 
 /// What the motions of the cameras satisfy with which a component can move along and keep its
@@ -34,4 +34,15 @@ Rows<mpz_class> conditions_on_cameras(std::size_t unknowns, Rows<mpz_class> rows
 
 /// The same matrix modulo q.
 Rows<Residue> modulo_q(const Rows<mpz_class>& rows);
+
+/// What a component of the scene contributes to J.
+struct Component {
+    Rows<mpz_class> rows{}; // of J: own columns, then those of the cameras
+    /// Of the motions of the cameras with which it can move along; none if its own columns are
+    /// dependent modulo q, and the block has factor 0.
+    Rows<mpz_class> conditions{};
+    Block block{};
+};
+
+Component component_of(std::size_t unknowns, Rows<mpz_class> rows);
 } // namespace checker

@@ -1,6 +1,7 @@
 #include "checker/minimal/classification_file.h"
 
 #include "checker/minimal/pool.h"
+#include "checker/minimal/record_lines.h"
 
 namespace checker {
 /// A feature line of a pool.
@@ -10,11 +11,11 @@ struct PlacedFeature {
     Numbers placement{};
 };
 
-/// The contributions of each feature that a class may use, and how many the file has. None if the
+/// The components of each feature that a class may use, and how many the file has. None if the
 /// pool is refused.
 struct Pool {
     bool holds = true;
-    std::array<std::vector<Contribution>, feature_count> contributions{};
+    std::array<std::vector<Component>, feature_count> components{};
 };
 
 /// Takes the feature lines of a pool, in the order of the table.
@@ -42,17 +43,17 @@ static Pool pool_of(const std::vector<Numbers>& cameras, std::size_t line,
     Pool pool;
     std::size_t at = line;
     try {
-        require_cameras(cameras);
+        require_cameras(calibrated_cameras, cameras);
         for (const auto& [feature_line, index, placement] : placed) {
             const Feature& feature = features[index];
             at = feature_line;
-            std::vector<Contribution>& contributions = pool.contributions[index];
-            if (contributions.size() == camera_unknowns / feature.weight()) {
+            std::vector<Component>& components = pool.components[index];
+            if (components.size() == camera_unknowns / feature.weight()) {
                 require_section_2(problem_of(feature, 3), {cameras, placement});
                 continue;
             }
             Jacobian<mpz_class> j = rows_of(feature, 3, {cameras, placement});
-            contributions.push_back(contribution_of(j.own, std::move(j.rows)));
+            components.push_back(component_of(j.own, std::move(j.rows)));
         }
     } catch (const Refused& refused) {
         refusals.add(at, say("pool ", number, ": ", refused.reason));
@@ -61,28 +62,27 @@ static Pool pool_of(const std::vector<Numbers>& cameras, std::size_t line,
     return pool;
 }
 
-/// The contributions of a class in a pool.
-static std::vector<const Contribution*> contributions_of(const Signature& signature,
-                                                         const Pool& pool) {
+/// The components of a class in a pool.
+static std::vector<const Component*> components_of(const Signature& signature, const Pool& pool) {
     if (!pool.holds) throw Refused("its pool is refused");
-    std::vector<const Contribution*> contributions;
+    std::vector<const Component*> components;
     for (std::size_t i = 0; i < feature_count; ++i) {
-        if (pool.contributions[i].size() < signature[i])
+        if (pool.components[i].size() < signature[i])
             throw Refused("its pool has too few ", features[i].notation);
         for (std::size_t n = 0; n < signature[i]; ++n)
-            contributions.push_back(&pool.contributions[i][n]);
+            components.push_back(&pool.components[i][n]);
     }
-    return contributions;
+    return components;
 }
 
 /// The obstruction of a class, if its record holds; else throws Refused.
-static Obstruction check_class(std::size_t number, std::size_t pool, const Record& record,
+static Obstruction check_class(std::size_t number, std::size_t pool, const MinorClaim& claim,
                                const std::vector<Pool>& pools, const Classification& classes) {
     if (number >= classes.representatives.size()) throw Refused("there is no such class");
     if (pool == 0 || pool > pools.size()) throw Refused("there is no such pool");
     const Signature& signature = classes.representatives[number];
     const Obstruction found = obstruction(signature);
-    check_record(record, found, contributions_of(signature, pools[pool - 1]));
+    check_claim(claim, found, components_of(signature, pools[pool - 1]));
     return found;
 }
 
@@ -102,18 +102,19 @@ ClassificationFile replay_classification(Reader& reader, const Classification& c
             file.refusals.add(line, say("class ", due, ": there is no certificate"));
     };
     while (!reader.at_end()) {
+        const std::size_t line = reader.line();
         const bool minimal = reader.comes("minimal");
         const Numbers words = reader.take(minimal ? "minimal # #" : "deficient # #");
         const auto number = static_cast<std::size_t>(words[0]);
         const auto pool = static_cast<std::size_t>(words[1]);
-        const Record record = read_record(reader, minimal);
-        if (number < due) throw Malformed{{record.line, say("class ", number, " is out of order")}};
-        refuse_missing(number, record.line);
+        const MinorClaim claim = read_minor_in_pool(reader, minimal);
+        if (number < due) throw Malformed{{line, say("class ", number, " is out of order")}};
+        refuse_missing(number, line);
         due = number + 1;
         try {
-            file.verdicts.push_back({number, check_class(number, pool, record, pools, classes)});
+            file.verdicts.push_back({number, check_class(number, pool, claim, pools, classes)});
         } catch (const Refused& refused) {
-            file.refusals.add(record.line, say("class ", number, ": ", refused.reason));
+            file.refusals.add(line, say("class ", number, ": ", refused.reason));
         }
     }
     refuse_missing(classes.representatives.size(), reader.line());

@@ -24,12 +24,8 @@ template <class T> static Vector<T> with_fixed_third(Source<T>& source) {
 }
 
 std::size_t scene_size(const Problem& problem) {
-    std::size_t size = 0;
-    for (std::size_t p = 0; p < problem.points.size(); ++p)
-        size += carrier(problem, p) ? 1 : 3;
-    for (const Line& line : problem.lines)
-        size += 3 * own_points(line);
-    return size;
+    const auto [free, carried, of_lines] = scene_parts(problem);
+    return 3 * free + carried + 3 * of_lines;
 }
 
 template <class T>
@@ -42,29 +38,23 @@ static Vector<T> place_point(const Problem& problem, std::size_t p, Source<T>& s
     return plus(a, times(source.unknown(), minus(b, a)));
 }
 
-/// Places the scene, and notes whose unknowns are whose.
-template <class T>
-static Scene<T> place_scene(const Problem& problem, Source<T>& source, Indices& thing_of_column) {
+template <class T> static Scene<T> place_scene(const Problem& problem, Source<T>& source) {
     Scene<T> scene;
     std::vector<Vector<T>>& points = scene.points;
-    for (std::size_t p = 0; p < problem.points.size(); ++p) {
+    for (std::size_t p = 0; p < problem.points.size(); ++p)
         points.push_back(place_point(problem, p, source, points));
-        thing_of_column.resize(source.unknowns(), p);
-    }
-    for (std::size_t n = 0; n < problem.lines.size(); ++n) {
-        const Line& line = problem.lines[n];
+    for (const Line& line : problem.lines) {
         const std::size_t count = line.points.size();
         const Vector<T> a = count == 0 ? with_fixed_third(source) : points[line.points[0]];
         const Vector<T> e = count < 2 ? with_fixed_third(source) : minus(points[line.points[1]], a);
         scene.lines.push_back({a, e});
-        thing_of_column.resize(source.unknowns(), problem.points.size() + n);
     }
     return scene;
 }
 
 /// The camera's matrix times (X, w).
 template <class T>
-static Vector<T> image(const CameraMatrix<T>& camera, const Vector<T>& x, unsigned w) {
+static Vector<T> image(const CameraMatrix<Dual<T>>& camera, const Vector<T>& x, unsigned w) {
     Vector<T> sum = times(constant<T>(T{w}), camera[3]);
     for (std::size_t i = 0; i < 3; ++i)
         sum = plus(sum, times(x[i], camera[i]));
@@ -92,7 +82,7 @@ static bool is_dependent(const Problem& problem, std::size_t point, unsigned vie
 
 template <class T>
 static void add_rows_of_view(Jacobian<T>& j, const Problem& problem, const Scene<T>& scene,
-                             const CameraMatrix<T>& camera, unsigned view) {
+                             const CameraMatrix<Dual<T>>& camera, unsigned view) {
     const std::size_t points = problem.points.size();
     for (std::size_t p = 0; p < points; ++p) {
         if (!has_view(problem.points[p].seen_by, view)) continue;
@@ -100,7 +90,6 @@ static void add_rows_of_view(Jacobian<T>& j, const Problem& problem, const Scene
         const Vector3<T> v = values<T>(x);
         j.rows.push_back(row<T>({T{}, v[2], -v[1]}, x));
         if (!is_dependent(problem, p, view)) j.rows.push_back(row<T>({-v[2], T{}, v[0]}, x));
-        j.thing_of_row.resize(j.rows.size(), p);
     }
     for (std::size_t n = 0; n < problem.lines.size(); ++n) {
         if (!has_view(problem.lines[n].seen_by, view)) continue;
@@ -111,7 +100,6 @@ static void add_rows_of_view(Jacobian<T>& j, const Problem& problem, const Scene
         const Vector3<T> l = cross(values<T>(a), values<T>(e));
         if (seen_points == 0) j.rows.push_back(row<T>(l, a));
         j.rows.push_back(row<T>(l, e));
-        j.thing_of_row.resize(j.rows.size(), points + n);
     }
 }
 
@@ -119,12 +107,12 @@ template <class T> Jacobian<T> jacobian(const Problem& problem, const Placement&
     Jacobian<T> j;
     Source<T> source;
     source.read(placement.scene);
-    const Scene<T> scene = place_scene(problem, source, j.thing_of_column);
+    const Scene<T> scene = place_scene(problem, source);
     j.own = source.unknowns();
     add_rows_of_view(j, problem, scene, first_camera<T>(), 0);
     for (unsigned view = 1; view <= placement.cameras.size(); ++view) {
         source.read(placement.cameras[view - 1]);
-        const CameraMatrix<T> camera = place_camera(*problem.cameras, source, view == 1);
+        const CameraMatrix<Dual<T>> camera = place_camera(*problem.cameras, source, view == 1);
         add_rows_of_view(j, problem, scene, camera, view);
     }
     for (std::vector<T>& row : j.rows)
@@ -136,7 +124,7 @@ template Jacobian<mpz_class> jacobian(const Problem&, const Placement&);
 template Jacobian<Residue> jacobian(const Problem&, const Placement&);
 
 static void require_images(const Problem& problem, const Scene<mpz_class>& scene,
-                           const CameraMatrix<mpz_class>& camera, unsigned view) {
+                           const CameraMatrix<Dual<mpz_class>>& camera, unsigned view) {
     const auto seen = [&](const auto& thing) { return has_view(thing.seen_by, view); };
     for (std::size_t p = 0; p < problem.points.size(); ++p)
         if (seen(problem.points[p]) && image(camera, scene.points[p], 1)[2].value == 0)
@@ -151,20 +139,18 @@ static void require_images(const Problem& problem, const Scene<mpz_class>& scene
     }
 }
 
-void require_cameras(const std::vector<Numbers>& cameras) {
-    const auto is_zero = [](int number) { return number == 0; };
-    for (const Numbers& camera : cameras)
-        if (std::all_of(camera.begin(), camera.begin() + 4, is_zero))
-            throw Refused("a quaternion is zero");
-    if (cameras[0][4] == 0) throw Refused("the translation of camera 2 begins with 0");
+void require_cameras(const CameraModel& model, const std::vector<Numbers>& cameras) {
+    for (const Numbers& camera : cameras) {
+        const std::string_view objection = model.objection(camera, &camera == &cameras[0]);
+        if (!objection.empty()) throw Refused(objection);
+    }
 }
 
 void require_section_2(const Problem& problem, const Placement& placement) {
-    require_cameras(placement.cameras);
+    require_cameras(*problem.cameras, placement.cameras);
     Source<mpz_class> source(true);
     source.read(placement.scene);
-    Indices things;
-    const Scene<mpz_class> scene = place_scene(problem, source, things);
+    const Scene<mpz_class> scene = place_scene(problem, source);
     require_images(problem, scene, first_camera<mpz_class>(), 0);
     for (unsigned view = 1; view <= placement.cameras.size(); ++view) {
         source.read(placement.cameras[view - 1]);

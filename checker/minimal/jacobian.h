@@ -19,10 +19,6 @@ template <class T> using Rows = std::vector<std::vector<T>>;
 template <class T> struct Jacobian {
     std::size_t own = 0; // columns of the scene
     Rows<T> rows{};
-    /// The number of the point of each row and each column of the scene, or the number of its line
-    /// after those of all points.
-    Indices thing_of_row{};
-    Indices thing_of_column{};
 };
 
 /// How many numbers place the scene.
@@ -31,9 +27,9 @@ std::size_t scene_size(const Problem& problem);
 /// T is mpz_class or Residue.
 template <class T> Jacobian<T> jacobian(const Problem& problem, const Placement& placement);
 
-/// Throws Refused if calibrated cameras, from the second, violate the requirements of section 2.
-void require_cameras(const std::vector<Numbers>& cameras);
+/// Throws Refused if a record may not place cameras so, from the second.
+void require_cameras(const CameraModel& model, const std::vector<Numbers>& cameras);
 
-/// Throws Refused if the requirements of section 2 are violated. Cameras must be calibrated.
+/// Throws Refused if the requirements of section 2 are violated.
 void require_section_2(const Problem& problem, const Placement& placement);
 } // namespace checker

@@ -115,7 +115,7 @@ static Motion motion_in(const Selection& part, const Motion& motion) {
 /// How many parameters each moving view has.
 static int freedom(const Problem& part, const Motion& motion, int rank) {
     if (motion.kind == Motion::Kind::plane) return 3;
-    return part.cameras->subspace_motions ? 4 - rank : 1;
+    return part.cameras->all_matrices ? 4 - rank : 1;
 }
 
 /// What space contributes: g.
@@ -130,9 +130,9 @@ static int gain(const Problem& part, const Motion& motion, int rank) {
 static void require_motion(const Problem& part, const Motion& motion) {
     const CameraModel& cameras = *part.cameras;
     const bool plane = motion.kind == Motion::Kind::plane;
-    if (plane && !cameras.plane_motions) throw Refused(cameras.name, " cameras have no `plane`");
+    if (plane && !cameras.all_matrices) throw Refused(cameras.name, " cameras have no `plane`");
     const bool generated = !motion.moved.points.empty() || !motion.moved.lines.empty();
-    if (!plane && generated && !cameras.subspace_motions)
+    if (!plane && generated && !cameras.all_matrices)
         throw Refused("a star of ", cameras.name, " cameras has no generators");
 }
 
@@ -152,7 +152,7 @@ static Indices costly_lines(const Problem& part, const Motion& motion, const Spa
 /// What these lines cost: the sum of c max(0, n - 2).
 static int cost_of(const Indices& lines, const Problem& part, const Motion& motion,
                    const Span& span) {
-    const bool subspace = motion.kind == Motion::Kind::star && part.cameras->subspace_motions;
+    const bool subspace = motion.kind == Motion::Kind::star && part.cameras->all_matrices;
     int cost = 0;
     for (const std::size_t n : lines) {
         const Line& line = part.lines[n];
@@ -194,21 +194,21 @@ int excess_of(const Problem& problem, const Selection& selection, const Motion& 
     return surplus(part) + kernel_dimension(part, motion_in(selection, motion));
 }
 
-void check_part(const Problem& problem, const PartClaim& claim) {
+void check(const Problem& problem, const PartClaim& claim) {
     const int excess = excess_of(problem, claim.part, claim.motion);
     if (excess != claim.excess) throw Refused("the excess is ", excess);
     if (excess < 1) throw Refused("an excess of ", excess, " proves nothing");
 }
 
-void check_collinear(const Problem& problem, const Indices& points, Views views) {
+void check(const Problem& problem, const CollinearClaim& claim) {
     const auto holds_all = [&](const Line& line) {
         const auto is_on_line = [&](std::size_t p) { return contains(line.points, p); };
-        return std::ranges::all_of(points, is_on_line);
+        return std::ranges::all_of(claim.points, is_on_line);
     };
     if (std::ranges::none_of(problem.lines, holds_all))
         throw Refused("the four points are not on one line");
-    for (const std::size_t p : points)
-        if ((views & ~problem.points[p].seen_by) != 0)
+    for (const std::size_t p : claim.points)
+        if ((claim.views & ~problem.points[p].seen_by) != 0)
             throw Refused("one of the views does not see point ", p + 1);
 }
 } // namespace checker

@@ -21,7 +21,13 @@ struct Motion {
     Selection moved{};      // the moving views, and the generators
 };
 
-/// What a part-record claims: the images of this part satisfy so many conditions.
+/// Not minimal: two views see four points of a line.
+struct CollinearClaim {
+    Indices points{};
+    Views views = 0;
+};
+
+/// Not minimal: the images of this part satisfy so many conditions.
 struct PartClaim {
     int excess = 0;
     Selection part{};
@@ -41,9 +47,7 @@ Span span_of(const Problem& problem, const Indices& points, const Indices& lines
 /// none. Throws Refused if it is no part, or if the motion does not keep the images.
 int excess_of(const Problem& problem, const Selection& part, const Motion& motion);
 
-/// Throws Refused unless the claim holds.
-void check_part(const Problem& problem, const PartClaim& claim);
-
-/// Throws Refused unless the four points lie on one line, and both views see them.
-void check_collinear(const Problem& problem, const Indices& points, Views views);
+// Throw Refused unless the claim holds.
+void check(const Problem& problem, const PartClaim& claim);
+void check(const Problem& problem, const CollinearClaim& claim);
 } // namespace checker

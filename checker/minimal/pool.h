@@ -23,23 +23,6 @@ inline Numbers read_placement(Reader& reader, unsigned pins) {
     return reader.take(pattern + " $");
 }
 
-/// What an instance of a feature contributes to J: its rows of J, and what is left when its own
-/// unknowns are eliminated.
-struct Contribution {
-    std::size_t unknowns = 0;
-    Rows<mpz_class> rows{}; // of J: own columns, then those of the cameras
-    /// Of the motions of the cameras with which the feature can move along; none if its own columns
-    /// are dependent modulo q, and the block has factor 0.
-    Rows<mpz_class> conditions{};
-    Block block{};
-};
-
-inline Contribution contribution_of(std::size_t unknowns, Rows<mpz_class> rows) {
-    Block block = eliminate(unknowns, modulo_q(rows));
-    Rows<mpz_class> conditions = conditions_on_cameras(unknowns, rows);
-    return {unknowns, std::move(rows), std::move(conditions), std::move(block)};
-}
-
 /// The rows of J of a feature in so many views. Throws Refused if they violate section 2.
 inline Jacobian<mpz_class> rows_of(const Feature& feature, unsigned views,
                                    const Placement& placement) {

@@ -1,6 +1,7 @@
 #include "checker/minimal/problem_file.h"
 
 #include "checker/minimal/pool.h"
+#include "checker/minimal/record_lines.h"
 #include "checker/minimal/reduction.h"
 
 namespace checker {
@@ -49,9 +50,9 @@ static std::vector<Jacobian<mpz_class>> read_rows(Reader& reader, const Features
     return parts;
 }
 
-/// The contribution of a feature without some of its own columns, whose numbers in J are listed.
+/// The component of a feature without some of its own columns, whose numbers in J are listed.
 /// The first of its columns has the number `first`.
-static Contribution contribution_without(const Numbers& deleted, Jacobian<mpz_class> j, int first) {
+static Component component_without(const Numbers& deleted, Jacobian<mpz_class> j, int first) {
     std::size_t kept = 0; // columns, which move to the front
     for (std::size_t c = 0; c < j.own; ++c) {
         if (std::ranges::binary_search(deleted, first + static_cast<int>(c))) continue;
@@ -61,21 +62,21 @@ static Contribution contribution_without(const Numbers& deleted, Jacobian<mpz_cl
     }
     for (std::vector<mpz_class>& row : j.rows)
         row.erase(row.begin() + std::ptrdiff_t(kept), row.begin() + std::ptrdiff_t(j.own));
-    return contribution_of(kept, std::move(j.rows));
+    return component_of(kept, std::move(j.rows));
 }
 
-/// The contributions of the features, without the deleted columns.
-static std::vector<Contribution>
-contributions_without(const Numbers& deleted, const std::vector<Jacobian<mpz_class>>& parts) {
-    std::vector<Contribution> contributions;
+/// The components of the features, without the deleted columns.
+static std::vector<Component> components_without(const Numbers& deleted,
+                                                 const std::vector<Jacobian<mpz_class>>& parts) {
+    std::vector<Component> components;
     int column = 1;
     for (const Jacobian<mpz_class>& part : parts) {
-        contributions.push_back(contribution_without(deleted, part, column));
+        components.push_back(component_without(deleted, part, column));
         column += static_cast<int>(part.own);
     }
     if (!deleted.empty() && deleted.back() >= column)
         throw Refused("J has ", column - 1, " own columns");
-    return contributions;
+    return components;
 }
 
 /// Takes the rest of the file and replays it: the proof about these features, those of the lifted
@@ -96,16 +97,16 @@ static void check_proof(Reader& reader, const Derived& derived, const Features& 
         deleted = read_ascending(reader, 999'999);
         reader.take("$ minor");
     }
-    const Record record = read_record(reader, derived.proof != "deficient");
+    const MinorClaim claim = read_minor_in_pool(reader, derived.proof != "deficient");
     if (!reader.at_end()) reader.fail(reader.word(), "the end of the file");
     if (std::ssize(deleted) != -surplus)
         throw Refused("there must be ", -surplus, " deleted columns");
-    const std::vector<Contribution> contributions = contributions_without(deleted, parts);
-    std::vector<const Contribution*> pointers;
-    for (const Contribution& contribution : contributions)
-        pointers.push_back(&contribution);
-    check_record(record, derived.obstruction, pointers,
-                 static_cast<std::size_t>(camera_columns(given)));
+    const std::vector<Component> components = components_without(deleted, parts);
+    std::vector<const Component*> pointers;
+    for (const Component& component : components)
+        pointers.push_back(&component);
+    check_claim(claim, derived.obstruction, pointers,
+                static_cast<std::size_t>(camera_columns(given)));
 }
 
 /// Takes the words to come, joined by spaces; of more than a verdict can be, only the first.
@@ -123,7 +124,7 @@ ProblemFile replay_problem(Reader& reader, const Classification& classes) {
         const Written given = read_notation(reader, section_1);
         const auto views = static_cast<unsigned>(given.problem.view_count());
         file.problem = printable(given.notation, 4096);
-        file.canonical = canonical(views, given.features);
+        file.meaning = given.problem;
         const Lifted lifted = lift(reduce(reader, given.features, views), views);
         const Derived derived = derive(given, lifted, classes);
         reader.take("verdict");
@@ -136,7 +137,7 @@ ProblemFile replay_problem(Reader& reader, const Classification& classes) {
             check_proof(reader, derived, given.features, given.problem, surplus(given.problem));
         else if (!reader.at_end())
             reader.fail(reader.word(), "the end of the file: a dimension count needs no proof");
-        if (derived.number) file.of_class = Verdict{*derived.number, derived.obstruction};
+        if (derived.number) file.of_class = ClassVerdict{*derived.number, derived.obstruction};
         file.verdict = derived.verdict;
     } catch (const Refused& refused) {
         file.refusals.add(reader.line(), refused.reason);

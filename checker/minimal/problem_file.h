@@ -3,17 +3,17 @@
 #pragma once
 
 #include "checker/minimal/classification_file.h"
-#include "checker/problem/canonical.h"
+#include "checker/problem/problem.h"
 
 #include <optional>
 
 namespace checker {
 /// What a problem file proves.
 struct ProblemFile {
-    std::string problem{};           // in notation
-    CanonicalProblem canonical{};    // the same problem
-    std::string verdict{};           // empty if the file is refused
-    std::optional<Verdict> of_class; // on the label class of the lifted problem, if it has one
+    std::string problem{};                // in notation
+    Problem meaning{};                    // the same problem
+    std::string verdict{};                // empty if the file is refused
+    std::optional<ClassVerdict> of_class; // on the label class of the lifted problem, if it has one
     Refusals refusals{};
 };
 

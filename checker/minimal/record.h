@@ -1,36 +1,49 @@
-// The records `minimal` and `deficient` of classification and problem files (FORMAT.md, section 5),
-// replayed on the blocks of a problem.
+// Records: each decides whether one problem is minimal. FORMAT.md has two ways to write them, in
+// section 5 and in section 13; record_lines.h takes both.
 #pragma once
 
+#include "checker/minimal/block.h"
 #include "checker/minimal/obstruction.h"
-#include "checker/minimal/pool.h"
+#include "checker/minimal/part.h"
+
+#include <variant>
 
 namespace checker {
-/// Takes strictly ascending numbers, up to the word `columns` or the end of the line.
-Numbers read_ascending(Reader& reader, int largest);
-
-/// A record as written. A `minimal` one has a minor only.
-struct Record {
-    std::size_t line = 0;
-    bool minimal = true;
-    Numbers stated{}; // rank, excesses, S
-    Numbers deleted_rows{};
-    Numbers deleted_columns{};
+/// J has a minor that is not 0. If some rows and columns are deleted, as many motions of the
+/// cameras keep all images, so that its rank is not larger; else the problem is minimal.
+struct MinorClaim {
     Residue minor{};
-    Rows<mpz_class> kernel{}; // motions of the cameras, 11 coordinates each
+    Numbers stated{}; // rank, excesses and S; none for a minimal problem
+    Numbers deleted_rows{};
+    Numbers deleted_columns{}; // of the cameras
+    Rows<mpz_class> kernel{};  // motions of the cameras
+    Placement placement{};     // where J is taken; empty if a pool says so
 };
 
-/// Takes what follows the pool of a record.
-Record read_record(Reader& reader, bool minimal);
+/// Not minimal: the problem is not balanced.
+struct UnbalancedClaim {};
 
-/// The minor that is left of the J of these contributions, modulo q. Throws Refused if J lacks a
-/// row that the record deletes.
-Residue minor_without(const Record& record, const std::vector<const Contribution*>& contributions,
+struct Record {
+    std::size_t line = 0;
+    std::variant<MinorClaim, UnbalancedClaim, CollinearClaim, PartClaim> claim{};
+
+    bool minimal() const {
+        const auto* minor = std::get_if<MinorClaim>(&claim);
+        return minor && minor->stated.empty();
+    }
+};
+
+/// The minor that is left of the J of these components, modulo q. Throws Refused if J lacks a row
+/// that the claim deletes.
+Residue minor_without(const MinorClaim& claim, const std::vector<const Component*>& components,
                       std::size_t camera_columns);
 
-/// Throws Refused unless the record holds for the balanced problem of these contributions of
-/// features, with this obstruction. In two views the cameras have 5 columns.
-void check_record(const Record& record, const Obstruction& obstruction,
-                  const std::vector<const Contribution*>& contributions,
-                  std::size_t camera_columns = 11);
+/// Throws Refused unless the claim holds for the balanced problem of these components, with this
+/// obstruction. In two views the cameras have 5 columns.
+void check_claim(const MinorClaim& claim, const Obstruction& obstruction,
+                 const std::vector<const Component*>& components,
+                 std::size_t camera_columns = camera_unknowns);
+
+/// Throws Refused unless the record, which has its own placement, proves what it claims.
+void check_record(const Record& record, const Problem& problem);
 } // namespace checker

@@ -58,7 +58,7 @@ struct FamilyTable {
 };
 
 /// The lines on a family; none unless the file has all its problems.
-FamilyTable compare_family(const general::ProblemsFile& file);
+FamilyTable compare_family(const ProblemsFile& file);
 
 /// What is to be compared with the paper's degrees.
 struct KnownDegrees {

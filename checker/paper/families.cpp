@@ -35,7 +35,7 @@ void set_certified(FamilyDegree& degree, std::size_t at_least) {
                                                      : "differs by evidence";
 }
 
-static Claim compare(std::string_view family, const general::Row& row) {
+static Claim compare(std::string_view family, const FamilyRow& row) {
     Claim line{.claim = std::string(row.name),
                .claimed = "-",
                .certified = say(row.number),
@@ -48,9 +48,9 @@ static Claim compare(std::string_view family, const general::Row& row) {
     return line;
 }
 
-FamilyTable compare_family(const general::ProblemsFile& file) {
+FamilyTable compare_family(const ProblemsFile& file) {
     FamilyTable table{.family = file.family};
-    for (const general::Row& row : general::rows_of(file))
+    for (const FamilyRow& row : rows_of(file))
         table.claims.push_back(compare(file.family, row));
     if (table.family == "plmp") table.degrees.push_back(claimed_degree);
     return table;

@@ -75,7 +75,7 @@ static std::size_t cut_multiplicity(const Reader& reader, std::string_view& word
 
 /// The kind of cameras that the notation begins with.
 static const CameraModel* read_cameras(Reader& reader, std::string& notation) {
-    for (const CameraModel* model : camera_models)
+    for (const CameraModel* model : camera_models())
         if (!model->prefix.empty() && reader.comes(model->prefix)) {
             notation = say(reader.word(), ' ');
             return model;
@@ -127,7 +127,7 @@ Written read_notation(Reader& reader, const Grammar& grammar) {
         notation += term;
         std::string_view word = term;
         const std::size_t count = cut_multiplicity(reader, word);
-        if (!list.empty() && word == list.back().notation)
+        if (!grammar.equal_neighbours && !list.empty() && word == list.back().notation)
             reader.fail(word, "equal neighbours with a multiplicity");
         const unsigned views =
             list.empty() ? views_of(word) : static_cast<unsigned>(problem.view_count());
@@ -142,5 +142,21 @@ Written read_notation(Reader& reader, const Grammar& grammar) {
     if (!expected.empty()) reader.fail(notation, expected);
     reader.end_line();
     return written;
+}
+
+Problem parse_problem(std::string_view text, Grammar grammar) {
+    std::string line;
+    for (const char c : text) {
+        if (c == ' ' || c == '\t' || c == '\n') continue;
+        if (c == '+')
+            line += " + ";
+        else
+            line += c;
+        if (c == ':') line += ' ';
+    }
+    line += '\n';
+    Reader reader(line);
+    grammar.equal_neighbours = true;
+    return read_notation(reader, grammar).problem;
 }
 } // namespace checker

@@ -15,6 +15,8 @@ struct Grammar {
     std::size_t most_features = 200;
     /// Whether lines may be shared, letters left out, and cameras of another kind.
     bool in_general = true;
+    /// Whether equal features may be neighbours, as people write them, but files do not.
+    bool equal_neighbours = false;
 };
 
 inline constexpr Grammar section_13{};
@@ -38,4 +40,8 @@ Feature read_feature(const Reader& reader, std::string_view word, unsigned views
 
 /// Takes a notation and the end of its line. Throws Malformed.
 Written read_notation(Reader& reader, const Grammar& grammar = section_13);
+
+/// The problem of a text that someone typed: blanks do not matter, and equal features may be
+/// neighbours. Throws Malformed.
+Problem parse_problem(std::string_view text, Grammar grammar = section_13);
 } // namespace checker

@@ -48,6 +48,15 @@ std::size_t own_points(const Line& line) {
     return 2 - std::min<std::size_t>(2, line.points.size());
 }
 
+SceneParts scene_parts(const Problem& problem) {
+    SceneParts parts;
+    for (std::size_t p = 0; p < problem.points.size(); ++p)
+        ++(carrier(problem, p) ? parts.carried : parts.free);
+    for (const Line& line : problem.lines)
+        parts.of_lines += own_points(line);
+    return parts;
+}
+
 /// Whether two lines share two points.
 static bool share_two_points(const Line& a, const Line& b) {
     const auto is_on_b = [&](std::size_t p) { return std::ranges::count(b.points, p) > 0; };
@@ -86,14 +95,12 @@ const char* violation(const Problem& problem) {
 }
 
 int surplus(const Problem& problem) {
-    int space = 0;
+    const auto [free, carried, of_lines] = scene_parts(problem);
+    const int space = static_cast<int>(3 * free + carried + 2 * of_lines);
     int images = 0;
-    for (std::size_t p = 0; p < problem.points.size(); ++p) {
-        space += carrier(problem, p) ? 1 : 3;
-        images += 2 * std::popcount(problem.points[p].seen_by);
-    }
+    for (const Point& point : problem.points)
+        images += 2 * std::popcount(point.seen_by);
     for (const Line& line : problem.lines) {
-        space += 2 * static_cast<int>(own_points(line));
         images += 2 * std::popcount(line.seen_by);
         for (const std::size_t p : line.points)
             images -= std::popcount(line.seen_by & problem.points[p].seen_by);

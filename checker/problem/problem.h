@@ -55,6 +55,16 @@ std::optional<std::size_t> carrier(const Problem& problem, std::size_t point);
 /// How many more points fix the line, beside the points on it: two, one or none.
 std::size_t own_points(const Line& line);
 
+/// What fixes a scene: its points that have no carrier, those that have one, and the own points of
+/// its lines.
+struct SceneParts {
+    std::size_t free = 0;
+    std::size_t carried = 0;
+    std::size_t of_lines = 0;
+};
+
+SceneParts scene_parts(const Problem& problem);
+
 /// Whether each view sees all points and lines.
 bool all_views_see_all(const Problem& problem);
 
@@ -64,7 +74,3 @@ const char* violation(const Problem& problem);
 /// The dimension of all images less that of scenes and cameras: 0 if the problem is balanced.
 int surplus(const Problem& problem);
 } // namespace checker
-
-namespace checker::general {
-using namespace checker;
-}

@@ -34,12 +34,12 @@ static std::string in_words(const LowerBound& bound) {
                counted(bound.solutions, "solution"));
 }
 
-static std::string in_words(const general::SolutionCount& count) {
+static std::string in_words(const SolutionCount& count) {
     return say("\n- ", count.notation, ": certified at least ",
                counted(count.solutions, "solution"));
 }
 
-static std::string in_words(const general::SolutionBound& bound) {
+static std::string in_words(const SolutionBound& bound) {
     return say("\n- ", bound.notation, ": certified at most ", counted(bound.at_most, "solution"),
                ", if it is minimal");
 }
@@ -62,25 +62,25 @@ static std::string in_words(const BoundsFile& file) {
     return held(file.templates, "template", file.refusals.count);
 }
 
-static std::string in_words(const general::Verdict& verdict) {
+static std::string in_words(const ProblemVerdict& verdict) {
     return say(verdict.notation, verdict.minimal ? " is minimal" : " is not minimal");
 }
 
-static std::string in_words(const general::ProblemsFile& file) {
+static std::string in_words(const ProblemsFile& file) {
     std::string text = held(file.verdicts.size(), "certificate", file.refusals.count);
     if (file.verdicts.size() == 1) text += say(": ", in_words(file.verdicts[0]));
     if (file.missing > 0) text += say("; the family has ", file.missing, " more problems");
     return text;
 }
 
-static std::string in_words(const general::SolutionsFile& file) {
+static std::string in_words(const SolutionsFile& file) {
     constexpr std::size_t most_lines = 3;
     std::string text = held(file.counts.size(), "solution record", file.refusals.count);
     if (file.counts.size() > most_lines) return text;
     return text + in_words(file.counts);
 }
 
-static std::string in_words(const general::AtMostFile& file) {
+static std::string in_words(const AtMostFile& file) {
     constexpr std::size_t most_lines = 3;
     std::string text = held(file.bounds.size(), "upper bound", file.refusals.count);
     if (file.bounds.size() > most_lines) return text;
@@ -95,7 +95,7 @@ std::string finding(const ReplayedFile& file) {
 std::string lower_bounds(const ReplayedFile& file) {
     if (const auto* degrees = std::get_if<DegreeFile>(&file.content))
         return in_words(degrees->bounds);
-    if (const auto* solutions = std::get_if<general::SolutionsFile>(&file.content))
+    if (const auto* solutions = std::get_if<SolutionsFile>(&file.content))
         return in_words(solutions->counts);
     return {};
 }

@@ -87,7 +87,7 @@ static std::string members(const BoundsFile& file) {
     return say(", \"templates\": ", file.templates);
 }
 
-static std::string members(const general::ProblemsFile& file) {
+static std::string members(const ProblemsFile& file) {
     std::vector<std::string> items;
     for (const auto& [notation, problem, minimal] : file.verdicts)
         items.push_back(
@@ -96,7 +96,7 @@ static std::string members(const general::ProblemsFile& file) {
                ", \"problems\": ", array_of(items));
 }
 
-static std::string members(const general::SolutionsFile& file) {
+static std::string members(const SolutionsFile& file) {
     std::vector<std::string> items;
     for (const auto& [notation, problem, solutions] : file.counts)
         items.push_back(say("{\"problem\": ", json_string(notation),
@@ -104,7 +104,7 @@ static std::string members(const general::SolutionsFile& file) {
     return ", \"solutions\": " + array_of(items);
 }
 
-static std::string members(const general::AtMostFile& file) {
+static std::string members(const AtMostFile& file) {
     std::vector<std::string> items;
     for (const auto& [notation, problem, at_most] : file.bounds)
         items.push_back(say("{\"problem\": ", json_string(notation),

@@ -2,6 +2,7 @@
 
 #include "checker/conclusion/in_general.h"
 #include "checker/conclusion/known_degree.h"
+#include "checker/problem/notation.h"
 
 namespace checker {
 std::string_view kind_of(const ReplayedFile& file) {
@@ -36,7 +37,7 @@ static void add_exact_degrees(Report& report, const Classification& classes) {
 static void add_families(Report& report) {
     const Findings& findings = report.findings;
     for (std::size_t i = 0; i < findings.files.size(); ++i) {
-        const auto* file = std::get_if<general::ProblemsFile>(&findings.files[i].content);
+        const auto* file = std::get_if<ProblemsFile>(&findings.files[i].content);
         if (!file || !findings.counts(i)) continue;
         paper::FamilyTable table = paper::compare_family(*file);
         if (table.claims.empty()) continue;
@@ -45,7 +46,7 @@ static void add_families(Report& report) {
         table.exact = degrees.exact;
         table.exact_by_theorem = degrees.exact_by_theorem;
         for (paper::FamilyDegree& degree : table.degrees) {
-            const general::Problem problem = parse_general_problem(degree.problem);
+            const Problem problem = parse_problem(degree.problem);
             set_certified(degree, count_in_general(findings, problem).solutions);
         }
         report.families.push_back(table);
@@ -79,22 +80,22 @@ struct Proofs {
     std::string problem{}; // the last one, with its verdict
     std::vector<std::string> families{};
     LowerBound bound{}; // the last one
-    std::vector<general::SolutionCount> counts{};
-    std::vector<general::SolutionBound> bounds{};
+    std::vector<SolutionCount> counts{};
+    std::vector<SolutionBound> bounds{};
     std::vector<std::string> files{};
 };
 
 /// Adds a family, or single problems.
-static void add(Proofs& proofs, const general::ProblemsFile& file) {
+static void add(Proofs& proofs, const ProblemsFile& file) {
     const std::size_t all = file.verdicts.size();
     if (!file.family.empty()) {
-        const auto minimal = std::ranges::count_if(file.verdicts, &general::Verdict::minimal);
+        const auto minimal = std::ranges::count_if(file.verdicts, &ProblemVerdict::minimal);
         proofs.families.push_back(
             say("all ", all, " problems of the family ", file.family, ", ", minimal, " minimal"));
         return;
     }
     proofs.problems += all;
-    const general::Verdict& last = file.verdicts.back();
+    const ProblemVerdict& last = file.verdicts.back();
     proofs.problem = last.notation + (last.minimal ? " is minimal" : " is not minimal");
 }
 
@@ -106,14 +107,14 @@ static Proofs proofs_of(const Findings& findings) {
             ++proofs.problems;
             proofs.problem = file->problem + " is " + file->verdict;
         }
-        if (const auto* file = std::get_if<general::ProblemsFile>(&content)) add(proofs, *file);
+        if (const auto* file = std::get_if<ProblemsFile>(&content)) add(proofs, *file);
         if (const auto* file = std::get_if<DegreeFile>(&content)) {
             proofs.records += file->bounds.size();
             proofs.bound = file->bounds.back();
         }
-        if (const auto* file = std::get_if<general::SolutionsFile>(&content))
+        if (const auto* file = std::get_if<SolutionsFile>(&content))
             proofs.counts.insert(proofs.counts.end(), file->counts.begin(), file->counts.end());
-        if (const auto* file = std::get_if<general::AtMostFile>(&content))
+        if (const auto* file = std::get_if<AtMostFile>(&content))
             proofs.bounds.insert(proofs.bounds.end(), file->bounds.begin(), file->bounds.end());
         if (const auto* file = std::get_if<BoundsFile>(&content))
             proofs.templates += file->templates;
@@ -172,9 +173,9 @@ static std::string_view argument_for(const ReplayedFile& file) {
         return "each solution has a box of its own that holds one zero: proofs/degrees.md";
     if (std::holds_alternative<BoundsFile>(file.content))
         return "each minor leaves only the basis: proofs/templates.md";
-    if (std::holds_alternative<general::ProblemsFile>(file.content))
+    if (std::holds_alternative<ProblemsFile>(file.content))
         return "each record has a minor that is not 0, or conditions on images: proofs/families.md";
-    if (std::holds_alternative<general::SolutionsFile>(file.content))
+    if (std::holds_alternative<SolutionsFile>(file.content))
         return "each solution has a box of its own that holds one zero: proofs/families.md";
     return "forms that vanish at all solutions leave few dimensions: proofs/fixed_forms.md";
 }

@@ -102,15 +102,15 @@ static std::string summary_of_paper(const Report& report) {
     return summary_line("paper", text + " (see --errata)");
 }
 
-using Row = std::vector<std::string>;
+using Cells = std::vector<std::string>;
 
 static constexpr std::size_t widest_line = 100;
 
 /// The widths of columns, two blanks apart. The first one gets what the others leave of a line; of
 /// a verdict like `differs: reason` only the word counts.
-static std::vector<std::size_t> widths_of(const std::vector<Row>& rows) {
+static std::vector<std::size_t> widths_of(const std::vector<Cells>& rows) {
     std::vector<std::size_t> widths(rows[0].size());
-    for (const Row& row : rows) {
+    for (const Cells& row : rows) {
         for (std::size_t c = 0; c + 1 < row.size(); ++c)
             widths[c] = std::max(widths[c], row[c].size());
         widths.back() = std::max(widths.back(), row.back().substr(0, row.back().find(": ")).size());
@@ -124,10 +124,10 @@ static std::vector<std::size_t> widths_of(const std::vector<Row>& rows) {
 
 /// Rows of equal length, in columns: the first and the last from the left, numbers from the right.
 /// A first cell that is too wide has a line of its own, and so has the reason of a verdict.
-static std::string aligned(const std::vector<Row>& rows) {
+static std::string aligned(const std::vector<Cells>& rows) {
     const std::vector<std::size_t> widths = widths_of(rows);
     std::ostringstream lines;
-    for (const Row& row : rows) {
+    for (const Cells& row : rows) {
         std::ostringstream line;
         const bool fits = row[0].size() <= widths[0];
         if (!fits) lines << row[0] << '\n';
@@ -144,7 +144,7 @@ static std::string aligned(const std::vector<Row>& rows) {
 }
 
 static std::string table_of_counts(const std::vector<paper::Claim>& claims) {
-    std::vector<Row> rows{{"claim", "paper", "certified", "verdict"}};
+    std::vector<Cells> rows{{"claim", "paper", "certified", "verdict"}};
     for (const paper::Claim& c : claims)
         rows.push_back({c.claim, c.claimed, c.certified, c.verdict});
     return aligned(rows);
@@ -152,7 +152,7 @@ static std::string table_of_counts(const std::vector<paper::Claim>& claims) {
 
 static std::string table_of_degrees(const std::vector<paper::FamilyDegree>& degrees) {
     if (degrees.empty()) return "";
-    std::vector<Row> rows{{"degree", "claimed", "certified", "evidence", "verdict"}};
+    std::vector<Cells> rows{{"degree", "claimed", "certified", "evidence", "verdict"}};
     for (const paper::FamilyDegree& d : degrees)
         rows.push_back({std::string(d.name), say("> ", d.claimed_above),
                         d.at_least > 0 ? say(">= ", d.at_least) : "-", say(d.evidence),
@@ -204,8 +204,8 @@ std::string summary(const Report& report) {
 }
 
 static std::string table_of_degrees(const Report& report) {
-    std::vector<Row> rows{{"camera-degrees", "claimed", "certified", "certified", ""},
-                          {"", "exactly", "at least", "exactly", "verdict"}};
+    std::vector<Cells> rows{{"camera-degrees", "claimed", "certified", "certified", ""},
+                            {"", "exactly", "at least", "exactly", "verdict"}};
     for (const paper::DegreeClaim& c : report.degrees)
         rows.push_back({c.claim, c.claimed, c.at_least, c.exact, c.verdict});
     return aligned(rows);

@@ -3,7 +3,7 @@
 // number of views, which knows nothing of three views; and proving solutions in the checker.
 #include "checker/replay.h"
 #include "prover/degree_sweep/write.h"
-#include "prover/general/notation.h"
+#include "prover/problem/notation.h"
 #include "prover/many_views/monodromy.h"
 #include "prover/many_views/path.h"
 #include "prover/three_views/camera_loops.h"

@@ -1,5 +1,6 @@
 // Fuzzed: the checker's core, from the bytes of a file to the printed report. Whatever the bytes,
 // it returns a report with complaints fit for a terminal, and every complaint names a line.
+#include "checker/problem/notation.h"
 #include "tests/fuzz/require.h"
 #include "tests/mutation/short_archive.h"
 #include "tests/support/report.h"
@@ -45,7 +46,7 @@ void require_sense(const ReplayedFile& file, std::string_view bytes) {
                 "a problem file has a verdict and is refused, or neither");
         require(!content->of_class || refusals.count == 0, "a refused file proves something");
     }
-    if (const auto* content = std::get_if<ProblemsFile>(&file.content)) {
+    if (const auto* content = std::get_if<checker::ProblemsFile>(&file.content)) {
         require(content->verdicts.size() + refusals.count > 0, "a record is not told");
         require(content->missing == 0 || refusals.count > 0, "a family lacks problems, and holds");
     }

@@ -57,7 +57,7 @@ void check_certificate(const Problem& problem) {
     require(!minimal || is_balanced(problem), "minimal, and not balanced");
     const std::string file = write(std::span(&certificate, 1));
     const checker::ReplayedFile replayed = checker::replay(no_classes, "fuzzed", file);
-    const auto* content = std::get_if<checker::general::ProblemsFile>(&replayed.content);
+    const auto* content = std::get_if<checker::ProblemsFile>(&replayed.content);
     require(content != nullptr, "a certificate that does not conform");
     require(content->refusals.count == 0 && content->verdicts.size() == 1,
             "a certificate that the checker refuses");

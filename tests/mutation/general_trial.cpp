@@ -1,6 +1,6 @@
 #include "tests/mutation/general_trial.h"
 
-#include "tests/checker/general/image_rank.h"
+#include "tests/checker/minimal/image_rank.h"
 #include "tests/mutation/edits.h"
 #include "tests/mutation/replayed.h"
 #include "tests/mutation/table.h"
@@ -11,7 +11,7 @@
 namespace {
 
 using namespace mutation;
-using checker::general::ProblemsFile;
+using checker::ProblemsFile;
 
 const std::string head = "plcert 2 problems\nmodulus 2305843009213693951\n";
 

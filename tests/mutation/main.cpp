@@ -152,7 +152,7 @@ private:
                        const Base& base, const std::string& text) {
         const auto verdicts = proved_by<checker::ClassificationFile>(file).verdicts;
         const referee::Text lines = referee::split(text);
-        for (const checker::Verdict& verdict : verdicts)
+        for (const checker::ClassVerdict& verdict : verdicts)
             believe(lines, verdict.number, base, text);
         if (!refusal && verdicts.size() != base.signatures.size())
             table_.unsound.push_back("a class without a certificate\n" + text);

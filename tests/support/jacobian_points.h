@@ -31,10 +31,10 @@ inline checker::Numbers random_placement(const checker::Feature& feature, Random
     return numbers;
 }
 
-/// The contribution of a feature at such a point.
-inline checker::Contribution random_contribution(const checker::Feature& feature,
+/// The component of a feature at such a point.
+inline checker::Component random_component(const checker::Feature& feature,
                                                  RandomIntegers& random) {
     const checker::Numbers placement = random_placement(feature, random);
-    return checker::contribution_of(
+    return checker::component_of(
         feature.unknowns(), checker::rows_of(feature, 3, {three_cameras(), placement}).rows);
 }

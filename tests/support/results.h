@@ -24,7 +24,7 @@ inline checker::ReplayedFile problem_of_class(std::size_t number) {
     checker::ProblemFile file;
     file.problem = checker::notation(signature);
     file.verdict = "minimal";
-    file.of_class = checker::Verdict{number, checker::obstruction(signature)};
+    file.of_class = checker::ClassVerdict{number, checker::obstruction(signature)};
     return {.name = "problem.plc", .content = file};
 }
 

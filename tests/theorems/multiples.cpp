@@ -1,6 +1,6 @@
 // Theorem G of proofs/results/multiples.md: the combinatorics of Lemma G4, by trying all subspaces, and the
 // degrees on file.
-#include "tests/checker/general/degrees_on_file.h"
+#include "tests/checker/general_bounds/degrees_on_file.h"
 
 #include <doctest/doctest.h>
 

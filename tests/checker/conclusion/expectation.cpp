@@ -1,5 +1,8 @@
 // What a user expects is verified if the files prove just that, and not otherwise.
 #include "checker/bounds/registration.h"
+#include "checker/conclusion/proved.h"
+#include "checker/problem/isomorphism.h"
+#include "checker/problem/notation.h"
 #include "prover/minimal/problem_certificate.h"
 #include "prover/problem/notation.h"
 #include "tests/support/random_problems.h"
@@ -14,7 +17,7 @@ const std::string chicago = "2*Pa/Pa/Pa + P/P/P";
 
 ExpectedProblem expect(const std::string& problem, const std::string& verdict,
                        std::optional<ExpectedDegree> degree = {}) {
-    return {problem, parse_problem(problem), verdict, degree};
+    return {problem, parse_problem(problem), false, verdict, degree};
 }
 
 constexpr ExpectedDegree exact_degree(std::size_t solutions) {
@@ -44,6 +47,11 @@ bool verified(const std::vector<ReplayedFile>& files, const Expectation& expecta
     return report.judgement.verified;
 }
 
+/// What is the same for the same problem in three views.
+Invariant meaning(const std::string& text) {
+    return invariant(parse_problem(text, section_1));
+}
+
 /// A problem with its views in another order.
 plprove::Features with_views_rotated(plprove::Features problem) {
     for (plprove::Feature& feature : problem)
@@ -58,47 +66,47 @@ TEST_CASE("a problem is the same in another order, with other names of pins, and
     std::size_t changed = 0; // by an order of the views
     for (int i = 0; i < 300; ++i) {
         const plprove::Features problem = random.around_a_class(2);
-        const CanonicalProblem canonical = parse_problem(plprove::notation(problem));
+        const Invariant own = meaning(plprove::notation(problem));
         CAPTURE(plprove::notation(problem));
-        CHECK(parse_problem(plprove::notation(random.disguised(problem))) == canonical);
+        CHECK(meaning(plprove::notation(random.disguised(problem))) == own);
         plprove::Features shorter = problem;
         shorter.pop_back();
-        CHECK_FALSE(parse_problem(plprove::notation(shorter)) == canonical);
-        changed += parse_problem(plprove::notation(with_views_rotated(problem))) != canonical;
+        CHECK_FALSE(meaning(plprove::notation(shorter)) == own);
+        changed += meaning(plprove::notation(with_views_rotated(problem))) != own;
     }
     CHECK(changed > 200);
-    CHECK(parse_problem("P/P/P(a)") != parse_problem("P/P/P"));
-    CHECK(parse_problem("a/a/a(P)") != parse_problem("a/a/a"));
-    CHECK(parse_problem("a/b/-") != parse_problem("a/a/-"));
-    CHECK(parse_problem("Pab/b/a") == parse_problem("Pab/a/b"));
-    CHECK(parse_problem("5*P/P").views == 2);
+    CHECK(meaning("P/P/P(a)") != meaning("P/P/P"));
+    CHECK(meaning("a/a/a(P)") != meaning("a/a/a"));
+    CHECK(meaning("a/b/-") != meaning("a/a/-"));
+    CHECK(meaning("Pab/b/a") == meaning("Pab/a/b"));
+    CHECK(parse_problem("5*P/P").view_count() == 2);
 }
 
 TEST_CASE("a problem is the same in both notations, with implied lines or without") {
     plprove::RandomProblems random(8);
+    const auto without = [](const std::string& text) {
+        return without_implied_lines(parse_problem(text));
+    };
     for (int i = 0; i < 200; ++i) {
         const std::string text = plprove::notation(random.around_a_class(2));
         CAPTURE(text);
-        CHECK(without_implied_lines(parse_general_problem(text)) == parse_problem(text));
+        CHECK(invariant(without(text)) == meaning(text));
     }
-    CHECK(without_implied_lines(parse_general_problem("2*PL/PL/PL + P/P/P + a/a/a")) ==
-          parse_problem("3*P/P/P + a/a/a"));
-    CHECK(without_implied_lines(parse_general_problem("PLa/PLa/- + PL/PL/P + P/P/P")) ==
-          parse_problem("Pa/Pa/- + 2*P/P/P"));
-    for (const char* other :
-         {"3*PL/PL/PL + a/a/a", "PL/PL/PL + PL/PL/L + 2*P/P/P", "projective: 3*P/P/P + a/a/a"})
-        CHECK_FALSE(without_implied_lines(parse_general_problem(other)).has_value());
+    CHECK(invariant(without("2*PL/PL/PL + P/P/P + a/a/a")) == meaning("3*P/P/P + a/a/a"));
+    CHECK(invariant(without("PLa/PLa/- + PL/PL/P + P/P/P")) == meaning("Pa/Pa/- + 2*P/P/P"));
+    for (const char* other : {"3*PL/PL/PL + a/a/a", "PL/PL/PL + PL/PL/L + 2*P/P/P"})
+        CHECK(without(other).lines.size() == parse_problem(other).lines.size());
 }
 
 TEST_CASE("a problem is read with any blanks, and with equal features side by side") {
-    const CanonicalProblem problem = parse_problem(chicago);
-    CHECK(parse_problem("P/P/P+2 * Pa/Pa/Pa ") == problem);
-    CHECK(parse_problem("Pa/Pa/Pa + P/P/P + Pa/Pa/Pa") == problem);
+    const Invariant problem = meaning(chicago);
+    CHECK(meaning("P/P/P+2 * Pa/Pa/Pa ") == problem);
+    CHECK(meaning("Pa/Pa/Pa + P/P/P + Pa/Pa/Pa") == problem);
     for (const std::string wrong :
          {"", " ", "+", "P/P/P +", "+ P/P/P", "P/P/P ++ P/P/P", "P", "p/p/p", "P/P + P/P/P",
           "0*P/P/P", "P/P/P;P/P/P", "P/P/P a/a/a", "1000*P/P/P + P/P/P", "2394"}) {
         CAPTURE(wrong);
-        CHECK_THROWS_AS(parse_problem(wrong), Malformed);
+        CHECK_THROWS_AS(parse_problem(wrong, section_1), Malformed);
     }
 }
 
@@ -106,7 +114,7 @@ TEST_CASE("a balanced problem of the 27 features belongs to a class as it stands
     for (std::size_t n = 0; n < all_classes().representatives.size(); n += 997) {
         const Signature& representative = all_classes().representatives[n];
         for (const FeatureMap& map : relabelings) {
-            const CanonicalProblem problem = parse_problem(notation(permuted(representative, map)));
+            const Problem problem = parse_problem(notation(permuted(representative, map)));
             CHECK(class_of(all_classes(), problem) == n);
         }
     }

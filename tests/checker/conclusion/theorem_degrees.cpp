@@ -7,6 +7,7 @@
 
 #include "checker/conclusion/pages_of_theorems.h"
 #include "checker/degrees/constraint_class.h"
+#include "checker/problem/notation.h"
 
 #include <filesystem>
 #include <map>

@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 
 using namespace checker;
-using namespace checker::general;
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "tests/checker/general_bounds/projective_problems.h"
 
 #include "checker/general_degrees/scene_system.h"
-#include "tests/checker/general/degrees_on_file.h"
+#include "tests/checker/general_bounds/degrees_on_file.h"
 
 #include <doctest/doctest.h>
 
@@ -16,16 +16,15 @@ std::vector<DegreeOnFile> projective_degrees() {
     return degrees;
 }
 
-std::vector<Numbers> random_views(const general::Problem& problem, std::size_t views,
-                                  unsigned seed) {
+std::vector<Numbers> random_views(const Problem& problem, std::size_t views, unsigned seed) {
     Dice dice(seed);
     for (int tries = 0; tries < 1000; ++tries)
         try {
             std::vector<Numbers> images(views);
             for (Numbers& image : images)
-                for (std::size_t n = general::numbers_of_view(problem); n > 0; --n)
+                for (std::size_t n = numbers_of_view(problem); n > 0; --n)
                     image.push_back(dice.from_to(-50, 50));
-            general::scene_system(problem, images);
+            scene_system(problem, images);
             return images;
         } catch (const Refused&) {
             continue; // too special

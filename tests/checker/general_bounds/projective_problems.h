@@ -2,7 +2,7 @@
 #pragma once
 
 #include "checker/file/reader.h"
-#include "tests/checker/general/image_rank.h"
+#include "tests/checker/minimal/image_rank.h"
 
 #include <string>
 #include <vector>
@@ -17,5 +17,5 @@ struct DegreeOnFile {
 std::vector<DegreeOnFile> projective_degrees();
 
 /// Random images of so many views that meet the conditions of FORMAT.md, section 14.
-std::vector<checker::Numbers> random_views(const checker::general::Problem& problem,
-                                           std::size_t views, unsigned seed);
+std::vector<checker::Numbers> random_views(const checker::Problem& problem, std::size_t views,
+                                           unsigned seed);

@@ -1,8 +1,8 @@
 // The rows of theorems that treat problems one by one: what monodromy found, and what they are not.
 #include "checker/general_bounds/proved_degrees.h"
 
-#include "checker/conclusion/in_general.h"
-#include "tests/checker/general/degrees_on_file.h"
+#include "checker/problem/notation.h"
+#include "tests/checker/general_bounds/degrees_on_file.h"
 
 #include <doctest/doctest.h>
 #include <map>
@@ -12,7 +12,7 @@ using namespace checker;
 namespace {
 
 std::optional<std::size_t> bound_of(const std::string& notation) {
-    const auto proved = general::proved_degree(parse_general_problem(notation));
+    const auto proved = proved_degree(parse_problem(notation));
     if (!proved) return std::nullopt;
     return proved->at_most;
 }
@@ -22,7 +22,7 @@ std::optional<std::size_t> bound_of(const std::string& notation) {
 TEST_CASE("each row of a theorem has the degree that monodromy found") {
     std::map<std::string_view, std::size_t> rows;
     for (const OnFile& on_file : family_degrees_on_file()) {
-        const auto proved = general::proved_degree(parse_general_problem(on_file.problem));
+        const auto proved = proved_degree(parse_problem(on_file.problem));
         if (!proved) continue;
         CAPTURE(on_file.problem);
         CHECK(on_file.family == "projective");

@@ -27,11 +27,11 @@ std::string outcome(const std::string& records, std::uint64_t effort = usual_eff
         replay(all_classes(), "file", "plcert 2 at-most\n" + records, Execution{.effort = effort});
     if (const auto* malformed = std::get_if<Malformed>(&file.content))
         return say("syntax, ", malformed->complaint.line, ": ", malformed->complaint.reason);
-    const auto& content = std::get<general::AtMostFile>(file.content);
+    const auto& content = std::get<AtMostFile>(file.content);
     if (content.refusals.count > 0)
         return say(content.refusals.first[0].line, ": ", content.refusals.first[0].reason);
     std::string bounds;
-    for (const general::SolutionBound& bound : content.bounds)
+    for (const SolutionBound& bound : content.bounds)
         bounds += say(bounds.empty() ? "" : ", ", bound.at_most);
     return bounds;
 }

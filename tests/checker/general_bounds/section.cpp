@@ -7,7 +7,6 @@
 #include <doctest/doctest.h>
 
 using namespace checker;
-using namespace checker::general;
 
 namespace {
 

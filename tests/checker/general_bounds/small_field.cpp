@@ -6,7 +6,7 @@
 
 #include <random>
 
-using namespace checker::general;
+using namespace checker;
 
 TEST_CASE("sums, products and inverses are those of integers") {
     std::mt19937_64 random(1);

@@ -1,12 +1,11 @@
 #include "tests/checker/general_degrees/known_scene.h"
 
 #include "checker/general_degrees/scene_at.h"
-#include "tests/checker/general/image_rank.h"
+#include "tests/checker/minimal/image_rank.h"
 
 #include <doctest/doctest.h>
 
 using namespace checker;
-using general::carrier;
 
 namespace {
 
@@ -57,7 +56,7 @@ struct Places {
     std::vector<std::array<int, 2>> factors{}; // of each point; of free ones, none
 };
 
-Places random_places(const general::Problem& problem, Dice& dice) {
+Places random_places(const Problem& problem, Dice& dice) {
     Places places;
     const auto add = [&] {
         Four& place = places.free.emplace_back();
@@ -68,7 +67,7 @@ Places random_places(const general::Problem& problem, Dice& dice) {
         places.factors.push_back({dice.from_to(1, 2), dice.from_to(-2, -1)});
         if (!carrier(problem, p)) add();
     }
-    for (const general::Line& line : problem.lines)
+    for (const Line& line : problem.lines)
         for (std::size_t n = line.points.size(); n < 2; ++n)
             add();
     return places;
@@ -76,8 +75,8 @@ Places random_places(const general::Problem& problem, Dice& dice) {
 
 /// What a camera sees of the places, each image multiplied by 1 up to `most`. A dependent point has
 /// such factors that its image is the same.
-Numbers view_of(const general::Problem& problem, const Places& places, const Camera& camera,
-                int most, Dice& dice) {
+Numbers view_of(const Problem& problem, const Places& places, const Camera& camera, int most,
+                Dice& dice) {
     Numbers numbers;
     std::vector<int> multiples;
     std::size_t next = 0;
@@ -102,7 +101,7 @@ Numbers view_of(const general::Problem& problem, const Places& places, const Cam
 KnownScene instance_of(const std::string& notation, unsigned seed) {
     Dice dice(seed);
     KnownScene instance{.problem = problem_of(notation)};
-    const general::Problem& problem = instance.problem;
+    const Problem& problem = instance.problem;
     instance.cameras.push_back({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
     for (int view = 1; view < std::popcount(problem.views); ++view) {
         const auto make = problem.cameras == &checker::projective_cameras ? projective : calibrated;
@@ -124,8 +123,8 @@ KnownScene known_scene(const std::string& notation) {
     for (unsigned seed = 1; seed < 1000; ++seed)
         try {
             const KnownScene scene = instance_of(notation, seed);
-            const general::SceneSystem system = general::scene_system(scene.problem, scene.views);
-            general::SceneAt<mpq_class> at(system);
+            const SceneSystem system = scene_system(scene.problem, scene.views);
+            SceneAt<mpq_class> at(system);
             at.move_to(scene.coordinates);
             if (at.degeneracy().empty()) return scene;
         } catch (const Refused&) {

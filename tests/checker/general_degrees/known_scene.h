@@ -13,7 +13,7 @@ using KnownCamera = std::array<std::array<int, 4>, 3>;
 
 /// Cameras and depths in the coordinates of FORMAT.md, all of them integers, and what views see.
 struct KnownScene {
-    checker::general::Problem problem{};
+    checker::Problem problem{};
     std::vector<KnownCamera> cameras{};
     std::vector<mpq_class> coordinates{};
     std::vector<checker::Numbers> views{};

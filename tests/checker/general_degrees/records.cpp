@@ -54,11 +54,11 @@ std::string outcome(const std::string& records) {
     const ReplayedFile file = replay(all_classes(), "file", "plcert 2 solutions\n" + records);
     if (const auto* malformed = std::get_if<Malformed>(&file.content))
         return say("syntax, ", malformed->complaint.line, ": ", malformed->complaint.reason);
-    const auto& content = std::get<general::SolutionsFile>(file.content);
+    const auto& content = std::get<SolutionsFile>(file.content);
     if (content.refusals.count > 0)
         return say(content.refusals.first[0].line, ": ", content.refusals.first[0].reason);
     std::string counts;
-    for (const general::SolutionCount& count : content.counts)
+    for (const SolutionCount& count : content.counts)
         counts += say(counts.empty() ? "" : ", ", count.solutions);
     return counts;
 }
@@ -101,7 +101,7 @@ TEST_CASE("a starting value far from any solution is refused, and the others of 
     CHECK(contains(outcome(far), "6: 2*PL/PL/PL + PLa/PLa/PLa + a/a/a: no "));
     const ReplayedFile file =
         replay(all_classes(), "file", "plcert 2 solutions\n" + far + seven_points);
-    CHECK(std::get<general::SolutionsFile>(file.content).counts.size() == 1);
+    CHECK(std::get<SolutionsFile>(file.content).counts.size() == 1);
 }
 
 TEST_CASE("a pair that is real is refused, and so is a real line that leads nowhere real") {

@@ -1,16 +1,13 @@
 // The equations of problems in general (FORMAT.md, section 14), at cameras and scenes that are
 // known exactly, and as a second method has them: cross products of images.
 #include "checker/general_degrees/scene_at.h"
-#include "tests/checker/general/image_rank.h"
 #include "tests/checker/general_degrees/known_scene.h"
+#include "tests/checker/minimal/image_rank.h"
 #include "tests/support/text.h"
 
 #include <doctest/doctest.h>
 
 using namespace checker;
-using general::carrier;
-using general::ImageCoordinates;
-using general::SceneSystem;
 using Rational = mpq_class;
 
 namespace {
@@ -44,10 +41,10 @@ const std::vector<std::string> problems{
 /// The values of all equations.
 template <class T>
 std::vector<T> values(const SceneSystem& system, const std::vector<T>& coordinates) {
-    general::SceneAt<T> at(system);
+    SceneAt<T> at(system);
     at.move_to(coordinates);
     std::vector<T> row(coordinates.size()), result;
-    for (std::size_t e = 0; e < system.incidences.size(); ++e)
+    for (std::size_t e = 0; e < system.equations.size(); ++e)
         result.push_back(at.equation(e, row));
     return result;
 }
@@ -58,10 +55,10 @@ TEST_CASE("the equations hold at the true cameras and depths, exactly, and not a
     for (const std::string& notation : problems) {
         CAPTURE(notation);
         const KnownScene instance = known_scene(notation);
-        const SceneSystem system = general::scene_system(instance.problem, instance.views);
+        const SceneSystem system = scene_system(instance.problem, instance.views);
         std::vector<Rational> coordinates = instance.coordinates;
         REQUIRE(coordinates.size() == system.camera_coordinates() + system.depths);
-        REQUIRE(coordinates.size() == system.incidences.size());
+        REQUIRE(coordinates.size() == system.equations.size());
         CHECK(values(system, coordinates) == std::vector<Rational>(coordinates.size()));
         for (Rational& coordinate : coordinates) {
             coordinate += 1;
@@ -75,13 +72,13 @@ TEST_CASE("derivatives are those of the values, over the dual numbers") {
     for (const std::string& notation : problems) {
         CAPTURE(notation);
         const KnownScene instance = known_scene(notation);
-        const SceneSystem system = general::scene_system(instance.problem, instance.views);
+        const SceneSystem system = scene_system(instance.problem, instance.views);
         const std::size_t size = instance.coordinates.size();
         std::vector<Rational> place;
         Dice dice(5);
         for (std::size_t i = 0; i < size; ++i)
             place.emplace_back(dice.from_to(-9, 9));
-        general::SceneAt<Rational> at(system);
+        SceneAt<Rational> at(system);
         at.move_to(place);
         std::vector<std::vector<Rational>> rows(size, std::vector<Rational>(size));
         for (std::size_t e = 0; e < size; ++e)
@@ -101,7 +98,7 @@ TEST_CASE("equations of free points are coordinates of the cross product of two 
     for (const std::string& notation : problems) {
         CAPTURE(notation);
         const KnownScene instance = known_scene(notation);
-        const SceneSystem system = general::scene_system(instance.problem, instance.views);
+        const SceneSystem system = scene_system(instance.problem, instance.views);
         // At the true cameras and other depths.
         std::vector<Rational> coordinates = instance.coordinates;
         for (std::size_t k = system.camera_coordinates(); k < coordinates.size(); ++k)
@@ -109,7 +106,7 @@ TEST_CASE("equations of free points are coordinates of the cross product of two 
         const std::vector<Rational> found = values(system, coordinates);
         std::size_t compared = 0;
         for (std::size_t e = 0; e < found.size(); ++e) {
-            const auto& [camera, line, place] = system.incidences[e];
+            const auto& [camera, line, place] = system.equations[e];
             const bool is_free = place < system.points && !carrier(instance.problem, place);
             if (!is_free || line[0] != 0) continue;
             const auto& [x, form] = system.places[place];
@@ -122,7 +119,7 @@ TEST_CASE("equations of free points are coordinates of the cross product of two 
                        row[3] * d;
             }
             // The lines (0, y_3, -y_2) and (-y_3, 0, y_1) say which y this is.
-            const ImageCoordinates& second = system.incidences[e + 1].line;
+            const ImageCoordinates& second = system.equations[e + 1].line;
             const Vector3<Rational> y{Rational(second[2]), Rational(-line[2]), Rational(line[1])};
             const Vector3<Rational> product = cross(z, y);
             CHECK(found[e] == product[0]);

@@ -1,4 +1,5 @@
 // A degree that a paper bounds from below, beside what is certified and what evidence says.
+#include "checker/problem/notation.h"
 #include "tests/support/results.h"
 
 #include <fstream>
@@ -17,8 +18,8 @@ std::string text_of(const std::string& name) {
 
 /// A file that counts so many solutions of a problem.
 ReplayedFile solutions_of(const std::string& notation, std::size_t solutions) {
-    general::SolutionsFile content;
-    content.counts.push_back({notation, parse_general_problem(notation), solutions});
+    SolutionsFile content;
+    content.counts.push_back({notation, parse_problem(notation), solutions});
     return {.name = "solutions", .content = content};
 }
 

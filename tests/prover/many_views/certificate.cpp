@@ -27,7 +27,7 @@ SolutionsRecord record_of(const std::string& text, int threads = 2) {
 std::size_t proved(const SolutionsRecord& record) {
     const std::string file = write_solutions(std::span(&record, 1));
     const auto replayed = checker::replay(all_classes(), "file", file);
-    const auto& content = std::get<checker::general::SolutionsFile>(replayed.content);
+    const auto& content = std::get<checker::SolutionsFile>(replayed.content);
     for (const checker::Complaint& complaint : content.refusals.first)
         MESSAGE(complaint.line << ": " << complaint.reason);
     return content.counts.size() == 1 ? content.counts[0].solutions : 0;

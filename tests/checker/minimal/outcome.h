@@ -14,7 +14,7 @@ inline std::string outcome_of_problems(const std::string& rest) {
     if (const auto* malformed = std::get_if<checker::Malformed>(&file.content))
         return checker::say("syntax, ", malformed->complaint.line, ": ",
                             malformed->complaint.reason);
-    const auto* content = std::get_if<checker::general::ProblemsFile>(&file.content);
+    const auto* content = std::get_if<checker::ProblemsFile>(&file.content);
     REQUIRE(content);
     if (content->refusals.count == 0) return "holds";
     const auto& [line, reason] = content->refusals.first[0];

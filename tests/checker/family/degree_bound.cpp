@@ -1,11 +1,11 @@
 // Theorem 16 of proofs/families.md: each item at its border, and all degrees that monodromy found.
 #include "checker/family/degree_bound.h"
 
-#include "checker/conclusion/in_general.h"
+#include "checker/problem/notation.h"
 #include "checker/general_bounds/hilbert.h"
 #include "checker/general_bounds/proved_degrees.h"
 #include "checker/general_bounds/three_views.h"
-#include "tests/checker/general/degrees_on_file.h"
+#include "tests/checker/general_bounds/degrees_on_file.h"
 
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using Bound = std::optional<std::size_t>;
 
 Bound bound_of(const std::string& notation) {
-    return general::degree_bound(parse_general_problem(notation));
+    return degree_bound(parse_problem(notation));
 }
 
 } // namespace
@@ -72,11 +72,10 @@ TEST_CASE(
         const Bound bound = bound_of(row.problem);
         const std::size_t degree = std::stoul(row.degree);
         if (bound) CHECK(degree <= *bound);
-        const auto problem = parse_general_problem(row.problem);
-        const bool by_theorem = bound == degree ||
-                                general::degree_in_three_views(problem) == degree ||
-                                general::degree_by_invariants(problem) == degree ||
-                                general::proved_degree(problem).has_value();
+        const auto problem = parse_problem(row.problem);
+        const bool by_theorem = bound == degree || degree_in_three_views(problem) == degree ||
+                                degree_by_invariants(problem) == degree ||
+                                proved_degree(problem).has_value();
         CHECK(row.source.starts_with("by theorem") == by_theorem);
         all_certified += by_theorem;
         if (bound == degree) CHECK(row.status == "certified");

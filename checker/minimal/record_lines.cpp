@@ -1,6 +1,43 @@
-#include "checker/minimal/problem_record.h"
+#include "checker/minimal/record_lines.h"
 
 namespace checker {
+/// Takes a minor and the end of its line.
+static Residue read_minor(Reader& reader) {
+    const Residue minor{static_cast<std::uint64_t>(reader.integer(1, modulus - 1))};
+    reader.end_line();
+    return minor;
+}
+
+Numbers read_ascending(Reader& reader, int largest) {
+    Numbers list;
+    do {
+        const int least = list.empty() ? 1 : list.back() + 1;
+        list.push_back(reader.small_integer(least, largest));
+    } while (!reader.at_end() && !reader.comes("columns"));
+    return list;
+}
+
+MinorClaim read_minor_in_pool(Reader& reader, bool full_rank) {
+    MinorClaim claim;
+    if (!full_rank) {
+        claim.stated = reader.take("rank # excess # # # star # $ delete rows");
+        claim.deleted_rows = read_ascending(reader, 999'999);
+        reader.take("columns");
+        claim.deleted_columns = read_ascending(reader, camera_unknowns);
+        reader.take("$ minor");
+    }
+    claim.minor = read_minor(reader);
+    while (!full_rank && (claim.kernel.empty() || reader.comes("kernel"))) {
+        if (claim.kernel.size() == camera_unknowns)
+            reader.fail("kernel", "at most 11 kernel vectors");
+        reader.take("kernel");
+        for (mpz_class& entry : claim.kernel.emplace_back(camera_unknowns))
+            entry = reader.big_integer(1000);
+        reader.end_line();
+    }
+    return claim;
+}
+
 /// Takes strictly ascending numbers up to the word, or to the end of the line. They count from 1.
 static Indices read_list(Reader& reader, std::size_t largest, std::string_view end) {
     Indices list;
@@ -37,10 +74,9 @@ static Selection read_selection(Reader& reader, const Problem& problem, std::siz
     return selection;
 }
 
-static MinorClaim read_minor(Reader& reader, const Problem& problem) {
-    MinorClaim claim;
-    claim.minor.value = static_cast<std::uint64_t>(reader.integer(1, modulus - 1));
-    reader.end_line();
+/// Takes a minor, and the cameras and the scene where J has it.
+static MinorClaim read_placed_minor(Reader& reader, const Problem& problem) {
+    MinorClaim claim{.minor = read_minor(reader)};
     std::string pattern = "camera";
     for (std::size_t i = 0; i < problem.cameras->numbers; ++i)
         pattern += " @";
@@ -85,50 +121,13 @@ static PartClaim read_part(Reader& reader, const Problem& problem) {
     return claim;
 }
 
-ProblemRecord read_problem_record(Reader& reader) {
-    ProblemRecord record{.line = reader.line()};
-    reader.take("problem");
-    record.problem = read_notation(reader);
-    const Problem& problem = record.problem.problem;
+Record read_record(Reader& reader, std::size_t line, const Problem& problem) {
     const std::string_view kind = reader.word();
-    if (kind == "minimal")
-        record.claim = read_minor(reader, problem);
-    else if (kind == "collinear")
-        record.claim = read_collinear(reader, problem);
-    else if (kind == "excess")
-        record.claim = read_part(reader, problem);
-    else if (kind == "unbalanced") {
-        reader.end_line();
-        record.claim = UnbalancedClaim{};
-    } else
-        reader.fail(kind, "`minimal`, `unbalanced`, `collinear` or `excess`");
-    return record;
-}
-
-static void check(const Problem& problem, const MinorClaim& claim) {
-    const int excess = surplus(problem);
-    if (excess != 0)
-        throw Refused("it is not balanced: the images have dimension ", excess, " more");
-    const std::string_view objection = problem.cameras->objection(claim.placement.cameras[0]);
-    if (!objection.empty()) throw Refused(objection);
-    const Residue minor = jacobian_determinant(problem, claim.placement);
-    if (minor != claim.minor) throw Refused("the minor is ", minor.value, " modulo q");
-}
-
-static void check(const Problem& problem, const UnbalancedClaim&) {
-    if (surplus(problem) == 0) throw Refused("it is balanced");
-}
-
-static void check(const Problem& problem, const CollinearClaim& claim) {
-    check_collinear(problem, claim.points, claim.views);
-}
-
-static void check(const Problem& problem, const PartClaim& claim) {
-    check_part(problem, claim);
-}
-
-void check_record(const ProblemRecord& record) {
-    const Problem& problem = record.problem.problem;
-    std::visit([&](const auto& claim) { check(problem, claim); }, record.claim);
+    if (kind == "minimal") return {line, read_placed_minor(reader, problem)};
+    if (kind == "collinear") return {line, read_collinear(reader, problem)};
+    if (kind == "excess") return {line, read_part(reader, problem)};
+    if (kind != "unbalanced") reader.fail(kind, "`minimal`, `unbalanced`, `collinear` or `excess`");
+    reader.end_line();
+    return {line, UnbalancedClaim{}};
 }
 } // namespace checker

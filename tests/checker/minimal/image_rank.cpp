@@ -1,4 +1,4 @@
-#include "tests/checker/general/image_rank.h"
+#include "tests/checker/minimal/image_rank.h"
 
 #include "checker/problem/notation.h"
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <flint/nmod_mat.h>
 
-using namespace checker::general;
+using namespace checker;
 
 namespace {
 

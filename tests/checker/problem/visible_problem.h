@@ -4,13 +4,13 @@
 #include "checker/problem/problem.h"
 
 /// One in so many views, with free lines, and for each of these numbers a point with so many pins.
-inline checker::general::Problem
-visible_problem(unsigned views, const std::vector<std::size_t>& pins, std::size_t free_lines) {
-    const checker::general::Views all = (1U << views) - 1;
-    checker::general::Problem problem{
+inline checker::Problem visible_problem(unsigned views, const std::vector<std::size_t>& pins,
+                                        std::size_t free_lines) {
+    const checker::Views all = (1U << views) - 1;
+    checker::Problem problem{
         .cameras = &checker::projective_cameras, .views = all, .points = {}, .lines = {}};
     for (const std::size_t of_point : pins) {
-        checker::general::Point& point = problem.points.emplace_back();
+        checker::Point& point = problem.points.emplace_back();
         point.seen_by = all;
         for (std::size_t pin = 0; pin < of_point; ++pin) {
             point.lines.push_back(problem.lines.size());

@@ -1,16 +1,16 @@
 // Problems in general, by a second method: minors, verdicts and reasons against ranks that FLINT
 // computes of another Jacobian; and the label classes of three calibrated views.
-#include "checker/minimal/jacobian.h"
+#include "checker/minimal/block.h"
 #include "checker/minimal/part.h"
 #include "checker/replay.h"
-#include "tests/checker/general/image_rank.h"
+#include "tests/checker/minimal/image_rank.h"
 #include "tests/support/all_classes.h"
 
 #include <doctest/doctest.h>
 #include <fstream>
 #include <iterator>
 
-using namespace checker::general;
+using namespace checker;
 
 namespace {
 
@@ -55,7 +55,7 @@ Motion random_motion(const Problem& problem, const Selection& part, Dice& dice) 
     return motion;
 }
 
-checker::general::ProblemsFile replayed(const std::string& name) {
+checker::ProblemsFile replayed(const std::string& name) {
     std::ifstream stream(std::string(CERTS_DIR) + '/' + name, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
     const checker::ReplayedFile file = checker::replay(all_classes(), name, bytes);

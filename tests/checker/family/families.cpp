@@ -2,7 +2,7 @@
 // and the orbits of their renamings by Burnside's lemma. And what a file of a family must have.
 #include "checker/family/family.h"
 #include "checker/family/rows.h"
-#include "tests/checker/general/outcome.h"
+#include "tests/checker/minimal/outcome.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +11,7 @@
 #include <map>
 #include <numeric>
 
-using namespace checker::general;
+using namespace checker;
 
 namespace {
 

@@ -16,42 +16,42 @@ std::uint64_t modulo(const mpz_class& x) {
     return mpz_fdiv_ui(x.get_mpz_t(), modulus);
 }
 
-/// The contributions of a class at a random point.
-std::vector<Contribution> random_contributions(const Signature& signature, RandomIntegers& random) {
-    std::vector<Contribution> contributions;
+/// The components of a class at a random point.
+std::vector<Component> random_components(const Signature& signature, RandomIntegers& random) {
+    std::vector<Component> components;
     for (std::size_t i = 0; i < feature_count; ++i)
         for (unsigned k = 0; k < signature[i]; ++k)
-            contributions.push_back(random_contribution(features[i], random));
-    return contributions;
+            components.push_back(random_component(features[i], random));
+    return components;
 }
 
-std::vector<const Block*> blocks_of(const std::vector<Contribution>& contributions) {
+std::vector<const Block*> blocks_of(const std::vector<Component>& components) {
     std::vector<const Block*> blocks;
-    for (const Contribution& contribution : contributions)
-        blocks.push_back(&contribution.block);
+    for (const Component& component : components)
+        blocks.push_back(&component.block);
     return blocks;
 }
 
-std::size_t own_unknowns(const std::vector<Contribution>& contributions) {
+std::size_t own_unknowns(const std::vector<Component>& components) {
     std::size_t own = 0;
-    for (const Contribution& contribution : contributions)
-        own += contribution.unknowns;
+    for (const Component& component : components)
+        own += component.block.unknowns;
     return own;
 }
 
 /// All of J: the features' own unknowns one after the other, then those of the cameras.
-IntegerRows whole_jacobian(const std::vector<Contribution>& contributions) {
-    const std::size_t own = own_unknowns(contributions);
+IntegerRows whole_jacobian(const std::vector<Component>& components) {
+    const std::size_t own = own_unknowns(components);
     IntegerRows whole;
     std::size_t first = 0;
-    for (const Contribution& contribution : contributions) {
-        for (const IntegerRow& row : contribution.rows) {
+    for (const Component& component : components) {
+        for (const IntegerRow& row : component.rows) {
             IntegerRow& full = whole.emplace_back(own + camera_unknowns);
             for (std::size_t c = 0; c < row.size(); ++c)
-                full[c < contribution.unknowns ? first + c : own + c - contribution.unknowns] =
-                    row[c];
+                full[c < component.block.unknowns ? first + c
+                                                  : own + c - component.block.unknowns] = row[c];
         }
-        first += contribution.unknowns;
+        first += component.block.unknowns;
     }
     return whole;
 }
@@ -78,23 +78,22 @@ TEST_CASE(
     "minors agree with the exact determinant of the whole of J, rows and columns deleted or not") {
     RandomIntegers random;
     for (std::size_t n = 100; n < all_classes().representatives.size(); n += 7001) {
-        const std::vector<Contribution> contributions =
-            random_contributions(all_classes().representatives[n], random);
-        std::vector<const Contribution*> pointers;
-        for (const Contribution& contribution : contributions)
-            pointers.push_back(&contribution);
-        const IntegerRows whole = whole_jacobian(contributions);
-        REQUIRE(whole.size() == own_unknowns(contributions) + camera_unknowns);
-        CHECK(minor_of(blocks_of(contributions), camera_unknowns).value ==
+        const std::vector<Component> components =
+            random_components(all_classes().representatives[n], random);
+        std::vector<const Component*> pointers;
+        for (const Component& component : components)
+            pointers.push_back(&component);
+        const IntegerRows whole = whole_jacobian(components);
+        REQUIRE(whole.size() == own_unknowns(components) + camera_unknowns);
+        CHECK(minor_of(blocks_of(components), camera_unknowns).value ==
               modulo(exact_determinant(whole)));
 
         const auto size = static_cast<int>(whole.size());
         const auto shift = static_cast<int>(n % 3);
-        const Record record{.deleted_rows = {1 + shift, size / 2, size - shift},
-                            .deleted_columns = {2, 3, 9}};
-        CHECK(
-            minor_without(record, pointers, camera_unknowns).value ==
-            modulo(exact_determinant(without(whole, record.deleted_rows, record.deleted_columns))));
+        const MinorClaim claim{.deleted_rows = {1 + shift, size / 2, size - shift},
+                               .deleted_columns = {2, 3, 9}};
+        CHECK(minor_without(claim, pointers, camera_unknowns).value ==
+              modulo(exact_determinant(without(whole, claim.deleted_rows, claim.deleted_columns))));
     }
 }
 
@@ -102,8 +101,8 @@ TEST_CASE("a minor is 0 where the blocks leave more conditions than there are ca
     RandomIntegers random;
     Signature signature{};
     signature[index_of("P/P/P")] = 4; // which weigh 12
-    const std::vector<Contribution> contributions = random_contributions(signature, random);
-    std::vector<const Block*> blocks = blocks_of(contributions);
+    const std::vector<Component> components = random_components(signature, random);
+    std::vector<const Block*> blocks = blocks_of(components);
     CHECK(minor_of(blocks, camera_unknowns) == Residue{});
     blocks.pop_back();
     CHECK(minor_of(blocks, camera_unknowns, {10, 11}) != Residue{});
@@ -113,26 +112,26 @@ TEST_CASE("a minor is 0 where the blocks leave more conditions than there are ca
 TEST_CASE("elimination leaves as many conditions as a feature weighs, modulo q the same, scaled") {
     RandomIntegers random;
     for (const Feature& feature : features) {
-        const Contribution contribution = random_contribution(feature, random);
-        CHECK(contribution.unknowns == feature.unknowns());
-        CHECK(contribution.rows.size() == feature.equations);
-        CHECK(contribution.block.rows() == feature.equations);
-        REQUIRE(contribution.conditions.size() == feature.weight());
-        REQUIRE(contribution.block.left.size() == feature.weight());
-        const IntegerRow& exact = contribution.conditions[0];
-        const std::vector<Residue>& scaled = contribution.block.left[0];
+        const Component component = random_component(feature, random);
+        CHECK(component.block.unknowns == feature.unknowns());
+        CHECK(component.rows.size() == feature.equations);
+        CHECK(component.block.rows() == feature.equations);
+        REQUIRE(component.conditions.size() == feature.weight());
+        REQUIRE(component.block.left.size() == feature.weight());
+        const IntegerRow& exact = component.conditions[0];
+        const std::vector<Residue>& scaled = component.block.left[0];
         std::size_t column = 0; // in which the first condition has an entry
         while (column < camera_unknowns - 1 && scaled[column] == Residue{})
             ++column;
         REQUIRE(!(scaled[column] == Residue{}));
-        for (std::size_t i = 0; i < contribution.conditions.size(); ++i)
+        for (std::size_t i = 0; i < component.conditions.size(); ++i)
             for (std::size_t c = 0; c < camera_unknowns; ++c)
-                CHECK(contribution.block.left[i][c] * residue(exact[column]) ==
-                      residue(contribution.conditions[i][c]) * scaled[column]);
+                CHECK(component.block.left[i][c] * residue(exact[column]) ==
+                      residue(component.conditions[i][c]) * scaled[column]);
     }
 }
 
-TEST_CASE("det J by components is the determinant of the whole of J, in its order") {
+TEST_CASE("det J by elimination is the determinant of the whole of J, in its order") {
     RandomIntegers random;
     std::size_t not_zero = 0;
     for (const char* notation :

@@ -1,8 +1,8 @@
 // The notation of problems in general, by the letter of FORMAT.md, section 13.
-#include "tests/checker/general/image_rank.h"
-#include "tests/checker/general/outcome.h"
+#include "tests/checker/minimal/image_rank.h"
+#include "tests/checker/minimal/outcome.h"
 
-using namespace checker::general;
+using namespace checker;
 
 TEST_CASE("each way of spelling a feature conforms") {
     for (const char* notation : {"P/P",

@@ -2,9 +2,9 @@
 // by a second method.
 #include "checker/general_bounds/hilbert.h"
 
-#include "checker/conclusion/in_general.h"
-#include "tests/checker/general/degrees_on_file.h"
-#include "tests/checker/general/visible_problem.h"
+#include "checker/problem/notation.h"
+#include "tests/checker/general_bounds/degrees_on_file.h"
+#include "tests/checker/problem/visible_problem.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,6 @@
 #include <numeric>
 
 using namespace checker;
-using general::degree_by_invariants;
-using general::invariants;
 
 namespace {
 
@@ -24,7 +22,7 @@ using Pins = std::vector<std::size_t>; // of each point
 using Row = std::vector<int>;
 
 Degree degree_of(const std::string& notation) {
-    return degree_by_invariants(parse_general_problem(notation));
+    return degree_by_invariants(parse_problem(notation));
 }
 
 /// A problem of the theorem.
@@ -32,7 +30,7 @@ struct Case {
     unsigned views = 0;
     Pins points{};
     std::size_t free_lines = 0;
-    general::Problem problem{};
+    Problem problem{};
 };
 
 /// All of them: the ways to have twelve equations in a view. They have nine views less their
@@ -239,7 +237,7 @@ TEST_CASE("the theorem says nothing of other problems") {
              "projective: 7*P/P",                     // fourteen
          }) {
         CAPTURE(notation);
-        const general::Problem problem = parse_general_problem(notation);
+        const Problem problem = parse_problem(notation);
         CHECK(invariants(problem, 1) == std::nullopt);
         CHECK(degree_by_invariants(problem) == std::nullopt);
     }
@@ -248,14 +246,14 @@ TEST_CASE("the theorem says nothing of other problems") {
 TEST_CASE(
     "a line with two points is not two pins, though a problem with two such lines, in one view, "
     "is balanced and has as many equations") {
-    general::Problem problem = visible_problem(1, {1, 1, 1, 1}, 0);
+    Problem problem = visible_problem(1, {1, 1, 1, 1}, 0);
     CHECK(invariants(visible_problem(5, {1, 1, 1, 1}, 0), 1) == 8);
     problem.lines.resize(2);
     problem.lines[0].points = {0, 1};
     problem.lines[1].points = {2, 3};
     problem.points[1].lines = {0};
     problem.points[2].lines = problem.points[3].lines = {1};
-    REQUIRE(general::surplus(problem) == 0);
+    REQUIRE(surplus(problem) == 0);
     CHECK(invariants(problem, 1) == std::nullopt);
     CHECK(degree_by_invariants(problem) == std::nullopt);
 }

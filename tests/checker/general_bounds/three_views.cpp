@@ -2,9 +2,9 @@
 // and its conditions at their borders.
 #include "checker/general_bounds/three_views.h"
 
-#include "checker/conclusion/in_general.h"
-#include "tests/checker/general/degrees_on_file.h"
-#include "tests/checker/general/visible_problem.h"
+#include "checker/problem/notation.h"
+#include "tests/checker/general_bounds/degrees_on_file.h"
+#include "tests/checker/problem/visible_problem.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,7 @@ using namespace checker;
 namespace {
 
 std::optional<std::size_t> degree_of(const std::string& notation) {
-    return general::degree_in_three_views(parse_general_problem(notation));
+    return degree_in_three_views(parse_problem(notation));
 }
 
 /// Calls `visit` with all lists of numbers of pins, 4 at most and ascending, of points that leave
@@ -50,7 +50,7 @@ TEST_CASE("of all balanced problems of Theorem Q, one is not minimal: the others
         if (open % 2 != 0) return;
         CAPTURE(open);
         CAPTURE(pins.size());
-        const auto degree = general::degree_in_three_views(visible_problem(3, pins, open / 2));
+        const auto degree = degree_in_three_views(visible_problem(3, pins, open / 2));
         REQUIRE(degree);
         minimal += *degree > 0;
         CHECK((*degree == 0) == (pins == std::vector<std::size_t>{0, 0, 0, 4}));

@@ -22,16 +22,16 @@ private:
 
 /// The dimension of the images of generic scenes in generic cameras, with high probability: the
 /// rank at a random place, modulo a prime other than q. FLINT computes it.
-std::size_t image_rank(const checker::general::Problem& problem, Dice& dice);
+std::size_t image_rank(const checker::Problem& problem, Dice& dice);
 
 /// The dimension of the images, were all conditions on them those inside a view.
-std::size_t image_dimension(const checker::general::Problem& problem);
+std::size_t image_dimension(const checker::Problem& problem);
 
 /// The dimension of scenes and cameras, less that of the transformations of space.
-std::size_t scene_dimension(const checker::general::Problem& problem);
+std::size_t scene_dimension(const checker::Problem& problem);
 
 /// A problem that conforms: some points, lines and views, which do not always see all.
-checker::general::Problem random_problem(Dice& dice, bool all_visible);
+checker::Problem random_problem(Dice& dice, bool all_visible);
 
 /// The problem of a notation. Throws Malformed.
-checker::general::Problem problem_of(const std::string& notation);
+checker::Problem problem_of(const std::string& notation);
