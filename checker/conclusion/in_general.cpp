@@ -5,7 +5,6 @@
 #include "checker/general_bounds/hilbert.h"
 #include "checker/general_bounds/proved_degrees.h"
 #include "checker/general_bounds/three_views.h"
-#include "checker/problem/isomorphism.h"
 #include "checker/problem/notation.h"
 
 namespace checker {
@@ -33,59 +32,48 @@ template <class Kind> static std::vector<const ReplayedFile*> files_of(const Fin
     return files;
 }
 
-static bool same(const general::Problem& a, const general::Problem& b) {
-    return general::invariant(a) == general::invariant(b) && general::isomorphic(a, b);
-}
-
 std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
                                                 const general::Problem& problem) {
+    ByProblem<std::optional<ProvedInGeneral>> proved;
     for (const ReplayedFile* file : files_of<general::ProblemsFile>(findings))
-        for (const auto& [notation, other, minimal] :
-             std::get<general::ProblemsFile>(file->content).verdicts)
-            if (same(problem, other)) return ProvedInGeneral{minimal, file->name};
+        for (const general::Verdict& verdict :
+             std::get<general::ProblemsFile>(file->content).verdicts) {
+            std::optional<ProvedInGeneral>& first = proved[verdict.problem];
+            if (!first) first = ProvedInGeneral{verdict.minimal, file->name};
+        }
+    if (const auto* found = proved.find(problem)) return *found;
     const CountedInGeneral counted = count_in_general(findings, problem);
     if (counted.solutions > 0) return ProvedInGeneral{true, counted.file};
     return std::nullopt;
 }
 
-/// What records say of problems, by what a renaming keeps of these, and the file of each.
-template <class Record>
-using ByInvariant = std::map<general::Invariant, std::vector<std::pair<Record, std::string>>>;
-
-/// What some kind of files says of problems, in one of its members.
-template <class Kind, class Record>
-static ByInvariant<Record> by_invariant(const Findings& findings,
-                                        std::vector<Record> Kind::*records) {
-    ByInvariant<Record> all;
-    for (const ReplayedFile* file : files_of<Kind>(findings))
-        for (const Record& record : std::get<Kind>(file->content).*records)
-            all[general::invariant(record.problem)].emplace_back(record, file->name);
-    return all;
-}
-
-/// Does something with each record about a problem, and its file.
-template <class Record, class Use>
-static void for_each(const ByInvariant<Record>& all, const general::Problem& problem,
-                     const Use& use) {
-    const auto alike = all.find(general::invariant(problem));
-    if (alike == all.end()) return;
-    for (const auto& [record, file] : alike->second)
-        if (general::isomorphic(problem, record.problem)) use(record, file);
+ByProblem<CountedInGeneral> counts_in_general(const Findings& findings) {
+    ByProblem<CountedInGeneral> counts;
+    for (const ReplayedFile* file : files_of<general::SolutionsFile>(findings))
+        for (const auto& [notation, problem, solutions] :
+             std::get<general::SolutionsFile>(file->content).counts) {
+            CountedInGeneral& most = counts[problem];
+            if (solutions > most.solutions) most = {solutions, file->name, notation};
+        }
+    return counts;
 }
 
 CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem) {
-    CountedInGeneral most;
-    for_each(by_invariant(findings, &general::SolutionsFile::counts), problem,
-             [&](const general::SolutionCount& count, const std::string& file) {
-                 if (count.solutions > most.solutions) most = {count.solutions, file};
-             });
-    return most;
+    const auto counts = counts_in_general(findings);
+    const CountedInGeneral* most = counts.find(problem);
+    return most ? *most : CountedInGeneral{};
 }
 
-using UpperBounds = ByInvariant<general::SolutionBound>;
-
-static UpperBounds upper_bounds_of(const Findings& findings) {
-    return by_invariant(findings, &general::AtMostFile::bounds);
+ByProblem<BoundedInGeneral> bounds_in_general(const Findings& findings) {
+    ByProblem<BoundedInGeneral> bounds;
+    for (const ReplayedFile* file : files_of<general::AtMostFile>(findings))
+        for (const auto& [notation, problem, at_most] :
+             std::get<general::AtMostFile>(file->content).bounds) {
+            BoundedInGeneral& least = bounds[problem];
+            if (least.notation.empty() || at_most < least.at_most)
+                least = {at_most, {}, file->name, notation};
+        }
+    return bounds;
 }
 
 UpperBound upper_bound(const BoundedInGeneral& bound) {
@@ -96,7 +84,7 @@ UpperBound upper_bound(const BoundedInGeneral& bound) {
 static std::optional<BoundedInGeneral> bound_by_theorem(const general::Problem& problem) {
     std::optional<BoundedInGeneral> least;
     const auto consider = [&](std::optional<std::size_t> at_most, std::string_view theorem) {
-        if (at_most && (!least || *at_most < least->at_most)) least = {*at_most, theorem, {}};
+        if (at_most && (!least || *at_most < least->at_most)) least = {*at_most, theorem, {}, {}};
     };
     consider(general::degree_bound(problem), theorem_of_points_and_lines);
     consider(general::degree_in_three_views(problem), theorem_of_cameras);
@@ -106,22 +94,21 @@ static std::optional<BoundedInGeneral> bound_by_theorem(const general::Problem& 
     return least;
 }
 
-static std::optional<BoundedInGeneral> least_bound(const UpperBounds& bounds,
+static std::optional<BoundedInGeneral> least_bound(const ByProblem<BoundedInGeneral>& bounds,
                                                    const general::Problem& problem) {
     std::optional<BoundedInGeneral> least = bound_by_theorem(problem);
-    for_each(bounds, problem, [&](const general::SolutionBound& bound, const std::string& file) {
-        if (!least || bound.at_most < least->at_most) least = {bound.at_most, {}, file};
-    });
+    const BoundedInGeneral* by_file = bounds.find(problem);
+    if (by_file && (!least || by_file->at_most < least->at_most)) least = *by_file;
     return least;
 }
 
 std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
                                                  const general::Problem& problem) {
-    return least_bound(upper_bounds_of(findings), problem);
+    return least_bound(bounds_in_general(findings), problem);
 }
 
 Contradictions contradictions_in_general(const Findings& findings) {
-    const UpperBounds bounds = upper_bounds_of(findings);
+    const auto bounds = bounds_in_general(findings);
     Contradictions found;
     for (std::size_t i = 0; i < findings.files.size(); ++i) {
         const auto* file = std::get_if<general::SolutionsFile>(&findings.files[i].content);
@@ -140,15 +127,13 @@ Contradictions contradictions_in_general(const Findings& findings) {
 }
 
 DegreesInGeneral degrees_of(const Findings& findings, const general::ProblemsFile& problems) {
-    const auto counts = by_invariant(findings, &general::SolutionsFile::counts);
-    const UpperBounds bounds = upper_bounds_of(findings);
+    const auto counts = counts_in_general(findings);
+    const auto bounds = bounds_in_general(findings);
     DegreesInGeneral degrees;
     for (const general::Verdict& verdict : problems.verdicts) {
         if (!verdict.minimal) continue;
-        std::size_t solutions = 0;
-        for_each(counts, verdict.problem, [&](const general::SolutionCount& count, const auto&) {
-            solutions = std::max(solutions, count.solutions);
-        });
+        const CountedInGeneral* counted = counts.find(verdict.problem);
+        const std::size_t solutions = counted ? counted->solutions : 0;
         if (solutions > 0) ++degrees.at_least[solutions];
         // A minimal problem has a solution, whatever the files count.
         const auto bound = least_bound(bounds, verdict.problem);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "checker/conclusion/findings.h"
+#include "checker/problem/by_problem.h"
 
 namespace checker {
 /// The problem of a notation of section 13; blanks do not matter. Throws Malformed.
@@ -13,8 +14,7 @@ struct ProvedInGeneral {
     std::string file{};
 };
 
-/// Finds the problem, by whatever names of its points and lines, among verdicts or solutions; none
-/// if no record is about it.
+/// Finds the problem among verdicts or solutions; none if no record is about it.
 std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
                                                 const general::Problem& problem);
 
@@ -22,9 +22,13 @@ std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
 struct CountedInGeneral {
     std::size_t solutions = 0;
     std::string file{};
+    std::string notation{}; // of the problem, in that file
 };
 
-/// The most that any record counts; 0 if none is about the problem.
+/// The most that any record counts for each problem.
+ByProblem<CountedInGeneral> counts_in_general(const Findings& findings);
+
+/// The same for one problem; 0 if no record is about it.
 CountedInGeneral count_in_general(const Findings& findings, const general::Problem& problem);
 
 /// So many solutions a minimal problem has at most. A theorem proves it, or else a file.
@@ -32,7 +36,11 @@ struct BoundedInGeneral {
     std::size_t at_most = 0;
     std::string_view theorem{};
     std::string file{};
+    std::string notation{}; // of the problem, in that file
 };
+
+/// The least that any record says for each problem.
+ByProblem<BoundedInGeneral> bounds_in_general(const Findings& findings);
 
 UpperBound upper_bound(const BoundedInGeneral& bound);
 
@@ -41,7 +49,7 @@ std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
                                                  const general::Problem& problem);
 
 /// Files of solutions that count more than a theorem or a file of upper bounds allows, and these
-/// files of upper bounds. (A problem whose solutions are counted is minimal.)
+/// files of upper bounds. (A problem with solutions that are counted is minimal.)
 Contradictions contradictions_in_general(const Findings& findings);
 
 /// What is known of the degrees of the minimal problems of a file.

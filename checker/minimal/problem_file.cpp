@@ -123,6 +123,7 @@ ProblemFile replay_problem(Reader& reader, const Classification& classes) {
         const Written given = read_notation(reader, section_1);
         const auto views = static_cast<unsigned>(given.problem.view_count());
         file.problem = printable(given.notation, 4096);
+        file.meaning = given.problem;
         file.canonical = canonical(views, given.features);
         const Lifted lifted = lift(reduce(reader, given.features, views), views);
         const Derived derived = derive(given, lifted, classes);

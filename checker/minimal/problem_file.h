@@ -11,6 +11,7 @@ namespace checker {
 /// What a problem file proves.
 struct ProblemFile {
     std::string problem{};           // in notation
+    Problem meaning{};               // the same problem
     CanonicalProblem canonical{};    // the same problem
     std::string verdict{};           // empty if the file is refused
     std::optional<Verdict> of_class; // on the label class of the lifted problem, if it has one
