@@ -81,7 +81,7 @@ public:
 
 private:
     void choose(std::size_t variable, int left) {
-        constexpr std::size_t most_steps = 1'000'000;
+        constexpr std::size_t most_steps = 300'000;
         if (++steps_ > most_steps)
             throw Refused("it takes more than ", most_steps, " steps to find the monomials");
         if (variable == current_.size()) {
