@@ -151,25 +151,16 @@ BoundsFile replay_bounds(Reader& reader, const Execution& execution) try {
     constexpr std::uint64_t effort_of_a_template = 600;
     BoundsFile file;
     reader.take(say("modulus ", modulus, " $"));
-    Progress progress;
-    Effort effort(execution.effort);
+    Records records(file.refusals, execution);
     while (!reader.at_end()) {
         const std::size_t line = reader.line();
         const Template given = read_template(reader);
-        ++progress.records;
-        progress.line = line;
-        execution.watch(progress);
-        try {
-            if (file.refusals.count >= most_refusals)
-                throw Refused("not replayed, as ", most_refusals,
-                              " templates are refused before it");
-            effort.spend(effort_of_a_template, line);
+        records.replay(line, "", [&] {
+            records.spend(effort_of_a_template);
             check_template(given);
             ++file.templates;
             add_bound(file.bounds, type_of(given.constraints), given.basis.size());
-        } catch (const Refused& refused) {
-            file.refusals.add(line, refused.reason);
-        }
+        });
     }
     return file;
 } catch (const TooMuchEffort& too_much) {

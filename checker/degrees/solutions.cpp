@@ -2,13 +2,14 @@
 
 namespace checker {
 /// The effort of a proof. It grows with the square of the number of coordinates, 11 for three
-/// views; numbers of twice as many bits, and more steps, take four times as much.
+/// views; numbers of twice as many bits, and more steps, take four times as much. What is refused
+/// has been tried with the most bits.
 static std::uint64_t effort_of(const Proof& proof, std::size_t coordinates) {
     constexpr std::size_t usual = camera_unknowns * camera_unknowns;
     const std::uint64_t size = (coordinates * coordinates + usual - 1) / usual;
     const auto* box = std::get_if<Box>(&proof);
-    if (!box || box->tries == 1) return size;
-    return box->tries == 2 ? 4 * size : 16 * size;
+    if (!box || box->tries == 3) return 16 * size;
+    return box->tries == 2 ? 4 * size : size;
 }
 
 /// A box with one solution, and the line of its starting values.
@@ -68,8 +69,7 @@ ApproximateSolution SolutionsReplay::read_solution(const SolutionLines& lines) {
 /// in vain; so at first these are few, as most flawed records have their flaw early.
 std::vector<ApproximateSolution> SolutionsReplay::read_some(const SolutionLines& lines,
                                                             std::size_t proved) {
-    const std::size_t threads = execution_.threads;
-    const std::size_t most = threads == 1 ? 1 : std::clamp(proved, threads, 64 * threads);
+    const std::size_t most = threads_ == 1 ? 1 : std::clamp(proved, threads_, 64 * threads_);
     std::vector<ApproximateSolution> starts;
     do
         starts.push_back(read_solution(lines));
@@ -87,29 +87,23 @@ void SolutionsReplay::skip(const SolutionLines& lines, bool none_is_read) {
 std::optional<std::size_t> SolutionsReplay::run(const SolutionLines& lines, std::size_t line,
                                                 const std::string& about,
                                                 const std::function<Certify()>& prepare) {
-    ++progress_.records;
-    std::size_t fault = line; // the line at fault, if one is
-    try {
-        if (refusals_.count >= most_refusals)
-            throw Refused("not replayed, as ", most_refusals, " records are refused before it");
+    std::optional<std::size_t> count;
+    records_.replay(line, about + ": ", [&] {
         const Certify certify = prepare();
         ProvedSolutions proved;
         do {
             const auto starts = read_some(lines, proved.count());
-            const auto proofs = certify_all(certify, starts, execution_.threads);
+            const auto proofs = certify_all(certify, starts, threads_);
             for (std::size_t i = 0; i < starts.size(); ++i) {
-                fault = starts[i].line;
-                effort_.spend(effort_of(proofs[i], lines.coordinates), fault);
+                records_.reach(starts[i].line);
+                records_.spend(effort_of(proofs[i], lines.coordinates));
                 proved.add(starts[i], proofs[i]);
-                ++progress_.solutions;
-                execution_.watch({fault, progress_.records, progress_.solutions});
+                records_.add_solution();
             }
         } while (has_more(lines));
-        return proved.count();
-    } catch (const Refused& refused) {
-        refusals_.add(fault, say(about, ": ", refused.reason));
-        skip(lines, fault == line);
-        return std::nullopt;
-    }
+        count = proved.count();
+    });
+    if (!count) skip(lines, records_.line() == line);
+    return count;
 }
 } // namespace checker

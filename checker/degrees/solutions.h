@@ -20,7 +20,7 @@ struct SolutionLines {
 class SolutionsReplay {
 public:
     SolutionsReplay(Reader& reader, Refusals& refusals, const Execution& execution)
-        : reader_(reader), refusals_(refusals), execution_(execution), effort_(execution.effort) {}
+        : reader_(reader), threads_(execution.threads), records_(refusals, execution) {}
 
     /// How many solutions the record proves; none if it is refused. `line` is where it begins,
     /// `about` is what it is about, and `prepare` says how its solutions are proved, or throws
@@ -36,9 +36,7 @@ private:
     void skip(const SolutionLines& lines, bool none_is_read);
 
     Reader& reader_;
-    Refusals& refusals_;
-    const Execution& execution_;
-    Progress progress_{};
-    Effort effort_;
+    std::size_t threads_;
+    Records records_;
 };
 } // namespace checker

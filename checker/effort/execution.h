@@ -43,18 +43,48 @@ struct TooMuchEffort {
     }
 };
 
-/// The effort that is left.
-class Effort {
+/// The records of a file, one after the other: the effort that they take, and which are refused.
+class Records {
 public:
-    explicit Effort(std::uint64_t most) : left_(most) {}
+    Records(Refusals& refusals, const Execution& execution)
+        : refusals_(refusals), execution_(execution), effort_(execution.effort) {}
 
-    /// Throws TooMuchEffort, with the line, if so much is not left.
-    void spend(std::uint64_t effort, std::size_t line) {
-        if (effort > left_) throw TooMuchEffort{line};
-        left_ -= effort;
+    /// Replays the record that begins at a line by `check`, which throws Refused where it does not
+    /// hold: this is said of the line that is reached.
+    template <class Check>
+    void replay(std::size_t line, const std::string& about, const Check& check) {
+        ++progress_.records;
+        progress_.line = line;
+        execution_.watch(progress_);
+        try {
+            if (refusals_.count >= most_refusals)
+                throw Refused("not replayed, as ", most_refusals, " records are refused before it");
+            check();
+        } catch (const Refused& refused) {
+            refusals_.add(progress_.line, about + refused.reason);
+        }
+    }
+
+    /// Throws TooMuchEffort, with the line that is reached, if so much is not left.
+    void spend(std::uint64_t effort) {
+        if (effort > effort_) throw TooMuchEffort{progress_.line};
+        effort_ -= effort;
+    }
+
+    std::size_t line() const { return progress_.line; }
+
+    void reach(std::size_t line) { progress_.line = line; }
+
+    /// Counts a solution that is proved.
+    void add_solution() {
+        ++progress_.solutions;
+        execution_.watch(progress_);
     }
 
 private:
-    std::uint64_t left_;
+    Refusals& refusals_;
+    const Execution& execution_;
+    Progress progress_{};
+    std::uint64_t effort_ = 0; // that is left
 };
 } // namespace checker

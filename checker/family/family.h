@@ -1,18 +1,15 @@
 // The families of problems (FORMAT.md, section 13): which problems they have, and their numbers.
 #pragma once
 
-#include "checker/problem/isomorphism.h"
+#include "checker/problem/by_problem.h"
 
-#include <map>
 #include <string_view>
+#include <variant>
 
 namespace checker {
-/// Problems no two of which are isomorphic, by their invariants.
-using IsomorphismClasses = std::map<Invariant, std::vector<Problem>>;
+/// Problems, each but once.
+using Problems = ByProblem<std::monostate>;
 
-/// The problem of a class that is isomorphic to this one; null if there is none.
-const Problem* find(const IsomorphismClasses& classes, const Problem& problem);
-
-/// One problem of each class of a family, `plmp` or `projective`.
-IsomorphismClasses family(std::string_view name);
+/// All problems of a family, `plmp` or `projective`.
+Problems family(std::string_view name);
 } // namespace checker

@@ -4,8 +4,6 @@
 #include "checker/minimal/record_lines.h"
 #include "checker/problem/notation.h"
 
-#include <set>
-
 namespace checker {
 /// Takes the family's name, if the file claims one.
 static std::string read_family(Reader& reader) {
@@ -15,13 +13,6 @@ static std::string read_family(Reader& reader) {
     if (name != "plmp" && name != "projective") reader.fail(name, "`plmp` or `projective`");
     reader.end_line();
     return name;
-}
-
-static std::size_t size_of(const IsomorphismClasses& classes) {
-    std::size_t size = 0;
-    for (const auto& [key, problems] : classes)
-        size += problems.size();
-    return size;
 }
 
 /// How many coordinates there are.
@@ -41,29 +32,29 @@ static std::uint64_t effort_of(const Record& record) {
 
 ProblemsFile replay_problems(Reader& reader, const Execution& execution) try {
     ProblemsFile file{.family = read_family(reader)};
-    Effort effort(execution.effort);
+    Records records(file.refusals, execution);
     reader.take(say("modulus ", modulus, " $"));
     const bool has_family = !file.family.empty();
-    const IsomorphismClasses classes = has_family ? family(file.family) : IsomorphismClasses{};
-    std::set<const Problem*> decided; // classes of the family
+    const Problems all = has_family ? family(file.family) : Problems{};
+    Problems decided; // of the family
     while (!reader.at_end()) {
         const std::size_t line = reader.line();
         reader.take("problem");
-        const auto [notation, list, problem] = read_notation(reader);
+        const auto written = read_notation(reader);
+        const std::string& notation = written.notation;
+        const Problem& problem = written.problem;
         const Record record = read_record(reader, line, problem);
-        effort.spend(effort_of(record), line);
-        try {
-            const Problem* of_family = has_family ? find(classes, problem) : nullptr;
-            if (has_family && !of_family) throw Refused("it is not in the family ", file.family);
-            if (decided.contains(of_family)) throw Refused("a record before decides it");
+        records.replay(line, printable(notation, 200) + ": ", [&] {
+            records.spend(effort_of(record));
+            if (has_family && !all.find(problem))
+                throw Refused("it is not in the family ", file.family);
+            if (decided.find(problem)) throw Refused("a record before decides it");
             check_record(record, problem);
-            if (has_family) decided.insert(of_family);
+            if (has_family) decided[problem] = {};
             file.verdicts.push_back({notation, problem, record.minimal()});
-        } catch (const Refused& refused) {
-            file.refusals.add(line, say(printable(notation, 200), ": ", refused.reason));
-        }
+        });
     }
-    file.missing = size_of(classes) - decided.size();
+    file.missing = all.count() - decided.count();
     if (file.missing > 0)
         file.refusals.add(reader.line(), say("the family ", file.family, " has ", file.missing,
                                              " more problems; each needs a record that holds"));

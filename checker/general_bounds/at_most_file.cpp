@@ -31,31 +31,20 @@ static AtMostRecord read_at_most(Reader& reader) {
     return record;
 }
 
-/// Elimination grows with the cube of the number of monomials.
-static std::uint64_t effort_of(std::uint64_t monomials) {
-    return 1 + monomials * monomials * monomials / 1'000'000;
-}
-
 AtMostFile replay_at_most(Reader& reader, const Execution& execution) try {
     AtMostFile file;
-    Effort effort(execution.effort);
-    Progress progress;
+    Records records(file.refusals, execution);
     while (!reader.at_end()) {
         const AtMostRecord record = read_at_most(reader);
-        const auto& [notation, list, problem] = record.problem;
-        const auto spend = [&](std::size_t monomials) {
-            effort.spend(effort_of(monomials), record.line);
-        };
-        progress.line = record.line;
-        progress.records += 1;
-        execution.watch(progress);
-        try {
+        const std::string& notation = record.problem.notation;
+        const Problem& problem = record.problem.problem;
+        records.replay(record.line, printable(notation, 200) + ": ", [&] {
+            records.spend(1);
+            const auto spend = [&](std::uint64_t effort) { records.spend(effort); };
             const std::size_t bound =
                 solutions_at_most(problem, record.views, record.powers, spend);
             file.bounds.push_back({notation, problem, bound});
-        } catch (const Refused& refused) {
-            file.refusals.add(record.line, say(printable(notation, 200), ": ", refused.reason));
-        }
+        });
     }
     return file;
 } catch (const TooMuchEffort& too_much) {

@@ -62,7 +62,17 @@ public:
     };
 
     Monomials(std::size_t variables, std::vector<Bound> bounds)
-        : current_(variables), bounds_(std::move(bounds)) {}
+        : current_(variables), bounds_(std::move(bounds)), of_variable_(variables),
+          of_all_from_(variables) {
+        for (std::size_t b = 0; b < bounds_.size(); ++b) {
+            bool of_all = true;
+            for (std::size_t v = variables; v-- > 0;) {
+                if (bounds_[b].variables[v]) of_variable_[v].push_back(b);
+                of_all = of_all && bounds_[b].variables[v];
+                if (of_all) of_all_from_[v].push_back(b);
+            }
+        }
+    }
 
     std::vector<Monomial> of_degree(int degree) && {
         choose(0, degree);
@@ -71,6 +81,9 @@ public:
 
 private:
     void choose(std::size_t variable, int left) {
+        constexpr std::size_t most_steps = 300'000;
+        if (++steps_ > most_steps)
+            throw Refused("it takes more than ", most_steps, " steps to find the monomials");
         if (variable == current_.size()) {
             if (left > 0) return;
             constexpr std::size_t most = 10'000;
@@ -78,6 +91,8 @@ private:
             found_.push_back(current_);
             return;
         }
+        const auto leaves_room = [&](std::size_t bound) { return left <= bounds_[bound].most; };
+        if (!std::ranges::all_of(of_all_from_[variable], leaves_room)) return;
         int exponent = 0;
         while (fits(variable)) {
             choose(variable + 1, left - exponent);
@@ -91,19 +106,21 @@ private:
 
     /// Whether no bound of a variable is exceeded.
     bool fits(std::size_t variable) const {
-        return std::ranges::none_of(bounds_, [&](const Bound& bound) {
-            return bound.variables[variable] && bound.most < 0;
-        });
+        return std::ranges::none_of(of_variable_[variable],
+                                    [&](std::size_t bound) { return bounds_[bound].most < 0; });
     }
 
     void change(std::size_t variable, int by) {
-        for (Bound& bound : bounds_)
-            if (bound.variables[variable]) bound.most += by;
+        for (const std::size_t bound : of_variable_[variable])
+            bounds_[bound].most += by;
     }
 
     Monomial current_;
-    std::vector<Bound> bounds_; // what is left of them
+    std::vector<Bound> bounds_;        // what is left of them
+    std::vector<Indices> of_variable_; // those of each variable
+    std::vector<Indices> of_all_from_; // those of all variables from each one on
     std::vector<Monomial> found_{};
+    std::size_t steps_ = 0;
 };
 
 /// A form vanishes to an order where only some variables are not 0 if and only if its monomials

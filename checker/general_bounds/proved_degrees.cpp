@@ -1,10 +1,10 @@
 #include "checker/general_bounds/proved_degrees.h"
 
-#include "checker/problem/isomorphism.h"
+#include "checker/problem/by_problem.h"
 #include "checker/problem/notation.h"
 
 #include <algorithm>
-#include <map>
+#include <stdexcept>
 #include <string>
 
 namespace checker {
@@ -100,23 +100,17 @@ static Problem problem_of(const ProvedRow& row) {
     return read_notation(reader).problem;
 }
 
-/// All rows, by what a renaming keeps of their problems.
-using RowsByInvariant = std::multimap<Invariant, std::pair<Problem, ProvedDegree>>;
-
-static RowsByInvariant all_rows() {
-    RowsByInvariant all;
-    for (const ProvedRow& row : rows) {
-        const Problem problem = problem_of(row);
-        all.emplace(invariant(problem), std::pair{problem, ProvedDegree{row.at_most, row.theorem}});
-    }
-    return all;
-}
-
 std::optional<ProvedDegree> proved_degree(const Problem& problem) {
-    static const RowsByInvariant all = all_rows();
-    const auto [first, last] = all.equal_range(invariant(problem));
-    for (auto row = first; row != last; ++row)
-        if (isomorphic(row->second.first, problem)) return row->second.second;
-    return std::nullopt;
+    static const ByProblem<ProvedDegree> all = [] {
+        ByProblem<ProvedDegree> degrees;
+        for (const ProvedRow& row : rows) {
+            ProvedDegree& degree = degrees[problem_of(row)];
+            if (degree.at_most > 0) throw std::logic_error("two rows are about one problem");
+            degree = {row.at_most, row.theorem};
+        }
+        return degrees;
+    }();
+    const ProvedDegree* found = all.find(problem);
+    return found ? std::optional(*found) : std::nullopt;
 }
 } // namespace checker

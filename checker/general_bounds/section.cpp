@@ -10,32 +10,42 @@ static void multiply(SmallRow& row, const SmallRow& by) {
         row[k] = row[k] * by[k];
 }
 
-/// Those of all cameras. Throws Refused if they have too many cubic forms to note their values at
-/// so many scenes.
-static std::vector<Resection> resections_of(const SceneSystem& system, std::size_t scenes) {
-    constexpr std::size_t most_values = 20'000'000;
+/// Those of all cameras.
+static std::vector<Resection> resections_of(const SceneSystem& system) {
     std::vector<Resection> resections;
-    std::size_t values = 0;
-    for (std::size_t camera = 0; camera < system.cameras; ++camera) {
+    for (std::size_t camera = 0; camera < system.cameras; ++camera)
         resections.emplace_back(system, camera);
-        values += resections.back().minors() * scenes;
-        if (values > most_values)
-            throw Refused(
-                "it takes more than ", most_values,
-                " values of cubic forms: leave further images out, or take smaller powers");
-    }
     return resections;
+}
+
+/// The effort of noting the values of all cubic forms at so many scenes. Throws Refused if these
+/// are too many.
+static std::uint64_t effort_of_values(const std::vector<Resection>& resections,
+                                      std::size_t scenes) {
+    constexpr std::size_t most_values = 20'000'000;
+    std::size_t values = 0;
+    for (const Resection& resection : resections)
+        values += resection.minors() * scenes;
+    if (values > most_values)
+        throw Refused("it takes more than ", most_values,
+                      " values of cubic forms: leave further images out, or take smaller powers");
+    return values / 100'000;
+}
+
+/// Elimination grows with the cube of the number of monomials.
+static std::uint64_t effort_of_elimination(std::uint64_t monomials) {
+    return monomials * monomials * monomials / 1'000'000;
 }
 
 /// Forms in the coordinates of scenes, by their values at some random scenes. Cameras are numbered
 /// from that of view 2; those from `given` on belong to further images.
 class Forms {
 public:
-    Forms(const SceneSystem& system, const SceneCoordinates& coordinates, std::size_t given,
-          std::size_t scenes, Choices& choices)
+    Forms(const SceneSystem& system, const std::vector<Resection>& resections,
+          const SceneCoordinates& coordinates, std::size_t given, std::size_t scenes,
+          Choices& choices)
         : cubics_(system.cameras), linear_(coordinates.kept().size()), given_(given),
           scenes_(scenes), choices_(choices) {
-        const std::vector<Resection> resections = resections_of(system, scenes);
         for (std::size_t scene = 0; scene < scenes; ++scene) {
             SmallRow own(system.depths);
             for (const std::size_t depth : coordinates.kept())
@@ -106,15 +116,18 @@ std::size_t solutions_at_most(const Problem& problem, const std::vector<Numbers>
     const SceneSystem system = scene_system(problem, views);
     const BaseScenes base = base_scenes(problem, system);
     const SceneCoordinates coordinates(system, base.few_depths);
+    const std::vector<Resection> resections = resections_of(system);
     const auto monomials = monomials_that_fit(base, coordinates, powers);
-    spend(monomials.size());
+    spend(effort_of_elimination(monomials.size()));
     Choices choices;
     const std::size_t dimension =
         monomials.size() -
         rank_of_conditions(monomials, problem, system, base, coordinates, powers, choices);
     const auto given = static_cast<std::size_t>(std::popcount(problem.views)) - 1;
     constexpr std::size_t more = 20; // scenes than dimensions, to notice a mistake
-    const Forms forms(system, coordinates, given, dimension + more, choices);
+    const std::size_t scenes = dimension + more;
+    spend(effort_of_values(resections, scenes));
+    const Forms forms(system, resections, coordinates, given, scenes, choices);
     RowSpace space;
     fill(space, [&](std::size_t i) { // forms that vanish at all solutions
         SmallRow row = forms.product({powers.cubics - 1, powers.linear});

@@ -8,8 +8,8 @@
 #include <functional>
 
 namespace checker {
-/// Is told how many monomials the forms have, before they are used.
-using Spend = std::function<void(std::size_t monomials)>;
+/// Spends so much effort, before it is needed.
+using Spend = std::function<void(std::uint64_t effort)>;
 
 /// A bound for a minimal problem, by what its views see and further images do. Throws Refused if
 /// these powers do not give one.

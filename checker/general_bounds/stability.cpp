@@ -49,9 +49,11 @@ int largest_count(const std::vector<Positions>& features, std::size_t conditions
 } // namespace
 
 bool general_arrangements_are_stable(const Problem& problem) {
+    constexpr int most_pins = 4; // Lemma T4
     std::vector<Positions> to_planes, to_lines;
     for (const Point& point : problem.points) {
         const int pins = static_cast<int>(point.lines.size());
+        if (pins > most_pins) return false;
         to_planes.push_back(of_point_and_plane(pins));
         to_lines.push_back(of_point_and_line(pins));
     }

@@ -4,7 +4,7 @@
 #include "checker/problem/problem.h"
 
 namespace checker {
-/// Whether they are, for a problem whose views give twelve equations each, where no line has two
-/// points, and no point more than four lines (Lemma T4).
+/// Whether Lemma T4 says so, for a problem whose views give twelve equations each and where no line
+/// has two points. It says nothing where a point is on more than four lines.
 bool general_arrangements_are_stable(const Problem& problem);
 } // namespace checker

@@ -31,6 +31,7 @@ struct Invariant {
 
 Invariant invariant(const Problem& problem);
 
-/// Whether problems with equal invariants are isomorphic.
-bool isomorphic(const Problem& a, const Problem& b);
+/// Whether problems with equal invariants are isomorphic; none if it takes more steps to decide
+/// that. Takes from `steps` those that are used.
+std::optional<bool> isomorphic(const Problem& a, const Problem& b, std::size_t& steps);
 } // namespace checker

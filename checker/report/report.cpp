@@ -74,89 +74,89 @@ static std::string counted(std::size_t number, std::string_view thing) {
     return say(number, ' ', thing, number == 1 ? "" : "s");
 }
 
-/// What files prove, each kind in a few words.
+/// What files prove: each problem, class and family once, however many records are about it.
 struct Proofs {
-    std::size_t classifications = 0, problems = 0, records = 0, templates = 0;
-    std::string problem{}; // the last one, with its verdict
+    bool classification = false;
+    ByProblem<std::string> problems{}; // single ones, with their verdicts
     std::vector<std::string> families{};
-    LowerBound bound{}; // the last one
-    std::vector<SolutionCount> counts{};
-    std::vector<SolutionBound> bounds{};
+    std::map<std::size_t, std::size_t> solutions{}; // of label classes, at least
     std::vector<std::string> files{};
 };
 
+template <class Item> static void add_once(std::vector<Item>& list, const Item& item) {
+    if (std::ranges::find(list, item) == list.end()) list.push_back(item);
+}
+
 /// Adds a family, or single problems.
 static void add(Proofs& proofs, const ProblemsFile& file) {
-    const std::size_t all = file.verdicts.size();
     if (!file.family.empty()) {
         const auto minimal = std::ranges::count_if(file.verdicts, &ProblemVerdict::minimal);
-        proofs.families.push_back(
-            say("all ", all, " problems of the family ", file.family, ", ", minimal, " minimal"));
+        add_once(proofs.families, say("all ", file.verdicts.size(), " problems of the family ",
+                                      file.family, ", ", minimal, " minimal"));
         return;
     }
-    proofs.problems += all;
-    const ProblemVerdict& last = file.verdicts.back();
-    proofs.problem = last.notation + (last.minimal ? " is minimal" : " is not minimal");
+    for (const auto& [notation, problem, minimal] : file.verdicts)
+        proofs.problems[problem] = notation + (minimal ? " is minimal" : " is not minimal");
 }
 
 static Proofs proofs_of(const Findings& findings) {
     Proofs proofs;
     for (const auto& [name, sha256, content] : findings.files) {
-        if (std::holds_alternative<ClassificationFile>(content)) ++proofs.classifications;
-        if (const auto* file = std::get_if<ProblemFile>(&content)) {
-            ++proofs.problems;
-            proofs.problem = file->problem + " is " + file->verdict;
-        }
+        if (std::holds_alternative<ClassificationFile>(content)) proofs.classification = true;
+        if (const auto* file = std::get_if<ProblemFile>(&content))
+            proofs.problems[file->meaning] = file->problem + " is " + file->verdict;
         if (const auto* file = std::get_if<ProblemsFile>(&content)) add(proofs, *file);
-        if (const auto* file = std::get_if<DegreeFile>(&content)) {
-            proofs.records += file->bounds.size();
-            proofs.bound = file->bounds.back();
-        }
-        if (const auto* file = std::get_if<SolutionsFile>(&content))
-            proofs.counts.insert(proofs.counts.end(), file->counts.begin(), file->counts.end());
-        if (const auto* file = std::get_if<AtMostFile>(&content))
-            proofs.bounds.insert(proofs.bounds.end(), file->bounds.begin(), file->bounds.end());
-        if (const auto* file = std::get_if<BoundsFile>(&content))
-            proofs.templates += file->templates;
-        proofs.files.push_back(name);
+        if (const auto* file = std::get_if<DegreeFile>(&content))
+            for (const auto& [number, solutions] : file->bounds)
+                proofs.solutions[number] = std::max(proofs.solutions[number], solutions);
+        add_once(proofs.files, name);
     }
     return proofs;
+}
+
+/// The only value, or else the last.
+template <class Value> static Value last_of(const ByProblem<Value>& values) {
+    Value last{};
+    values.for_each([&](const auto&, const Value& value) { last = value; });
+    return last;
 }
 
 /// The statement of a run without a refusal.
 static std::string statement_of(const Report& report, const Proofs& proofs) {
     std::vector<std::string> parts;
+    const auto add = [&](std::size_t number, const std::string& one, const std::string& several) {
+        if (number > 0) parts.push_back(number == 1 ? one : several);
+    };
     const Verdicts& verdicts = report.findings.verdicts;
-    if (proofs.classifications > 0) {
+    if (proofs.classification) {
         std::size_t minimal = 0;
         for (std::size_t n = 0; n < verdicts.size(); ++n)
             minimal += is_minimal(verdicts, n);
         parts.push_back(say("all ", verdicts.size(), " label classes, ", minimal, " minimal"));
     }
     parts.insert(parts.end(), proofs.families.begin(), proofs.families.end());
-    if (proofs.problems == 1) parts.push_back(proofs.problem);
-    if (proofs.problems > 1) parts.push_back(say("the verdicts on ", proofs.problems, " problems"));
-    if (proofs.records == 1)
-        parts.push_back(say("at least ", counted(proofs.bound.solutions, "solution"), " of class ",
-                            proofs.bound.number));
-    if (proofs.records > 1)
-        parts.push_back(say("lower bounds of the degrees of ", proofs.records, " classes"));
-    if (proofs.counts.size() == 1)
-        parts.push_back(say("at least ", counted(proofs.counts[0].solutions, "solution"), " of ",
-                            proofs.counts[0].notation));
-    if (proofs.counts.size() > 1)
-        parts.push_back(
-            say("lower bounds of the degrees of ", proofs.counts.size(), " problems in general"));
-    if (proofs.bounds.size() == 1)
-        parts.push_back(say("at most ", counted(proofs.bounds[0].at_most, "solution"), " of ",
-                            proofs.bounds[0].notation, ", if it is minimal"));
-    if (proofs.bounds.size() > 1)
-        parts.push_back(
-            say("upper bounds of the degrees of ", proofs.bounds.size(), " problems in general"));
-    if (!report.exact.empty())
-        parts.push_back(say("the exact degrees of ", report.exact.size(),
-                            report.exact.size() == 1 ? " label class" : " label classes"));
-    if (proofs.templates > 0) parts.push_back(counted(proofs.templates, "template"));
+    add(proofs.problems.count(), last_of(proofs.problems),
+        say("the verdicts on ", proofs.problems.count(), " problems"));
+    std::pair<std::size_t, std::size_t> degree; // of the only class, or else the first
+    if (!proofs.solutions.empty()) degree = *proofs.solutions.begin();
+    add(proofs.solutions.size(),
+        say("at least ", counted(degree.second, "solution"), " of class ", degree.first),
+        say("lower bounds of the degrees of ", proofs.solutions.size(), " classes"));
+    const auto counts = counts_in_general(report.findings);
+    const CountedInGeneral count = last_of(counts);
+    add(counts.count(),
+        say("at least ", counted(count.solutions, "solution"), " of ", count.notation),
+        say("lower bounds of the degrees of ", counts.count(), " problems in general"));
+    const auto bounds = bounds_in_general(report.findings);
+    const BoundedInGeneral bound = last_of(bounds);
+    add(bounds.count(),
+        say("at most ", counted(bound.at_most, "solution"), " of ", bound.notation,
+            ", if it is minimal"),
+        say("upper bounds of the degrees of ", bounds.count(), " problems in general"));
+    add(report.exact.size(), "the exact degrees of 1 label class",
+        say("the exact degrees of ", report.exact.size(), " label classes"));
+    const std::size_t types = report.findings.registrations.size();
+    add(types, "1 template", say(types, " templates"));
     std::string text;
     for (const std::string& part : parts)
         text += (text.empty() ? "" : "; ") + part;

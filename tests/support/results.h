@@ -23,6 +23,9 @@ inline checker::ReplayedFile problem_of_class(std::size_t number) {
     const checker::Signature& signature = all_classes().representatives[number];
     checker::ProblemFile file;
     file.problem = checker::notation(signature);
+    const std::string line = file.problem + '\n';
+    checker::Reader reader(line);
+    file.meaning = checker::read_notation(reader, checker::section_1).problem;
     file.verdict = "minimal";
     file.of_class = checker::ClassVerdict{number, checker::obstruction(signature)};
     return {.name = "problem.plc", .content = file};

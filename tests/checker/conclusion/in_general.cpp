@@ -68,6 +68,28 @@ TEST_CASE("another problem, other cameras or other views prove nothing") {
     CHECK(verified(archive("projective"), expect("projective: 7*P/P", "minimal")));
 }
 
+TEST_CASE("a large problem is told at once from another one that looks alike") {
+    // Points in cycles, with a line for each two neighbours.
+    const auto cycles = [](const std::vector<std::string>& all) {
+        std::string notation;
+        for (const std::string& lines : all)
+            for (std::size_t i = 0; i < lines.size(); ++i) {
+                const auto [a, b] = std::minmax(lines[i], lines[(i + 1) % lines.size()]);
+                const std::string feature{'P', a, b};
+                notation += (notation.empty() ? "projective: " : " + ") + feature + '/' + feature;
+            }
+        return notation;
+    };
+    const std::string two = cycles({"ABCDEFGHIJKL", "MNOQRSTUVWXY"});
+    const std::string one = cycles({"ABCDEFGHIJKLMNOQRSTUVWXY"});
+    const std::string other_names = cycles({"XVTRMNOQSUWY", "ACEGIKLJHFDB"});
+    const std::string file =
+        "plcert 2 problems\nmodulus 2305843009213693951\nproblem " + two + "\nunbalanced\n";
+    CHECK(verified(file, expect(two, "not-minimal")));
+    CHECK(verified(file, expect(other_names, "not-minimal")));
+    CHECK(!verified(file, expect(one, "not-minimal")));
+}
+
 TEST_CASE("a verdict that is not minimal says nothing of the number of relative poses") {
     const Report report = report_on(archive("plmp"), {.problem = "4*PL/PL + P/P", .degree = "20"});
     CHECK(!report.judgement.verified);

@@ -49,13 +49,19 @@ std::string example_from(const std::string& start) {
 
 } // namespace
 
-TEST_CASE("a solution takes an effort of 1, or of 4 or 16 if the first proofs fail") {
+TEST_CASE(
+    "a solution takes an effort of 1, or of 4 or 16 if the first proofs fail, and of 16 if all "
+    "fail") {
     if (!has_arb) return;
     const std::string holds = "1 degree record holds";
     check_effort(example_from("real 2 2 4 -3 4 -3 -4 12 16 -10 8 10"), 1, holds);
     // Starts that are far off, found by trying many.
     check_effort(example_from("real 4 7 16 -14 15 -15 -17 66 78 -52 37 51"), 4, holds);
     check_effort(example_from("real 4 4 25 -10 0 2 -25 51 44 -14 19 49"), 16, holds);
+    std::string far = "real 0";
+    for (int i = 0; i < 11; ++i)
+        far += " 999999999999999999";
+    check_effort(example_from(far), 16, "0 degree records hold, 1 refused");
 }
 
 TEST_CASE("the efforts of a file's solutions add up, whatever the number of threads") {
@@ -82,6 +88,23 @@ TEST_CASE("the efforts of a file's solutions add up, whatever the number of thre
     const std::string less = told(all, sum - 1);
     for (const std::size_t threads : {2, 3, 100})
         CHECK(told(all, sum - 1, threads) == less);
+}
+
+TEST_CASE("a solution in general that is refused takes an effort of 16 for each 121 of n², rounded "
+          "up") {
+    if (!has_arb) return;
+    std::string record = "plcert 2 solutions\nproblem projective: 7*P/P\n";
+    for (int view = 0; view < 2; ++view) {
+        record += "view";
+        for (int i = 0; i < 21; ++i)
+            record += say(' ', (i * i * 7 + view * 31 + i + 5) % 83 + 1);
+        record += '\n';
+    }
+    record += "real 0"; // and 14 coordinates
+    for (int i = 0; i < 14; ++i)
+        record += " 999999999999999999";
+    record += '\n';
+    check_effort(record, 32, "0 solution records hold, 1 refused");
 }
 
 TEST_CASE("a template takes an effort of 600") {

@@ -2,6 +2,8 @@
 // by a second method.
 #include "checker/general_bounds/hilbert.h"
 
+#include "checker/conclusion/in_general.h"
+#include "checker/general_bounds/stability.h"
 #include "checker/problem/notation.h"
 #include "tests/checker/general_bounds/degrees_on_file.h"
 #include "tests/checker/problem/visible_problem.h"
@@ -225,6 +227,17 @@ TEST_CASE("in all problems of the theorem, the invariants are counted by a polyn
     }
     CHECK(none == 9);
     CHECK(stable == 27); // those on file
+}
+
+TEST_CASE("where a point has more than four pins, Lemma T4 says nothing") {
+    for (std::size_t pins = 0; pins <= 10; ++pins) {
+        CAPTURE(pins);
+        CHECK(general_arrangements_are_stable(visible_problem(8, {pins}, 0)) ==
+              (pins <= 4));
+        if (pins > 4) // also where the theorem's equations are right in number
+            CHECK(degree_by_invariants(visible_problem(8, {pins}, (10 - pins) / 2)) ==
+                  std::nullopt);
+    }
 }
 
 TEST_CASE("the theorem says nothing of other problems") {

@@ -104,6 +104,44 @@ TEST_CASE("the grammar") {
     CHECK(contains(outcome(many), "found `view`, expected `powers`"));
 }
 
+/// A record of many free lines in two views, which further images have, too.
+static std::string record_of_lines(int lines, int cubics, int linear) {
+    std::string record = say("problem projective: 7*P/P + ", lines, "*a/a\n");
+    for (int view = 0; view < 3; ++view) {
+        record += "view";
+        for (int i = 0; i < 21 + 6 * lines; ++i)
+            record += say(' ', (i * i * 7 + view * 31 + i + 5) % 83 + 1);
+        record += '\n';
+    }
+    return record + say("powers ", cubics, ' ', linear, '\n');
+}
+
+TEST_CASE("a record of many lines is refused in few steps, whatever its powers") {
+    for (const auto& [cubics, linear] : {std::pair{1, 1}, {20, 20}, {20, 1}, {1, 20}, {5, 5}})
+        for (const int lines : {10, 20, 100}) {
+            CAPTURE(lines);
+            CHECK(contains(outcome(record_of_lines(lines, cubics, linear), 1),
+                           "it takes more than 10000 monomials"));
+        }
+}
+
+TEST_CASE("each record takes an effort of 1 before anything else; after 100 refusals the rest of a "
+          "file is not replayed") {
+    const std::string refused = with(six_points, "powers 1 2", "powers 1 1");
+    std::string many;
+    for (int i = 0; i < 101; ++i)
+        many += refused;
+    CHECK(contains(outcome(many, 99), "more effort than allowed"));
+    const ReplayedFile file = replay(
+        all_classes(), "file", "plcert 2 at-most\n" + many + six_points, Execution{.effort = 100});
+    const auto& content = std::get<general::AtMostFile>(file.content);
+    CHECK(content.refusals.count == 102);
+    CHECK(content.bounds.empty());
+    // Many lines that are refused before there are monomials take no less.
+    const std::string lines = record_of_lines(20, 1, 1);
+    CHECK(contains(outcome(lines + lines, 1), "more effort than allowed"));
+}
+
 TEST_CASE("the effort is that of the monomials; with less, nothing of the file counts") {
     CHECK(outcome(six_points + six_points, 2) == "3, 3");
     CHECK(contains(outcome(six_points + six_points, 1), "more effort than allowed"));

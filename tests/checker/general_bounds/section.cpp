@@ -3,6 +3,7 @@
 #include "checker/general_bounds/section.h"
 
 #include "tests/checker/general_bounds/projective_problems.h"
+#include "tests/support/text.h"
 
 #include <doctest/doctest.h>
 
@@ -19,10 +20,10 @@ std::vector<Numbers> generic_views(const Problem& problem, unsigned seed) {
 /// The bound that these images give; none if the powers do not give one, or need too many monomials
 /// for a test.
 std::optional<std::size_t> bound_by(const Problem& problem, const std::vector<Numbers>& views,
-                                    const Powers& powers, std::size_t most_monomials = 450) {
+                                    const Powers& powers, std::uint64_t most_effort = 91) {
     try {
-        return solutions_at_most(problem, views, powers, [=](std::size_t monomials) {
-            if (monomials > most_monomials) throw Refused("too many monomials");
+        return solutions_at_most(problem, views, powers, [=](std::uint64_t effort) {
+            if (effort > most_effort) throw Refused("too many monomials");
         });
     } catch (const Refused&) {
         return std::nullopt;
@@ -93,7 +94,7 @@ TEST_CASE("a special image in view 1 never makes a bound smaller than the degree
         std::vector<Numbers> views = generic_views(problem, 1);
         for (int tries = 0; tries < 5; ++tries) {
             views[0] = special_view(problem, dice);
-            const auto bound = bound_by(problem, views, {1, 1}, 100);
+            const auto bound = bound_by(problem, views, {1, 1}, 1);
             if (!bound) continue;
             ++bounds;
             CHECK(*bound >= degree);
@@ -133,4 +134,22 @@ TEST_CASE("a problem with too many cubic forms is refused before they are comput
 TEST_CASE("too few powers give no bound, or a larger one") {
     CHECK(bound_of("projective: 4*Pa/Pa/Pa/Pa/Pa", {3, 1}) == 7U);
     CHECK(bound_of("projective: 4*Pa/Pa/Pa/Pa/Pa", {2, 1}) != 7U);
+}
+
+TEST_CASE("monomials are looked for in so many steps only") {
+    const Problem problem = problem_of("projective: 7*P/P + 20*a/a");
+    const SceneSystem system = scene_system(problem, random_views(problem, 3, 1));
+    const SceneCoordinates coordinates(system, {});
+    // Half of the coordinates leave room for a degree of 11, the other half likewise: 23 is missed
+    // at the end of each of very many ways.
+    BaseScenes base{.few_depths = {{.order = 12}, {.order = 12}}};
+    for (std::size_t i = 0; i < coordinates.kept().size(); ++i)
+        base.few_depths[i % 2].depths.push_back(coordinates.kept()[i]);
+    std::string reason;
+    try {
+        monomials_that_fit(base, coordinates, {1, 20});
+    } catch (const Refused& refused) {
+        reason = refused.reason;
+    }
+    CHECK(contains(reason, "it takes more than 300000 steps"));
 }
