@@ -47,7 +47,7 @@ Contradictions contradictions_in_general(const Findings& findings);
 /// What is known of the degrees of the minimal problems of a file.
 struct DegreesInGeneral {
     std::map<std::size_t, std::size_t> at_least{}; // how many problems have each lower bound
-    std::size_t exact = 0;                         // of so many, bounds meet
+    std::size_t exact = 0;                         // of how many bounds meet
     std::size_t exact_by_theorem = 0;              // of these, by theorem
 };
 

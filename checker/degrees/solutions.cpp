@@ -2,7 +2,7 @@
 
 namespace checker {
 /// The effort of a proof. It grows with the square of the number of coordinates, 11 for three
-/// views; numbers of twice as many bits, and more steps, take four times as much.
+/// views; numbers of twice the bits, and more steps, take four times as much.
 static std::uint64_t effort_of(const Proof& proof, std::size_t coordinates) {
     constexpr std::size_t usual = camera_unknowns * camera_unknowns;
     const std::uint64_t size = (coordinates * coordinates + usual - 1) / usual;
@@ -17,8 +17,8 @@ struct Found {
     std::size_t line;
 };
 
-/// The solutions of a record that are proved so far. No two boxes meet. (They are as many as the
-/// degree at most, so it does not take long to compare them all.)
+/// The solutions of a record that are proved so far. No two boxes meet. (There are no more than the
+/// degree, so it does not take long to compare them all.)
 class ProvedSolutions {
 public:
     std::size_t count() const { return found_.size(); }
@@ -64,7 +64,7 @@ ApproximateSolution SolutionsReplay::read_solution(const SolutionLines& lines) {
     return solution;
 }
 
-/// Reads as many solutions as the threads shall prove at a time. What comes after a flaw is proved
+/// Reads the solutions that the threads shall prove at a time. What comes after a flaw is proved
 /// in vain; so at first these are few, as most flawed records have their flaw early.
 std::vector<ApproximateSolution> SolutionsReplay::read_some(const SolutionLines& lines,
                                                             std::size_t proved) {

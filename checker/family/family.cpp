@@ -68,7 +68,7 @@ static std::vector<std::vector<Problem>> arrangements() {
     return all;
 }
 
-/// Adds the problems with so many pins more.
+/// Adds the problems with `pins` pins more.
 static void add_with_pins(IsomorphismClasses& classes, const Problem& problem, int pins) {
     std::vector<Problem> with_pins{problem};
     for (; pins > 0; --pins) {
@@ -86,7 +86,7 @@ static void add_with_pins(IsomorphismClasses& classes, const Problem& problem, i
         add(classes, std::move(each));
 }
 
-/// Adds the balanced problems with these points in so many views, all of which see everything. In
+/// Adds the balanced problems with these points in `views` views, which all see everything. In
 /// two views lines are seen for nothing; in more a free line adds 2 (m - 2) to the surplus, a pin
 /// m - 2.
 static void add_balanced(IsomorphismClasses& classes, Problem problem, int views) {

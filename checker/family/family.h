@@ -7,7 +7,7 @@
 #include <string_view>
 
 namespace checker {
-/// Problems no two of which are isomorphic, by their invariants.
+/// Problems that are pairwise not isomorphic, by their invariants.
 using IsomorphismClasses = std::map<Invariant, std::vector<Problem>>;
 
 /// The problem of a class that is isomorphic to this one; null if there is none.

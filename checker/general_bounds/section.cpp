@@ -11,7 +11,7 @@ static void multiply(SmallRow& row, const SmallRow& by) {
 }
 
 /// Those of all cameras. Throws Refused if they have too many cubic forms to note their values at
-/// so many scenes.
+/// all scenes.
 static std::vector<Resection> resections_of(const SceneSystem& system, std::size_t scenes) {
     constexpr std::size_t most_values = 20'000'000;
     std::vector<Resection> resections;

@@ -30,7 +30,7 @@ Options of_point_and_line(int pins) {
     return options;
 }
 
-/// The largest sum of counts if each feature has one of its options, with at most so many
+/// The largest sum of counts if each feature has one of its options, with at most `conditions`
 /// conditions in all: at most four.
 int largest_count(const std::vector<Options>& features, std::size_t conditions) {
     std::array<int, 5> largest{}; // with at most 0, ..., 4 conditions

@@ -29,7 +29,7 @@ struct Incidence {
     std::size_t place = 0;
 };
 
-/// A problem's equations for its cameras and depths, as many as there are of these.
+/// A problem's equations for its cameras and depths: a square system.
 struct SceneSystem {
     bool projective = false;
     std::size_t cameras = 0; // but the first
@@ -63,7 +63,7 @@ std::size_t numbers_of_view(const Problem& problem);
 /// Takes these numbers and the end of their line. Throws Malformed.
 Numbers read_view(Reader& reader, const Problem& problem);
 
-/// The system of a problem and what its views see, each in so many numbers. Throws Refused if the
+/// The system of a problem and what its views see, a list of numbers a view. Throws Refused if the
 /// problem has no such system, or if the images do not meet the conditions.
 SceneSystem scene_system(const Problem& problem, const std::vector<Numbers>& views);
 } // namespace checker::general

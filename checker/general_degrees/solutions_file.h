@@ -1,4 +1,4 @@
-// Files of solutions (FORMAT.md, section 14): so many cameras explain the images of a problem in
+// Files of solutions (FORMAT.md, section 14): cameras that explain the images of a problem in
 // general, with proof.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include "checker/problem/problem.h"
 
 namespace checker::general {
-/// What a record proves: the problem is minimal, and has at least so many camera solutions.
+/// What a record proves: the problem is minimal, and has at least this number of camera solutions.
 struct SolutionCount {
     std::string notation{};
     Problem problem{};

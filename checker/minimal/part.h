@@ -21,7 +21,7 @@ struct Motion {
     Selection moved{};      // the moving views, and the generators
 };
 
-/// What a part-record claims: the images of this part satisfy so many conditions.
+/// What a part-record claims: the images of this part satisfy `excess` conditions.
 struct PartClaim {
     int excess = 0;
     Selection part{};

@@ -15,7 +15,7 @@ inline std::vector<Numbers> read_cameras(Reader& reader, std::size_t pool, unsig
     return cameras;
 }
 
-/// Takes the rest of a feature line: the point and the directions of so many pins.
+/// Takes the rest of a feature line: the point and the directions of its pins.
 inline Numbers read_placement(Reader& reader, unsigned pins) {
     std::string pattern = "point @ @ @";
     for (unsigned pin = 0; pin < pins; ++pin)
@@ -40,7 +40,7 @@ inline Contribution contribution_of(std::size_t unknowns, Rows<mpz_class> rows) 
     return {unknowns, std::move(rows), std::move(conditions), std::move(block)};
 }
 
-/// The rows of J of a feature in so many views. Throws Refused if they violate section 2.
+/// The rows of J of a feature in this number of views. Throws Refused if they violate section 2.
 inline Jacobian<mpz_class> rows_of(const Feature& feature, unsigned views,
                                    const Placement& placement) {
     const Problem problem = problem_of(feature, views);

@@ -32,7 +32,7 @@ struct Decision {
     Problem problem;
     Reduction reduction;
     Problem lifted;   ///< reduced, with dangling pins fixed
-    Problem terminal; ///< reduced, with as many dangling pins as possible
+    Problem terminal; ///< reduced, with all pins dangling that can be
     int space_dimension = 0;
     int image_dimension = 0;
     int camera_dimension = 0;

@@ -42,7 +42,7 @@ Problem changed(const Problem& problem, const Hint& hint) {
     return result;
 }
 
-/// The changes that bring as many constraints as are missing: candidates.
+/// The changes that bring just the constraints that are missing: candidates.
 std::vector<Hint> candidates(const Decision& decision) {
     std::vector<Hint> result;
     const int missing = decision.camera_dimension - decision.constraints;

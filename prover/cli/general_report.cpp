@@ -32,7 +32,7 @@ struct Known {
     int degree = 0;
     bool exact = true;
     std::string status;
-    int certified = 0; ///< at least so many; 0: none
+    int certified = 0; ///< at least; 0: none
 };
 
 /// Of a problem that has a reduction to label classes the degree of these, which is certified; else

@@ -48,8 +48,8 @@ ClassResult merged(ClassResult old, ClassResult recent);
 /// Whether the options were tried. A run that stopped short will do so again.
 bool attempted(const ClassResult& result, const DegreeOptions& options);
 
-/// Whether the result is what the options want: all solutions or as many as the target, shown by
-/// a certificate if one is wanted.
+/// Whether the result is what the options want: all solutions or the target's number, shown by a
+/// certificate if one is wanted.
 bool fulfils(const ClassResult& result, const DegreeOptions& options);
 
 /// One JSON object, in one line without its end; ASCII.
@@ -59,8 +59,8 @@ std::string run_line(const ClassResult& result);
 std::string write(const ClassResult& result);
 
 /// Reads such a file back, `record` only if `whole`. Nothing where there is none or it is damaged:
-/// where the first lines are not what write() writes, or, if `whole`, the record is not, or has not
-/// as many solutions as the run line says.
+/// where the first lines are not what write() writes, or, if `whole`, the record is not, or has
+/// another number of solutions than the run line says.
 std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole);
 
 /// The same from the bytes of such a file.

@@ -19,7 +19,7 @@ struct SweepWatch {
 };
 
 /// Computes the classes of the plan, and gives them to the other ranks, if there are any. A class
-/// whose computation throws is put on file as one of which nothing is known, with the reason as a
+/// whose computation throws is put on file as one without solutions, with the reason as a
 /// note. Throws what writing a file throws, or std::bad_alloc, or std::runtime_error with what
 /// another rank threw, once the classes that this process computes are done with.
 void sweep(const SweepFolder& folder, const SweepPlan& plan, const Ranks& ranks,

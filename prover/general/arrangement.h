@@ -83,11 +83,11 @@ int dimension_in_view(const Problem& problem, int view);
 /// The sum of dimension_in_view over all views.
 int dimension_in_views(const Problem& problem);
 
-/// Parameters of so many cameras, up to the motions of space that change no image: 6m - 7
+/// Parameters of `views` cameras, up to the motions of space that change no image: 6m - 7
 /// calibrated, 11m - 15 projective. Assumes at least two views.
 int camera_dimension(CameraModel model, int views);
 
-/// Whether images put as many constraints as cameras and scene have parameters.
+/// Whether the images put one constraint for each parameter of cameras and scene.
 bool is_balanced(const Problem& problem);
 
 } // namespace plprove::general

@@ -35,7 +35,7 @@ public:
 private:
     Residue next_coordinate() { return residue(instance_.scene[next_coordinate_++]); }
 
-    /// A vector from the file of which the first `moving` coordinates are unknowns.
+    /// A vector from the file. Its first `moving` coordinates are unknowns.
     Moving next_vector(std::size_t moving) {
         Moving vector(unknowns_);
         for (std::size_t i = 0; i < 3; ++i)

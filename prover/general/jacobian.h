@@ -24,8 +24,8 @@ struct Instance {
 int scene_coordinates(const Problem& problem);
 
 /// The Jacobian: dimension_in_views(problem) rows; dimension_in_space(problem) columns, and then
-/// camera_dimension(problem.model, problem.views). Assumes the order of construction, and as many
-/// coordinates as the problem needs.
+/// camera_dimension(problem.model, problem.views). Assumes the order of construction, and the
+/// number of coordinates that the problem needs.
 ResidueMatrix jacobian(const Problem& problem, const Instance& instance);
 
 } // namespace plprove::general

@@ -1,4 +1,4 @@
-// Certificates that a problem in general has at least so many solutions (certs/FORMAT.md, section
+// Certificates of lower bounds on the degrees of problems in general (certs/FORMAT.md, section
 // 14): the solutions that monodromy has found, carried over to integer images.
 #pragma once
 

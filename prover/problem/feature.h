@@ -1,6 +1,6 @@
-// Local features: the free lines and the points with pins of which a point-line problem with at
-// most one point per line (a PL1P, Definition 4 of the paper) is the sum, with what each view sees
-// of them.
+// Local features: free lines and points with pins, with what each view sees of them. A point-line
+// problem with at most one point per line (a PL1P, Definition 4 of the paper) is a sum of local
+// features.
 //
 // A feature is a plain value for any number of views and pins; the 27 features of the reduced
 // minimal problems in three views are a list of such values (standard_features). Everything that

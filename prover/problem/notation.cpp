@@ -165,7 +165,7 @@ Problem parse_problem(std::string_view text) {
         const std::size_t count = read_multiplicity(cursor).value_or(1);
         const Feature feature = read_feature(cursor);
         if (!problem.empty() && feature.views() != problem.front().views())
-            cursor.fail("as many views in every feature");
+            cursor.fail("the same number of views in every feature");
         if (problem.size() + count > max_features)
             cursor.fail("at most " + std::to_string(max_features) + " features");
         problem.insert(problem.end(), count, feature);

@@ -1,6 +1,6 @@
-// Camera-degrees: so many complex camera solutions has a minimal problem for generic images. A
+// Camera-degrees: the numbers of complex camera solutions of minimal problems for generic images. A
 // theorem gives the number (certs/degrees.csv); here the solutions themselves are found, by
-// monodromy, as certificates that there are at least so many (certs/FORMAT.md, section 9).
+// monodromy, as certificates that they exist (certs/FORMAT.md, section 9).
 #pragma once
 
 #include "prover/monodromy/progress.h"
@@ -15,10 +15,10 @@
 namespace plprove {
 
 struct DegreeOptions {
-    int target = 0;          ///< stop once so many solutions are found; 0: find all
+    int target = 0;          ///< stop once this many solutions are found; 0: find all
     std::uint64_t seed = 0;  ///< another seed, another sequence of random images and charts
     bool certificate = true; ///< keep the certificate
-    int at_least = 0;        ///< not 0: find so many solutions, whatever the degree is
+    int at_least = 0;        ///< not 0: find this many solutions, whatever the degree is
     /// Called now and then by the thread that computes; has no part in the result.
     std::function<void(const MonodromyProgress&)> progress = {};
     int degree = 0; ///< that a theorem gives: the number of all solutions
@@ -56,7 +56,7 @@ struct DegreeCertificate {
 struct DegreeRun {
     std::size_t number = 0;
     int degree = 0;   ///< how many solutions were found: certified once plcheck accepts them
-    bool all = false; ///< whether these are as many as the theorem gives
+    bool all = false; ///< whether this is the number that the theorem gives
     std::uint64_t tracks = 0;       ///< paths followed, to an end or until lost for good
     std::uint64_t retried = 0;      ///< of these, followed with tighter settings and more digits
     std::uint64_t failed = 0;       ///< of these, lost for good
@@ -66,7 +66,7 @@ struct DegreeRun {
     bool complete() const { return all; }
 };
 
-/// Finds what the options ask for, or as many solutions as it can. The same run for the same class
+/// Finds what the options ask for, or the solutions that it can. The same run for the same class
 /// and options on any machine. Assumes that the class is minimal.
 DegreeRun compute_degree(std::size_t number, const DegreeOptions& options);
 

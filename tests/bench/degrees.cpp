@@ -1,5 +1,5 @@
 // Speed of the degree engine: paths of the Chicago problem (class 2394) with the widest lanes of
-// this machine, with one lane, and with two and three times as many digits, and proving solutions
+// this machine, with one lane, and with two and three times the digits, and proving solutions
 // in the checker.
 #include "checker/replay.h"
 #include "prover/degree_sweep/write.h"

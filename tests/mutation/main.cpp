@@ -1,8 +1,8 @@
 // Soundness by mutation: the checker refuses a changed file, or what it then certifies is true, as
 // the referee finds by other means. Prints who refused what.
 //   mutation_tests [MUTANTS [SEED]]
-// So many mutants of classification and problem files, a quarter as many of files of problems in
-// general, and a tenth as many each of degree files and of files of upper bounds.
+// MUTANTS mutants of classification and problem files, a quarter of this number of files of
+// problems in general, and a tenth each of degree files and of files of upper bounds.
 #include "prover/classification/problem_certificate.h"
 #include "tests/mutation/degree_trial.h"
 #include "tests/mutation/general_trial.h"
@@ -246,8 +246,8 @@ int run_archive(const checker::Classification& all, std::size_t times, std::uint
             wrong += expected[n] != certified[n];
     }
     std::cout << "The whole archive: " << spoilt_records << " certificates spoilt in " << times
-              << " files, of which "
-              << (wrong == 0 ? "just these are refused" : "OTHERS ARE REFUSED") << "\n\n";
+              << " files: " << (wrong == 0 ? "just these are refused" : "OTHERS ARE REFUSED")
+              << "\n\n";
     return wrong == 0 && spoilt_records > 0 ? 0 : 1;
 }
 

@@ -12,7 +12,7 @@ using namespace plprove;
 
 namespace {
 
-/// Runs a sweep by so many ranks, with two threads each.
+/// Runs a sweep by `count` ranks, with two threads each.
 void sweep_by_ranks(const SweepFolder& folder, const SweepPlan& plan, int count,
                     const ComputeDegree& compute) {
     FakeRanks ranks(count);

@@ -98,7 +98,7 @@ TEST_CASE("copies of a class's file under other names or in other folders are no
     sweep.check_as_it_was();
 }
 
-TEST_CASE("a run line that says something else than the record is damage, and --retry mends it") {
+TEST_CASE("a run line that contradicts its record is damage, and --retry mends it") {
     SmallSweep sweep;
     const std::string degree = std::to_string(fake_engine::degree(sweep.number));
     const std::string more = std::to_string(fake_engine::degree(sweep.number) + 1);

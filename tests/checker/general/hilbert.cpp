@@ -193,7 +193,7 @@ TEST_CASE("six lines in space have sixteen invariants of degree one in each: fif
     CHECK(invariants(visible_problem(9, {}, 6), 9) == 802450);
 }
 
-TEST_CASE("in all problems of the theorem, characters have as many invariants") {
+TEST_CASE("in all problems of the theorem, the number of invariants is that of characters") {
     const std::vector<Case> cases = all_cases();
     CHECK(cases.size() == 48);
     for (const Case& c : cases) {
@@ -247,7 +247,7 @@ TEST_CASE("the theorem says nothing of other problems") {
 
 TEST_CASE(
     "a line with two points is not two pins, though a problem with two such lines, in one view, "
-    "is balanced and has as many equations") {
+    "is balanced and has the same number of equations") {
     general::Problem problem = visible_problem(1, {1, 1, 1, 1}, 0);
     CHECK(invariants(visible_problem(5, {1, 1, 1, 1}, 0), 1) == 8);
     problem.lines.resize(2);

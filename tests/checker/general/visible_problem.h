@@ -3,7 +3,8 @@
 
 #include "checker/problem/problem.h"
 
-/// One in so many views, with free lines, and for each of these numbers a point with so many pins.
+/// One in `views` views, with free lines, and a point for each number in `pins`, its number of
+/// pins.
 inline checker::general::Problem
 visible_problem(unsigned views, const std::vector<std::size_t>& pins, std::size_t free_lines) {
     const checker::general::Views all = (1U << views) - 1;
