@@ -98,7 +98,7 @@ struct Kills {
     int written = 0; ///< of these, those whose file was complete
 };
 
-/// Sends `signal` to so many runs, each at a random step of those that the command takes.
+/// Sends `signal` to `count` runs, each at a random step of those that the command takes.
 Kills kill_at_random(const Writing& writing, int signal, int count) {
     const TemporaryFolder folder;
     restore(folder.path(), writing);
