@@ -27,7 +27,7 @@ Invariant invariant(const Problem& problem) {
     return result;
 }
 
-/// Whether some line through all these points has as many points as `like`, and the views of it.
+/// Whether some line through all these points has the number of points of `like`, and its views.
 static bool have_line(const Problem& problem, const Indices& points, const Line& like) {
     const auto fits = [&](std::size_t n) {
         const Line& line = problem.lines[n];
