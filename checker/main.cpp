@@ -22,7 +22,7 @@ static constexpr std::string_view help = R"(Usage: plcheck [OPTION]... [--] FILE
     plcheck classification.plc degrees.plc   compare the solutions in a file with the theorem
     plcheck problem.plc                      replay the verdict on one problem
     plcheck certs/plmp.plc                   replay the verdicts on a family, and count them
-    plcheck degrees.plc                      certify that classes have at least so many solutions
+    plcheck degrees.plc                      certify that the solutions of classes exist
     plcheck certs/solutions/plmp.plc         the same, of problems in general
 
 What do you expect? Status 0 then says that the files prove just that:
@@ -41,12 +41,12 @@ What to print, beside a line for each file and a summary; the last line is the r
     --quiet              the last line only
     --json               a report for a program, see docs/report.schema.json
 
-    --threads N          replay a degree file by so many threads (default: one a core); the report
-                         is the same
+    --threads N          replay a degree file with N threads (default: one a core); the report is
+                         the same
     --effort N           refuse a file that takes more effort (default: 100000, a minute or so of one
                          core; 1000000 is ten minutes)
 
-    --version            the version, the format, and what you have to trust for each kind of claim
+    --version            the version, the format, and where to read what you have to trust
     --help               this text
 
 A problem is the same in another order of its features and with other names of pins. A file about
@@ -59,27 +59,9 @@ what is expected is not proved; 2 a file cannot be read or parsed, or the report
 )";
 
 static constexpr std::string_view trusted = R"(
-To believe a claim, trust what stands beside it. The folders are those of checker/.
-
-every claim           the C++ compiler and its library, GMP, the operating system, the machine;
-                      certs/FORMAT.md; main.cpp, replay.*, command and report, which print
-                      the claim
-a classification      file, algebra, problem, classification; proofs/classification.md
-its counts            also counts
-one problem           file, algebra, problem, classification, verdict;
-                      proofs/classification.md and problems.md
-problems in general   file, algebra, general; proofs/families.md
-at least n solutions  file, algebra, problem, degrees; Arb (FLINT);
-                      proofs/classification.md, problems.md and degrees.md
-... in general        file, algebra, problem, degrees, general, general_degrees; Arb (FLINT);
-                      proofs/degrees.md and families.md
-exactly n solutions   all of the classification, and exactly; proofs/three_views/
-at most n solutions   all of the classification, degrees and bounds; proofs/templates.md
-... in general        general and general_bounds; proofs/families.md, moduli.md, fixed_forms.md,
-                      and the page of the theorem that plcheck --why names, with its program
-what you expect       also conclusion, which finds what the files prove of it
-
-Not trusted: certificate files, the programs that wrote them, the numbers of the paper (paper).
+For each kind of claim, README.md (What you must trust) names the folders of the checker that
+decide it and the pages that prove it. proofs/README.md is the map of these pages.
+plcheck trusts no certificate, no program that wrote one, and no number of a paper.
 )";
 static constexpr std::string_view with_arb = "This plcheck was built with Arb.\n";
 static constexpr std::string_view without_arb =

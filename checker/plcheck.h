@@ -18,7 +18,7 @@ struct File {
 struct Expectation {
     std::string expect{};  ///< a problem, like `2*Pa/Pa/Pa + P/P/P`; needs a verdict or a degree
     std::string verdict{}; ///< `minimal`, `not-minimal`, ...
-    std::string degree{};  ///< `312`, or at least so many, `>=312`
+    std::string degree{};  ///< `312`, or at least 312, `>=312`
     bool classification = false; ///< that every label class has a certificate
     std::string family{};        ///< that every problem of it has one: `plmp` or `projective`
 };

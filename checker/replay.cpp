@@ -1,17 +1,27 @@
 #include "checker/replay.h"
 
 #include "checker/sha256.h"
+#include "checker/version.h"
 
 namespace checker {
+/// Takes the number of the format. Throws Malformed, with the release that reads another format.
+static void take_format(Reader& reader) {
+    const int format = reader.small_integer(1, 999'999);
+    if (format == 1)
+        throw Malformed{{1, "this is a file of format 1: write it again with plprove 1.1 or newer, "
+                            "or check it with plcheck 1.0"}};
+    if (format > 2)
+        throw Malformed{
+            {1, say("this is a file of format ", format, ", and plcheck ", software_version,
+                    " reads format 2: check it with a newer plcheck")}};
+}
+
 /// Takes the first line, and replays the rest as its kind of file. Throws Malformed.
 static FileContent replay_certificates(const Classification& classes, std::string_view bytes,
                                        const Execution& execution) {
     Reader reader(bytes);
     reader.take("plcert");
-    if (reader.comes("1"))
-        throw Malformed{{1, "this is a file of format 1: write it again with plprove 1.1, or check "
-                            "it with plcheck 1.0"}};
-    reader.take("2");
+    take_format(reader);
     const std::string_view kind = reader.word();
     reader.end_line();
     if (kind == "classification") return replay_classification(reader, classes);

@@ -1,4 +1,4 @@
-"""RANSAC around the Chicago solver: cameras from noisy matches, some of which are wrong.
+"""RANSAC around the Chicago solver: cameras from noisy matches; some of these are wrong.
 
 Usage: ransac.py [--samples N] [--seed N] [--plot FILE.svg]
 """

@@ -24,9 +24,9 @@ set(CPACK_DEBIAN_PACKAGE_CONFLICTS ${other_package})
 set(CPACK_DEBIAN_PACKAGE_REPLACES ${other_package})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${summary})
 set(CPACK_PACKAGE_DESCRIPTION
-"Which points and lines in three photos fix the cameras? A certificate says so
-of a problem, and plcheck replays it, believing nothing. plprove, where it is
-part of the package, finds certificates.")
+"Which points and lines in three photos fix the cameras? A certificate gives the
+answer for a problem. plcheck replays it, and believes nothing. plprove, where
+it is part of the package, finds certificates.")
 include(CPack)
 
 # Debian wants licence and change log here.

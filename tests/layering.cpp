@@ -110,8 +110,8 @@ std::size_t lines_under(const fs::path& folder) {
     return lines;
 }
 
-/// A row of a table in README.md: folders of the checker that it links, and how many lines it says
-/// that these have.
+/// A row of the table of trust in README.md: folders of the checker that it links, and the number
+/// of lines that it states for them.
 struct TrustRow {
     std::string text;
     Folders folders;

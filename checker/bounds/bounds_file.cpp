@@ -94,7 +94,7 @@ static std::vector<Residue> row_of(const Polynomial& polynomial, const Exponents
 }
 
 /// Throws Refused unless the rows name equations and monomials that exist, are of degrees that fit,
-/// and are as many as the columns. No polynomial is needed to see that.
+/// and make the matrix square. No polynomial is needed to see that.
 static void check_rows(const Template& given, const std::vector<RotationEquation>& equations,
                        const std::vector<Exponents>& monomials, const RotationRing& ring,
                        std::size_t columns) {

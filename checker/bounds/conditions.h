@@ -82,7 +82,7 @@ public:
     /// The degree of a determinant for arbitrary data.
     Bidegree degree(unsigned set) const;
 
-    /// The determinants of so many conditions among those from `first` up to `end`, in
+    /// The determinants of `size` conditions among those from `first` up to `end`, in
     /// colexicographic order. They need this object.
     std::vector<RotationEquation> all(int size, std::size_t first, std::size_t end) const;
 

@@ -1,7 +1,7 @@
 #include "checker/bounds/constraints.h"
 
 namespace checker {
-/// Takes the words, and the numbers among them as so many vectors.
+/// Takes the words, and the numbers among them as `count` vectors.
 template <std::size_t count>
 static std::array<IntegerVector, count> take(Reader& reader, std::string_view words) {
     const Numbers numbers = reader.take(words);

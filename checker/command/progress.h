@@ -8,7 +8,7 @@
 namespace checker {
 class ProgressBar {
 public:
-    /// Of files that have so many bytes together. Draws nothing unless it is to be shown.
+    /// Of files whose sizes add up to `bytes`. Draws nothing unless it is to be shown.
     ProgressBar(std::uintmax_t bytes, bool shown) : bytes_left_(bytes), shown_(shown) {}
 
     /// Begins a file of these bytes; what was drawn goes.

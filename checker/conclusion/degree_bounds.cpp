@@ -26,7 +26,7 @@ DegreeTable bounds_by_files(const Classification& classes, const std::vector<boo
     return table;
 }
 
-/// The constraint classes of which a theorem is asked.
+/// The constraint classes whose degrees are asked from theorems.
 static std::set<Signature> asked_classes(const DegreeTable& table, const Classification& classes,
                                          const std::vector<bool>& minimal,
                                          const AskedDegrees& asked) {

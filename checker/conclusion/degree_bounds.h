@@ -33,7 +33,7 @@ struct DegreeBounds {
     bool exact() const { return at_most && at_most->solutions == at_least; }
 };
 
-/// By constraint class. Classes of which nothing is known are absent.
+/// By constraint class. Classes without any bound are absent.
 using DegreeTable = std::map<Signature, DegreeBounds>;
 
 /// The bounds of files: lower ones, and those by templates, which are applied to the label classes

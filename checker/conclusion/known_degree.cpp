@@ -41,7 +41,7 @@ static BoundFiles files_of_bounds(const Classification& classes, const Findings&
 }
 
 /// The bounds of the number of relative poses of two views, which a camera-minimal problem in two
-/// views has as its degree: exact if the degree of some class is a product of which it is a factor
+/// views has as its degree: exact if the degree of some class is this bound times another factor
 /// (proofs/templates.md, section 6).
 static DegreeBounds bounds_of_poses(const Classification& classes, const Findings& findings) {
     DegreeBounds bounds;

@@ -22,7 +22,7 @@ struct KnownDegree {
 std::optional<std::size_t> class_asked(const Classification& classes, const Findings& findings,
                                        const ExpectedProblem& expected);
 
-/// What is known of the degree of a problem of which so much is proved.
+/// The bounds of a problem's degree that follow from what is proved.
 KnownDegree degree_of(const Classification& classes, const Findings& findings, const Proved& proved,
                       const ExpectedProblem& expected);
 } // namespace checker

@@ -11,7 +11,7 @@
 #include "checker/degrees/degeneracy.h"
 
 namespace checker {
-/// A rectangle in the complex plane, whose midpoint has so many bits.
+/// A rectangle in the complex plane, whose midpoint has `bits` bits.
 template <slong bits> class Ball {
 public:
     Ball() { acb_init(value_); }

@@ -1,4 +1,4 @@
-// Degree files (FORMAT.md, section 9): so many cameras explain the images of a class, with proof.
+// Degree files (FORMAT.md, section 9): cameras that explain the images of a class, with proof.
 #pragma once
 
 #include "checker/effort/execution.h"
@@ -6,7 +6,7 @@
 #include "checker/problem/classes.h"
 
 namespace checker {
-/// What a record proves: its class has at least so many camera solutions.
+/// What a record proves: its class has at least this number of camera solutions.
 struct LowerBound {
     std::size_t number = 0; // of the label class
     std::size_t solutions = 0;

@@ -1,4 +1,4 @@
-// Krawczyk's operator in ball arithmetic, for any system of as many equations as unknowns
+// Krawczyk's operator in ball arithmetic, for any square system of equations
 // (proofs/degrees.md, section 1). Needs the library Arb.
 //
 // A class At<T> stands for a system at some place, over a ring T of numbers:
@@ -12,7 +12,7 @@
 #include "checker/degrees/newton.h"
 
 namespace checker {
-/// The operator, computed with so many bits.
+/// The operator, computed with `bits` bits.
 template <slong bits, template <class> class At, class System> class Krawczyk {
 public:
     Krawczyk(const System& system, const std::vector<Complex>& start, bool real)
@@ -21,7 +21,7 @@ public:
             acb_set_d_d(z_[i].get(), start[i].real(), start[i].imag());
     }
 
-    /// Proves, after at most so many Newton steps, that a box contains one zero, and that this is a
+    /// Proves, after at most `steps` Newton steps, that a box contains one zero, and that this is a
     /// solution. Returns why not, if there is no proof.
     std::string_view prove(int steps, Box& box) {
         if (!choose_radii(steps)) return "no inverse";
@@ -46,7 +46,7 @@ private:
         }
     }
 
-    /// Makes at most so many Newton steps, until they are small. Then the radii are four times the
+    /// Makes at most `steps` Newton steps, until they are small. Then the radii are four times the
     /// next step, and equal relative to the sizes of the coordinates. False without an inverse.
     bool choose_radii(int steps) {
         for (;; --steps) {

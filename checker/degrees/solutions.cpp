@@ -18,8 +18,8 @@ struct Found {
     std::size_t line;
 };
 
-/// The solutions of a record that are proved so far. No two boxes meet. (They are as many as the
-/// degree at most, so it does not take long to compare them all.)
+/// The solutions of a record that are proved so far. No two boxes meet. (There are no more than the
+/// degree, so it does not take long to compare them all.)
 class ProvedSolutions {
 public:
     std::size_t count() const { return found_.size(); }
@@ -65,7 +65,7 @@ ApproximateSolution SolutionsReplay::read_solution(const SolutionLines& lines) {
     return solution;
 }
 
-/// Reads as many solutions as the threads shall prove at a time. What comes after a flaw is proved
+/// Reads the solutions that the threads shall prove at a time. What comes after a flaw is proved
 /// in vain; so at first these are few, as most flawed records have their flaw early.
 std::vector<ApproximateSolution> SolutionsReplay::read_some(const SolutionLines& lines,
                                                             std::size_t proved) {

@@ -8,7 +8,7 @@
 #include <optional>
 
 namespace checker {
-/// How a record continues: with so many coordinates in each of its solutions, up to the first word
+/// How a record continues: the number of coordinates in each of its solutions, and the first word
 /// of the next record.
 struct SolutionLines {
     std::size_t coordinates = 0;

@@ -14,8 +14,8 @@ struct Progress {
     std::size_t solutions = 0; // proved
 };
 
-/// After so many refused records the rest of a file is not replayed, but refused: what is wrong
-/// takes no longer than that.
+/// After this number of refused records the rest of a file is not replayed, but refused: what is
+/// wrong takes no longer than that.
 inline constexpr std::size_t most_refusals = 100;
 
 /// Is told so after each solution, or each template.

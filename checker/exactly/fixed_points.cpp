@@ -21,8 +21,8 @@ struct Quaternions {
     std::vector<NullView> nulls{};
 };
 
-/// A coordinate of W / H, which V / H is at a fixed point of M: of which view, and of kappa^2,
-/// kappa kappa' or kappa'^2.
+/// A coordinate of W / H, which V / H is at a fixed point of M: its view, and whether it is that of
+/// kappa^2, kappa kappa' or kappa'^2.
 struct Translation {
     std::size_t view = 0, power = 0;
     Residue weight{};

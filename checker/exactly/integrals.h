@@ -43,8 +43,9 @@ private:
     std::vector<Product> products_{}; // of the first factor, of the first two, ...
 };
 
-/// The integrals, for signatures of which two views share at most so many points: of all minimal
-/// problems, five. The first call costs half a second. The results do not depend on the seed.
+/// The integrals, for signatures in which two views share at most `most_shared` points: of all
+/// minimal problems, five. The first call costs half a second. The results do not depend on the
+/// seed.
 class Integrals {
 public:
     explicit Integrals(std::size_t most_shared = 5, std::uint64_t seed = 5);

@@ -166,8 +166,8 @@ bool is_star(const Feature& feature) {
     return feature.pins == 4 || feature.pins == 5;
 }
 
-/// The theorem's condition on the points other than the star that two views share: at most one, or
-/// two, of one of which the third view sees a line only.
+/// The theorem's condition on the points other than the star that two views share: at most one; or
+/// two, and the third view sees only a line of one of them.
 static bool views_share_few_points(const Signature& signature) {
     for (std::size_t third = 0; third < 3; ++third) {
         const Views pair = all_views ^ 1U << third;

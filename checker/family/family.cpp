@@ -73,7 +73,7 @@ static void add_with_pins(Problems& found, const Problem& problem, int pins) {
         found[each] = {};
 }
 
-/// Adds the balanced problems with these points in so many views, all of which see everything. In
+/// Adds the balanced problems with these points in `views` views, which all see everything. In
 /// two views lines are seen for nothing; in more a free line adds 2 (m - 2) to the surplus, a pin
 /// m - 2.
 static void add_balanced(Problems& found, Problem problem, int views) {

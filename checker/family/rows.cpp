@@ -28,7 +28,7 @@ static int views_of(const ProblemVerdict& verdict) {
     return std::popcount(verdict.problem.views);
 }
 
-/// Counts the verdicts of which this holds.
+/// Counts the verdicts that satisfy the condition.
 template <class Condition>
 static std::size_t count(const ProblemsFile& file, const Condition& condition) {
     return static_cast<std::size_t>(std::ranges::count_if(file.verdicts, condition));

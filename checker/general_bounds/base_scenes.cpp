@@ -86,8 +86,8 @@ struct Axis {
 };
 
 /// Chooses for this line and those after it whether they meet the axis, and adds the pencils. The
-/// images may put so many more linear conditions on the camera; a pencil that leaves some is left
-/// out where another one asks less of the scene.
+/// images may put `conditions` more linear conditions on the camera; a pencil that leaves some is
+/// left out where another one asks less of the scene.
 static void choose_lines(const Problem& problem, const Axis& axis, Pencil& pencil, std::size_t line,
                          int conditions, std::vector<Pencil>& found) {
     if (conditions < 0) return;

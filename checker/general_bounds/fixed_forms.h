@@ -1,5 +1,5 @@
 // The space of all forms in the depths of a scene, of one degree, that vanish at base points as
-// products of so many cubic forms do (proofs/fixed_forms.md). It is the same for all
+// products of `cubics` cubic forms do (proofs/fixed_forms.md). It is the same for all
 // images that view 1 shows alike.
 #pragma once
 

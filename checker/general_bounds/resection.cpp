@@ -19,7 +19,7 @@ SmallRow place_depths(const SceneSystem& system, const SmallRow& own) {
 }
 
 /// The rows of all combinations of these rows that are 0: a basis, by Gaussian elimination. Each
-/// of the rows has as many numbers as there are columns. None unless the columns are independent.
+/// of the rows has a number for each column. None unless the columns are independent.
 static std::vector<SmallRow> relations(std::vector<SmallRow> rows, std::size_t columns) {
     const std::size_t count = rows.size();
     for (std::size_t r = 0; r < count; ++r) {

@@ -73,7 +73,7 @@ std::size_t numbers_of_view(const Problem& problem);
 /// Takes these numbers and the end of their line. Throws Malformed.
 Numbers read_view(Reader& reader, const Problem& problem);
 
-/// The system of a problem and what its views see, each in so many numbers. Throws Refused if the
+/// The system of a problem and what its views see, a list of numbers a view. Throws Refused if the
 /// problem has no such system, or if the images do not meet the conditions.
 SceneSystem scene_system(const Problem& problem, const std::vector<Numbers>& views);
 } // namespace checker

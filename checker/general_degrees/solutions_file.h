@@ -1,4 +1,4 @@
-// Files of solutions (FORMAT.md, section 14): so many cameras explain the images of a problem in
+// Files of solutions (FORMAT.md, section 14): cameras that explain the images of a problem in
 // general, with proof.
 #pragma once
 

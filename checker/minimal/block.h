@@ -16,7 +16,7 @@ struct Block {
     std::size_t rows() const { return unknowns + left.size(); } // of J
 };
 
-/// Eliminates so many own unknowns, the first columns. The block has factor 0 if they are
+/// Eliminates the own unknowns, the first `unknowns` columns. The block has factor 0 if they are
 /// dependent.
 Block eliminate(std::size_t unknowns, Rows<Residue> rows);
 

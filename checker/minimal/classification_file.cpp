@@ -35,7 +35,7 @@ static std::vector<PlacedFeature> read_features(Reader& reader) {
     return placed;
 }
 
-/// Eliminates the features of a pool, as many of each as a balanced problem can have. All must
+/// Eliminates the features of a pool, up to the number that a balanced problem can have. All must
 /// meet the requirements of section 2, or the pool is refused.
 static Pool pool_of(const std::vector<Numbers>& cameras, std::size_t line,
                     const std::vector<PlacedFeature>& placed, std::size_t number,

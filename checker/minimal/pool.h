@@ -15,7 +15,7 @@ inline std::vector<Numbers> read_cameras(Reader& reader, std::size_t pool, unsig
     return cameras;
 }
 
-/// Takes the rest of a feature line: the point and the directions of so many pins.
+/// Takes the rest of a feature line: the point and the directions of its pins.
 inline Numbers read_placement(Reader& reader, unsigned pins) {
     std::string pattern = "point @ @ @";
     for (unsigned pin = 0; pin < pins; ++pin)

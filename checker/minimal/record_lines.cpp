@@ -49,7 +49,7 @@ static Indices read_list(Reader& reader, std::size_t largest, std::string_view e
     return list;
 }
 
-/// Takes VIEW VIEW ..., at least so many, up to the word or to the end of the line.
+/// Takes VIEW VIEW ..., at least `least` of them, up to the word or to the end of the line.
 static Views read_views(Reader& reader, const Problem& problem, std::size_t least,
                         std::string_view end) {
     const auto all = static_cast<std::size_t>(std::popcount(problem.views));

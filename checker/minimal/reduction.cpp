@@ -16,7 +16,7 @@ static Feature as_line(const Feature& feature) {
     return {.free_line = true, .pin = feature.pin, .pins = 1};
 }
 
-/// Whether so many views see the pin, and see its point, too.
+/// Whether exactly `views` views see the pin, and see its point, too.
 static bool is_forgotten(const Feature& point, Views pin, int views) {
     return std::popcount(pin) == views && (pin & ~point.point) == 0;
 }

@@ -34,7 +34,7 @@ struct DegreeClaim {
 /// The lines on counts, then those on the problems with complete visibility.
 std::vector<Claim> compare_counts(const Classification& classes, const Verdicts& verdicts);
 
-/// A degree of which a paper says only that it is larger than a number.
+/// A degree for which a paper only says that it is larger than a number.
 struct FamilyDegree {
     std::string_view name;         // of the problem, as in the paper
     std::string_view problem;      // in notation
@@ -44,7 +44,7 @@ struct FamilyDegree {
     std::string_view verdict{};
 };
 
-/// States that at least so many solutions are certified, and compares.
+/// States how many solutions are certified at least, and compares.
 void set_certified(FamilyDegree& degree, std::size_t at_least);
 
 /// The numbers of a family of problems in general, beside those of its paper.
@@ -53,7 +53,7 @@ struct FamilyTable {
     std::vector<Claim> claims{};
     std::vector<FamilyDegree> degrees{};
     std::map<std::size_t, std::size_t> lower_bounds{}; // of degrees: how many problems have each
-    std::size_t exact = 0;                             // so many degrees are certified exactly
+    std::size_t exact = 0;                             // how many degrees are certified exactly
     std::size_t exact_by_theorem = 0;                  // of these, by theorem
 };
 

@@ -52,7 +52,7 @@ Feature read_feature(const Reader& reader, std::string_view word, unsigned views
     if (!right_views || spell(feature, views) != word ||
         (!grammar.in_general && !names_pins_in_order(feature)))
         reader.fail(word, say("a feature as section ", grammar.section, " spells it, in 2 to ",
-                              grammar.most_views, " views, as many in all features"));
+                              grammar.most_views, " views, the same number in all features"));
     if (hides_meeting_point(feature, views))
         reader.fail(word, "a view that sees two lines to see their point (Definition 1)");
     if (feature.free_line && is_capital(feature.letter[0]))

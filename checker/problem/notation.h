@@ -31,10 +31,10 @@ struct Written {
     Problem problem{};
 };
 
-/// How a feature is spelled in so many views.
+/// How a feature is spelled in this number of views.
 std::string spell(const Feature& feature, unsigned views);
 
-/// The feature that a word spells, in so many views. Throws Malformed.
+/// The feature that a word spells, in this number of views. Throws Malformed.
 Feature read_feature(const Reader& reader, std::string_view word, unsigned views,
                      const Grammar& grammar);
 

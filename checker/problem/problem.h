@@ -38,7 +38,7 @@ struct Problem {
 /// that the problem has already if `shared` has their numbers.
 void add_feature(Problem& problem, const Feature& feature, std::map<char, std::size_t>& shared);
 
-/// The problem of one feature, in so many views.
+/// The problem of one feature, in this number of views.
 Problem problem_of(const Feature& feature, unsigned views);
 
 /// The dimension of the cameras of the problem up to motions of space: the columns that they have

@@ -6,7 +6,7 @@ static std::string counted(std::size_t number, std::string_view thing) {
     return say(number, ' ', thing, number == 1 ? "" : "s");
 }
 
-/// So many of these hold, so many are refused.
+/// How many of these hold, and how many are refused.
 static std::string held(std::size_t number, std::string_view thing, std::size_t refused) {
     return say(counted(number, thing), number == 1 ? " holds, " : " hold, ", refused, " refused");
 }

@@ -160,8 +160,8 @@ static std::string table_of_degrees(const std::vector<paper::FamilyDegree>& degr
     return aligned(rows) + '\n';
 }
 
-/// So many solutions, and in brackets how many problems have so many at least, and no more
-/// certified.
+/// Numbers of certified solutions, and in brackets the number of problems that have each, and no
+/// more certified.
 static std::string list_of_lower_bounds(const std::map<std::size_t, std::size_t>& lower_bounds) {
     if (lower_bounds.empty()) return "";
     std::size_t problems = 0;
@@ -177,7 +177,7 @@ static std::string list_of_lower_bounds(const std::map<std::size_t, std::size_t>
     }
     line.back() = '\n';
     return say("solutions certified for ", counted(problems, "minimal problem"),
-               ", at least (of so many problems):\n", lines, line, '\n');
+               ", at least (number of problems):\n", lines, line, '\n');
 }
 
 static std::string tables_of_families(const Report& report) {

@@ -46,7 +46,7 @@ inline ClassOnSurface operator-(const ClassOnSurface& x) {
     return ClassOnSurface{-1, {}, 0} * x;
 }
 
-/// The inverse of a class of which the number is 1.
+/// The inverse of a class whose number is 1.
 inline ClassOnSurface inverse(const ClassOnSurface& x) {
     const ClassOnSurface rest{0, x.divisor, x.points};
     return unit + -rest + rest * rest;

@@ -153,7 +153,7 @@ struct QuotientOfStar {
     bool spanned_by_lower = false;
 };
 
-/// Polynomials are known by their values at generic points, as many as there are monomials.
+/// A polynomial is given by its values at generic points, one for each monomial.
 inline QuotientOfStar quotient_of_star(const StarEquations& equations, std::size_t degree,
                                        Residues& random) {
     std::size_t monomials = 1;

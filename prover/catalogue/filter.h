@@ -1,4 +1,4 @@
-// Filters of the catalogue: conditions on a class, all of which must hold.
+// Filters of the catalogue: conditions on a class, which must all hold.
 #pragma once
 
 #include "prover/catalogue/catalogue.h"

@@ -35,7 +35,7 @@ constexpr const char* degree_examples =
     "  plprove degree five-point -o five.plc        two views, with the help of a third\n"
     "  plprove degree 'projective: 7*P/P' -o f.plc  projective cameras, any number of views\n"
     "  plprove degree 'projective: 6*P/P/P' --at-most 1,2 -o three.plc\n"
-    "                                               at most so many, as plcheck will find\n";
+    "                                               at most 3, as plcheck will find\n";
 
 /// Two powers, such as `2,1`. Throws CLI::ValidationError.
 many_views::Powers powers_of(const std::string& text) {
@@ -141,11 +141,11 @@ Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree com
         ->required();
     command
         ->add_option("--target", request->options.target,
-                     "stop at so many solutions (default: find all)")
+                     "stop at this number of solutions (default: find all)")
         ->check(CLI::Range(1, largest_target));
     command
         ->add_option("--at-least", request->options.at_least,
-                     "only write a certificate of so many solutions: the quickest way")
+                     "only write a certificate of this number of solutions: the quickest way")
         ->check(CLI::Range(1, largest_target))
         ->excludes("--target");
     command

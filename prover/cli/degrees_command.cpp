@@ -83,7 +83,7 @@ std::string rate_and_time_left(const SweepProgress& progress) {
 }
 
 /// How many threads each rank has, if the user does not say. A rank is meant for one core, since
-/// mpirun starts as many ranks as it may use cores.
+/// mpirun starts a rank for each core that it may use.
 unsigned useful_threads(const Ranks& ranks) {
     return ranks.count > 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
 }
@@ -269,7 +269,9 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
     command->add_option("-o,--output", request->folder, "the folder of the sweep")
         ->type_name("DIR")
         ->required();
-    command->add_option("--target", request->options.target, "stop at so many solutions of a class")
+    command
+        ->add_option("--target", request->options.target,
+                     "stop at this number of solutions of a class")
         ->check(CLI::Range(1, largest_target))
         ->capture_default_str();
     command->add_flag("--exact", request->exact, "find all solutions")->excludes("--target");

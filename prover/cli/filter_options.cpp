@@ -92,7 +92,8 @@ void add_parsed(CLI::App& command, const char* name, std::optional<Value>& value
         ->type_name(shape);
 }
 
-/// Adds an option that takes a problem, some features of which classes have, or which have them.
+/// Adds an option that takes a problem: classes that contain some of its features, or are contained
+/// in it.
 void add_part(CLI::App& command, const char* name, std::optional<std::vector<Part>>& value,
               const char* help) {
     command

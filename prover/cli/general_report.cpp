@@ -25,7 +25,7 @@ struct Known {
     int degree = 0;
     bool exact = true;
     std::string status;
-    int certified = 0; ///< at least so many; 0: none
+    int certified = 0; ///< at least; 0: none
 };
 
 /// The degree of the features, which is certified; else what certs/family-degrees.csv says; nothing

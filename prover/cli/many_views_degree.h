@@ -13,8 +13,8 @@ namespace plprove {
 
 struct ManyViewsDegreeRequest {
     std::uint64_t seed = 0;
-    int target = 0;   ///< stop at so many solutions; 0: find all
-    int at_least = 0; ///< only write a certificate of so many; 0: of all that are found
+    int target = 0;   ///< stop at this number of solutions; 0: find all
+    int at_least = 0; ///< only write a certificate of this number; 0: of all that are found
     std::string path; ///< of the certificate; empty: none is written
     bool json = false;
 };

@@ -32,7 +32,7 @@ void write_certificate(std::ostream& out, const DegreeReport& report) {
     }
     out << "of at least " << report.certified() << " solutions of #" << report.run.number << '\n';
     section(out, "") << "`plcheck certs/classification.plc certs/bounds.plc FILE` certifies "
-                        "exactly so many, and\n";
+                        "just this, and\n";
     section(out, "") << third_cameras(report) << " third cameras for each relative pose. So there "
                      << "are exactly " << poses_of_five_points << " relative poses.\n";
 }
@@ -44,8 +44,8 @@ std::string two_view_report(const DegreeReport& report) {
     section(out, "problem") << notation(report.decision.problem) << '\n';
     section(out, "reduced") << notation(report.decision.reduction.reduced) << '\n';
     section(out, "degree") << poses_of_five_points << " relative poses, by theorem\n";
-    section(out, "with") << "a third camera: " << extension(report) << ", of which "
-                         << report.run.degree << " solutions were found\n";
+    section(out, "with") << "a third camera: " << extension(report) << ", " << report.run.degree
+                         << " solutions found\n";
     write_certificate(out, report);
     section(out, "time") << std::fixed << std::setprecision(2) << report.seconds << " s\n";
     for (const std::string& note : report.run.notes)

@@ -38,8 +38,8 @@ std::map<std::size_t, std::string> records_of(const std::string& file) {
 
 using Json = nlohmann::json;
 
-/// Throws std::runtime_error if the file at `path` is not the one of which the report has this
-/// item.
+/// Throws std::runtime_error if the file at `path` is not the one that this item of the report is
+/// about.
 void require_checked(const std::string& content, const Json& item, const fs::path& path,
                      const fs::path& report) {
     if (sha256(content) != item.at("sha256").get<std::string>())

@@ -52,7 +52,7 @@ std::vector<Cell> grid(std::size_t features, std::size_t rows) {
 }
 
 /// Real pictures are in general position. So each feature leaves the middle of its cell by
-/// multiples of irrational numbers modulo 1, of which none repeats, and its lines are turned
+/// multiples of irrational numbers modulo 1, which never repeat, and its lines are turned
 /// likewise. The multiples are squares, as a sequence of constant steps has collinear points, and
 /// the numbers those that keep the points of up to 20 features farthest from being collinear.
 Layout layout(std::size_t features) {

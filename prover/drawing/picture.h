@@ -1,7 +1,7 @@
 // What is where in the panels of a picture, whatever it is written in.
 //
 // Features are placed in general position, no three points on a line, each at the same place in
-// every panel. Lengths are in units, one of which is meant as a point of a printed page; x goes to
+// every panel. Lengths are in units; a unit is meant as a point of a printed page. x goes to
 // the right, y down.
 #pragma once
 

@@ -35,13 +35,13 @@ void append_line(std::string& text, std::string_view line);
 std::string certificate_file(std::string_view kind, std::string_view lines,
                              std::string_view advice);
 
-/// How the integer is written. Throws FormatLimit if it has more than so many digits; `what` names
+/// How the integer is written. Throws FormatLimit if it has more than `digits` digits; `what` names
 /// it in the message.
 std::string with_digits(std::int64_t value, std::size_t most, std::string_view what);
 /// The same for an integer that is written already.
 std::string with_digits(std::string value, std::size_t most, std::string_view what);
 
-/// Integers of at most so many digits; points, directions, cameras and most images have 6.
+/// Integers of at most `digits` digits; points, directions, cameras and most images have 6.
 std::string coordinates(std::span<const std::int64_t> values, std::size_t digits = 6);
 std::string coordinates(std::span<const int> values, std::size_t digits = 6);
 

@@ -1,4 +1,4 @@
-// Cameras in coordinates: as many as there are parameters, in a random chart.
+// Cameras in coordinates: one for each parameter, in a random chart.
 #pragma once
 
 #include "prover/problem/problem.h"

@@ -16,7 +16,7 @@ struct DegreeOnFile {
     int degree = 0;
     std::string_view bound;  ///< `exact` or `at-least`
     std::string_view status; ///< `certified` or `evidence`
-    int certified = 0;       ///< plcheck has certified at least so many; 0: none
+    int certified = 0;       ///< how many plcheck has certified, at least; 0: none
     std::string_view source;
 };
 

@@ -42,8 +42,8 @@ using Vector = std::array<Scalar, 3>;
 /// What one view sees. Lines with two points or more need no entry.
 template <class Scalar>
 struct ViewImages {
-    /// Of a free point its image vector. Of another one its first two coordinates are the factors
-    /// of the first two points of its carrier, of which its image vector is the sum.
+    /// Of a free point its image vector. Of another one its first two coordinates are factors: its
+    /// image vector is the sum of these multiples of the first two points of its carrier.
     std::vector<Vector<Scalar>> points;
     /// Two image points of each line without points; of a line with one point, the second of these
     /// is another point of its image.

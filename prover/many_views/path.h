@@ -8,7 +8,7 @@
 
 namespace plprove::many_views {
 
-/// How carefully a path is followed: `careful` takes some five times as many steps, and jumps to
+/// How carefully a path is followed: `careful` takes some five times the steps, and jumps to
 /// other paths more rarely.
 enum class Care : std::uint8_t { usual, careful };
 
@@ -17,7 +17,7 @@ enum class Care : std::uint8_t { usual, careful };
 std::optional<Point> follow(const System& system, const Images<Complex>& from,
                             const Images<Complex>& to, const Point& start, Care care);
 
-/// The same of several solutions, by so many threads, side by side.
+/// The same of several solutions, by `threads` threads, side by side.
 std::vector<std::optional<Point>> follow_all(const System& system, const Images<Complex>& from,
                                              const Images<Complex>& to,
                                              const std::vector<Point>& starts, Care care,

@@ -45,7 +45,7 @@ private:
 
 struct PencilTrace {
     int solutions = 0;         ///< that have been followed to each of two other times
-    int lost = 0;              ///< of which this failed: if any, the test says nothing
+    int lost = 0;              ///< where this failed: if any, the test says nothing
     Complex slope;             ///< of the sum, from time 0 to the first
     double difference = 0;     ///< of this slope and that to the second time: 0 if none is missing
     double if_one_missing = 0; ///< the difference that a missing solution makes: the median

@@ -1,4 +1,4 @@
-// Certificates that a problem for projective cameras has at most so many solutions
+// Certificates of upper bounds on the degrees of problems for projective cameras
 // (certs/FORMAT.md, section 15): images and powers, for the checker to compute with.
 #pragma once
 

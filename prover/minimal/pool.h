@@ -8,8 +8,8 @@
 
 namespace plprove {
 
-/// Cameras and, for each of the 27 features, placed instances of it, as many as a balanced problem
-/// can have.
+/// Cameras and, for each of the 27 features, placed instances of it: the number that a balanced
+/// problem can have.
 struct Pool {
     Cameras cameras;
     std::array<std::vector<PlacedFeature>, feature_count> instances;

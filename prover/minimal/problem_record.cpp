@@ -73,7 +73,7 @@ struct Explain {
     const Problem& problem;
 
     std::string operator()(const FullRank&) const {
-        return "the images put as many conditions as cameras and scene have parameters, "
+        return "the images put one condition for each parameter of cameras and scene, "
                "independent at generic images";
     }
     std::string operator()(const Unbalanced&) const {

@@ -16,8 +16,8 @@ struct Direction {
     int to() const { return 1 - from; }
 };
 
-/// Two nodes, 0 and 1, whose solutions are numbered from 0; and edges between them, each of which
-/// maps the solutions of one node to those of the other one to one.
+/// Two nodes, 0 and 1, whose solutions are numbered from 0; and edges between them. Each edge maps
+/// the solutions of one node to those of the other one to one.
 class MatchedGraph {
 public:
     int edges() const { return static_cast<int>(edges_.size()); }

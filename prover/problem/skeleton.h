@@ -23,7 +23,7 @@ std::vector<std::vector<Skeleton>> skeletons(int most_points);
 /// lines first, points on the same lines together.
 Skeleton in_order_of_lines(const Skeleton& skeleton);
 
-/// The ways to give the points of the skeleton so many pins in all.
+/// The ways to give the points of the skeleton `pins` pins in all.
 std::vector<Skeleton> with_pins(const Skeleton& skeleton, int pins);
 
 } // namespace plprove

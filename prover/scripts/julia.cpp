@@ -32,7 +32,7 @@ rotation(a, b, c) = [
 turn(P, D) = [P[1][i, 1] * D[1] + P[1][i, 2] * D[2] + P[1][i, 3] * D[3] for i in 1:3]
 see(P, X) = turn(P, X) + P[2]
 
-# Images. A point is (x, y); a line is y = m*x + c, of which a line through a seen point needs m only.
+# Images. A point is (x, y); a line is y = m*x + c; a line through a seen point needs m only.
 line_through(x, e) = [-(x[2]*e[3] - x[3]*e[2]), -(x[1]*e[2] - x[2]*e[1])] / (x[3]*e[1] - x[1]*e[3])
 point_image(P, X) = see(P, X)[1:2] / see(P, X)[3]
 pin_image(P, X, D) = line_through(see(P, X), turn(P, D))[1:1]
@@ -131,9 +131,8 @@ std::string closing(int equations, int unknowns) {
                "# parameters of your own: solve(F, solutions(result); start_parameters = p0, "
                "target_parameters = p1)\n";
     return text +
-           comment("#",
-                   "There are not as many equations as unknowns, so the problem is not minimal and "
-                   "the call that counts the solutions of a minimal one does not apply:") +
+           comment("#", "The system is not square, so the problem is not minimal and "
+                        "the call that counts the solutions of a minimal one does not apply:") +
            "# result = monodromy_solve(F, [z0], p0)\n";
 }
 

@@ -4,8 +4,8 @@
 // the others with R the matrix of the quaternion (1, a, b, c), which is a rotation up to scale, and
 // t; the first coordinate of t_2 is 1, as scale is free. A point has its three coordinates, a pin a
 // direction (u, v, 1) and a free line a point (x, y, 1) and such a direction. For each image point
-// or line the equations say that it is the image of the feature: there are as many equations as the
-// images have degrees of freedom. The images are those of a random scene, so that one solution is
+// or line the equations say that it is the image of the feature: there is one equation for each
+// degree of freedom of the images. The images are those of a random scene, so that one solution is
 // known.
 //
 // Any problem in two or three views will do, balanced or not. A script depends on the problem

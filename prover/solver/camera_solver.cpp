@@ -53,7 +53,7 @@ bool is_finite(const CameraPoint& point) {
         point, [](const Complex& x) { return std::isfinite(x.real()) && std::isfinite(x.imag()); });
 }
 
-/// The ends from all points, by so many threads. `work` takes points to ends, each by itself.
+/// The ends from all points, by `threads` threads. `work` takes points to ends, each by itself.
 template <class Work>
 PathFollower::Ends in_threads(const std::vector<CameraPoint>& points, unsigned threads,
                               const Work& work) {
@@ -210,7 +210,7 @@ private:
     std::vector<Complex3> vectors_;
     TrackedImages at_rest_;
     SolutionSet<CameraPoint> found_{near_zeros};
-    std::size_t conjugated_ = 0; // so many zeros have their conjugates added
+    std::size_t conjugated_ = 0; // the first zeros, whose conjugates are added
 };
 
 void CameraSolver::register_cameras(const std::vector<Eigen::Vector3d>& images,

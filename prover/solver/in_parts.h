@@ -8,7 +8,7 @@
 
 namespace plprove {
 
-/// Calls work(begin, end) for so many parts of 0, ..., count - 1, each in a thread of its own if
+/// Calls work(begin, end) for `parts` parts of 0, ..., count - 1, each in a thread of its own if
 /// the system has it; returns when all are done. Throws what `work` throws.
 template <class Work>
 void in_parts(std::size_t count, unsigned parts, const Work& work) {

@@ -29,7 +29,7 @@ Targets images_of_scenes(const CameraSystem& system, std::size_t number) {
     return result;
 }
 
-/// A start of which the images can be exchanged.
+/// A start whose images can be exchanged.
 class MovableStart {
 public:
     MovableStart(const CameraSystem& system, const Start& start)

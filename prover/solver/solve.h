@@ -10,7 +10,7 @@ namespace plprove {
 /// On what grounds the solutions found are all: the number of solutions for generic images bounds
 /// those for any.
 enum class Completeness {
-    certified, ///< as many as the degree, which is certified (certs/degrees.csv)
+    certified, ///< their number is the degree, which is certified (certs/degrees.csv)
     unknown    ///< fewer
 };
 

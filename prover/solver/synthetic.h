@@ -23,7 +23,7 @@ struct SyntheticScene {
 SyntheticScene synthetic_scene(const Features& problem, std::uint64_t seed);
 
 /// Its images as a JSON file for `plprove solve`, to a millionth of a pixel. Lines are given by two
-/// points, the first of which is the point that the line passes through, if the view sees it.
+/// points; the first is the point that the line passes through, if the view sees it.
 std::string images_file(const SyntheticScene& scene);
 
 } // namespace plprove

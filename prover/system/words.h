@@ -14,7 +14,7 @@ std::string in_quotes(std::string_view word);
 /// The text in printable ASCII: other bytes become `?`, and after `longest` follow three dots.
 std::string printable(std::string_view text, std::size_t longest);
 
-/// The words of a text in lines of at most so many columns, unless a word is longer.
+/// The words of a text in lines of at most `columns` columns, unless a word is longer.
 std::string wrapped(const std::string& text, std::size_t columns);
 
 /// Whether UTF-8 text has a control character, which may move the cursor of a terminal.

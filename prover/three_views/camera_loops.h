@@ -1,5 +1,5 @@
 // Loops of images of a problem in three views, for monodromy: two nodes, whose images are
-// neighbours, and edges between them, each of which multiplies the image vectors by other numbers.
+// neighbours, and edges between them. Each edge multiplies the image vectors by other numbers.
 #pragma once
 
 #include "prover/monodromy/monodromy.h"

@@ -57,7 +57,7 @@ struct DegreeRun {
     std::optional<DegreeCertificate> certificate; ///< of these solutions
 };
 
-/// Finds what the options ask for, or as many solutions as it can. The same run for the same class
+/// Finds what the options ask for, or the solutions that it can. The same run for the same class
 /// and options on any machine. Assumes that the class is minimal.
 DegreeRun compute_degree(std::size_t number, const DegreeOptions& options);
 

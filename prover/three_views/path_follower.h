@@ -34,12 +34,12 @@ public:
 
     /// Loses about one of a hundred, which is not counted.
     Ends follow_quickly(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With tighter settings and twice as many digits; what is lost then counts as lost for good.
+    /// With tighter settings and twice the digits; what is lost then counts as lost for good.
     Ends follow_double_double(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With three times as many digits, what was lost with twice as many: what arrives was not lost
+    /// With three times the digits, what was lost with twice the digits: what arrives was not lost
     /// for good.
     Ends follow_triple_double(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With twice as many digits, what was lost on the straight way: what arrives was not lost for
+    /// With twice the digits, what was lost on the straight way: what arrives was not lost for
     /// good.
     Ends follow_detours(const Detours& detours, const std::vector<CameraPoint>& starts);
     const PathCounts& counts() const { return counts_; }

@@ -1,5 +1,5 @@
 // Complex numbers and vectors of the path tracker, of the lanes that the including file is compiled
-// for; with twice or three times as many digits if that file defines PLC_DOUBLE_DOUBLE or
+// for; with twice or three times the digits if that file defines PLC_DOUBLE_DOUBLE or
 // PLC_TRIPLE_DOUBLE.
 //
 // No function of the standard library is used here: see lanes.h.

@@ -66,7 +66,7 @@ struct Judgement {
 }
 
 /// Hermite extrapolation (Newton's form, each node twice) from the last three points of a path, or
-/// as many as there are, to the time `after` the newest.
+/// all if it has fewer, to the time `after` the newest.
 class Extrapolation {
 public:
     /// The times of the points, the newest first.

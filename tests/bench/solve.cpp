@@ -6,7 +6,7 @@
 //
 // Images are of two kinds: of synthetic scenes, which look like photos and have a known answer; and
 // random directions, which have none. Prints one line for each kind, and how long the engine of
-// `plprove degree` takes to follow as many paths, and how many it loses.
+// `plprove degree` takes for the same number of paths, and how many it loses.
 #include "prover/solver/solve.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/synthetic.h"
@@ -116,7 +116,7 @@ struct EngineFigures {
     std::uint64_t lost = 0; ///< with twice the digits and on detours, too
 };
 
-/// The engine of `plprove degree` follows as many paths, between random complex images.
+/// The engine of `plprove degree` follows the same number of paths, between random complex images.
 EngineFigures of_engine(const Solver& solver, int instances) {
     const Start& start = solver.start();
     const TrackedSystem tracked = tracked_system(solver.system(), start.chart);
@@ -187,8 +187,8 @@ int main(int argc, char** argv) {
         print("random images", random, false);
         const EngineFigures figures = of_engine(solver, instances);
         const double engine = at(figures.milliseconds, 0.5);
-        std::printf("%-14s %.3g ms for as many paths: random images take %.2f times as long; "
-                    "%llu of %llu paths lost\n",
+        std::printf("%-14s %.3g ms for the same number of paths: random images take %.2f "
+                    "times as long; %llu of %llu paths lost\n",
                     "engine", engine, at(random.milliseconds, 0.5) / engine,
                     static_cast<unsigned long long>(figures.lost),
                     static_cast<unsigned long long>(figures.paths));

@@ -12,7 +12,7 @@ TEST_CASE("SHA-256 of known texts") {
           "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
     CHECK(sha256(std::string(1'000'000, 'a')) ==
           "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
-    // One byte less than fits in a block, as many, one more.
+    // One byte less than fits in a block, what fits, one more.
     CHECK(sha256(std::string(55, 'a')) ==
           "9f4390f8d30c2dd92ec9f095b65e2b9ae9b0a925a5258e241c9f1e910f734318");
     CHECK(sha256(std::string(56, 'a')) ==

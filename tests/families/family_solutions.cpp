@@ -1,5 +1,5 @@
 // Certificates of the degrees of a family that are on file (certs/family-degrees.csv): a file of
-// solutions (certs/FORMAT.md, section 14), with as many of each problem as its degree says.
+// solutions (certs/FORMAT.md, section 14), with all solutions of each problem, by its degree.
 //
 // Usage: family_solutions plmp|projective MOST [PROBLEM]...
 //

@@ -3,7 +3,7 @@
 //
 // Usage: six_views_trace [SEED] [WAYS] [MOST]
 //
-// Says how many solutions monodromy finds along so many ways, and what their sum does as an image
+// Says how many solutions monodromy finds along several ways, and what their sum does as an image
 // moves. The status is 0 if no path is lost and the sum is linear, a thousand times as exactly as
 // a missing solution would let it.
 #include "prover/many_views/monodromy.h"

@@ -103,7 +103,7 @@ void solution_again(File& file, const File&, Random& random) {
     file.insert(at(file, random.below(2) == 0 ? line : any_of(solutions, random)), copy);
 }
 
-/// The starting values in place of which others lead to the same solution, or to none.
+/// Other starting values, which lead to the same solution, or to none.
 void solution_moved(File& file, const File&, Random& random) {
     const auto solutions = lines_of(file, {"real", "pair"});
     if (solutions.empty()) return;

@@ -8,8 +8,8 @@
 
 namespace referee {
 
-/// Why the record on this line does not show so many different solutions of the class with this
-/// number, as far as approximations tell; nothing where it does.
+/// Why the record on this line does not show this number of different solutions of the class with
+/// this number, as far as approximations tell; nothing where it does.
 std::optional<std::string> objection_to_degree(const Text& file, std::size_t line,
                                                std::size_t number, std::size_t solutions);
 

@@ -125,7 +125,7 @@ private:
     Objection objection_;
 };
 
-/// The record with only so many of its solutions, from all over the list.
+/// The record with at most `most` of its solutions, from all over the list.
 File cut(const File& record, std::size_t most) {
     File result;
     std::vector<const Words*> solutions;

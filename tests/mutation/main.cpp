@@ -246,8 +246,8 @@ int run_archive(const checker::Classification& all, std::size_t times, std::uint
             wrong += expected[n] != certified[n];
     }
     std::cout << "The whole archive: " << spoilt_records << " certificates spoilt in " << times
-              << " files, of which "
-              << (wrong == 0 ? "just these are refused" : "OTHERS ARE REFUSED") << "\n\n";
+              << " files: " << (wrong == 0 ? "just these are refused" : "OTHERS ARE REFUSED")
+              << "\n\n";
     return wrong == 0 && spoilt_records > 0 ? 0 : 1;
 }
 

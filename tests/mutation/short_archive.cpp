@@ -15,7 +15,7 @@ checker::Signature needed(const checker::Classification& few) {
     return most;
 }
 
-/// Whether a line of a pool is kept: of a feature, as many instances as are still needed.
+/// Whether a line of a pool is kept: of a feature, the instances that are still needed.
 bool keep(const std::string& line, checker::Signature& still_needed) {
     if (!line.starts_with("feature ")) return true;
     for (std::size_t i = 0; i < checker::feature_count; ++i)

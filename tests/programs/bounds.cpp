@@ -130,7 +130,7 @@ TEST_CASE(
                                                     {6735, 520}});
 }
 
-TEST_CASE("plcheck says by which theorem of which page a degree is certified") {
+TEST_CASE("plcheck names the theorem that certifies a degree, and its page") {
     struct Example {
         std::string problem, degree, theorem, page;
     };

@@ -310,7 +310,7 @@ TEST_CASE("a reader that leaves early ends the program quietly, with a failure")
         }
 }
 
-TEST_CASE("an export that fails says so and leaves the old file") {
+TEST_CASE("an export that fails reports it and leaves the old file") {
     const TemporaryFolder folder;
     const auto path = folder / "kept.db";
     write_file(path, "old");

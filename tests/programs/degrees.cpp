@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 const std::string plprove = PLPROVE_FAKE_ENGINE;
 
-/// Numbers of classes: of 37 constraint classes, two of which the fake engine does not like.
+/// Numbers of classes, of 37 constraint classes. The fake engine does not like two of these.
 const std::string some = "60000..60150";
 
 Arguments sweep_of(const fs::path& folder, const Arguments& more = {}) {
@@ -86,7 +86,7 @@ void wait_until(const std::function<bool()>& condition) {
 TEST_CASE("a sweep that is killed again and again goes on and loses nothing") {
     const TemporaryFolder folder;
     const fs::path whole = folder / "whole";
-    // The double fails for some classes, and says so.
+    // The double fails for some classes, and reports it.
     REQUIRE(WEXITSTATUS(wait_for(start(sweep_of(whole, {"--threads", "3"})))) == 1);
     std::mt19937 random(7);
     std::uniform_int_distribution<int> moment(1, 13);

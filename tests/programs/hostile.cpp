@@ -191,7 +191,7 @@ TEST_CASE("a million pools, records, features or kernel vectors of garbage are r
                  2, "/dev/stdin:21: ");
 }
 
-TEST_CASE("as many and as large features and kernels as the format allows are checked soon") {
+TEST_CASE("the most and the largest features and kernels that the format allows are checked soon") {
     std::string large = " point 999999 -999998 999997";
     for (int pin = 0; pin < 7; ++pin)
         large += " pin 99999" + std::to_string(pin) + " -99998" + std::to_string(pin) + " 999979";

@@ -127,7 +127,7 @@ TEST_CASE("a problem that is not minimal is told what is minimal one feature awa
         CHECK(minimal["degree"] == hint["degree"]);
     }
     CHECK(!decide("2394").contains("hints"));
-    // There are more than eight, of which the text shows the first.
+    // There are more than eight; the text shows the first.
     const std::string many = run(plprove + " problem 'P/P/P + 5*P/P/- + 3*a/P/a'").out;
     CHECK(contains(many, "more: --json lists all\n"));
 }

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Numbers of classes: of 37 constraint classes, two of which the fake engine does not like.
+/// Numbers of classes, of 37 constraint classes. The fake engine does not like two of these.
 const std::string some = "60000..60150";
 
 /// More ranks than cores, by root too, and in a container.
@@ -78,7 +78,7 @@ struct SweepByOne {
     SweepByOne() {
         prepare_mpi();
         outcome = run(shell(PLPROVE_FAKE_ENGINE, sweep_of(path)));
-        REQUIRE(outcome.status == 1); // the double fails for some classes, and says so
+        REQUIRE(outcome.status == 1); // the double fails for some classes, and reports it
     }
 
     void check_same(const fs::path& other) const {
@@ -146,7 +146,7 @@ TEST_CASE("one process ends what ranks have begun, and ranks what one process ha
     CHECK(contains(again.out, "computed      0 classes in 0 s; 37 were on file\n"));
 }
 
-TEST_CASE("a rank that gets SIGTERM ends the others, rank 0 says so, and the sweep goes on") {
+TEST_CASE("a rank that gets SIGTERM ends the others, rank 0 reports it, and the sweep goes on") {
     const SweepByOne one;
     const fs::path sweep = one.folder / "sweep", err = one.folder / "err";
     // mpirun may not pass on what ranks say while they end: each has a file.

@@ -32,7 +32,7 @@ std::string joined(const std::vector<std::string>& lines) {
     return line + lines.back();
 }
 
-/// Words of one letter, and a last one, in a line of so many bytes.
+/// Words of one letter, and a last one, in a line of `bytes` bytes.
 std::string line_of(std::size_t bytes, std::size_t last_word) {
     std::string line;
     while (line.size() + last_word < bytes)

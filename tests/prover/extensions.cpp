@@ -19,7 +19,7 @@ std::vector<std::string> words(const std::string& problem) {
     return result;
 }
 
-/// All symbols that a view may have of a point with so many pins.
+/// All symbols that a view may have of a point with `pins` pins.
 std::vector<std::string> symbols(bool has_point, int pins) {
     std::vector<std::string> result{"-"};
     for (std::uint32_t set = 0; set < 1U << pins; ++set) {

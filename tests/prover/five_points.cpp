@@ -209,7 +209,7 @@ TEST_CASE("what is solved in place of the five-point problem extends it by a reg
 
 TEST_CASE("five pairs of image points have at most ten essential matrices, by elimination") {
     // If ten cubics express the ten monomials of degree 3 by those of lower degree, then 1, x, ...,
-    // z^2 span the functions on their zeros: there are at most ten. Monodromy finds as many.
+    // z^2 span the functions on their zeros: there are at most ten. Monodromy finds ten.
     std::mt19937 random(7);
     for (int trial = 0; trial < 5; ++trial) {
         const auto equations = demazure_equations(pencil_of_five_pairs(random));

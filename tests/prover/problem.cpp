@@ -52,7 +52,7 @@ TEST_CASE("malformed notation is refused with the column and what was expected")
         {"P/a/-(a)", "leave it out there"},
         {"P/P/P(P)", "leave out '(P)'"},
         {"P/P/P()", "what no view sees"},
-        {"P/P/P + P/P", "as many views"},
+        {"P/P/P + P/P", "the same number of views"},
         {"Px/P/", "column 6: found the end"},
         {std::string("P/P\0/P", 6), "the byte 0"},
     };

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from lines import Q
+from grammar import Q
 
 
 def cross(a, b):

@@ -14,7 +14,7 @@ def canonical(points, free):
 
 
 def through(lines, count, pins):
-    """The first argument of `canonical` for so many points on long lines."""
+    """The first argument of `canonical`: `count` points on long lines."""
     return [(tuple(j for j, on in enumerate(lines) if i in on), pins[i]) for i in range(count)]
 
 
@@ -23,7 +23,7 @@ def hashable(form):
 
 
 def configurations(count):
-    """Sets of long lines on so many points, one of each class: point after point, item 4."""
+    """Sets of long lines on `count` points, one of each class: point after point, item 4."""
     found = [[]]
     for new in range(count):
         larger = {}

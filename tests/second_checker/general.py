@@ -4,7 +4,7 @@ import re
 from itertools import combinations
 
 from algebra import Sum, apply, cross, dot, quaternion_matrix
-from lines import Fault
+from grammar import Fault
 
 LETTER = "[A-OQ-Za-z]"
 NAME = re.compile(f"((?:P{LETTER}*|{LETTER}|-)(?:/(?:P{LETTER}*|{LETTER}|-))+)"

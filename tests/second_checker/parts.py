@@ -1,6 +1,6 @@
 """Section 13: why a problem in general is not minimal: parts and their motions."""
 
-from lines import require
+from grammar import require
 
 
 def arises(problem, points, lines):
@@ -38,15 +38,15 @@ def span(on, points_given, lines_given):
 
 def conditions(problem, part, motion):
     """How many conditions the images of the part satisfy: Y' - X' - D' + κ."""
-    views, points, lines = (set(numbers) for numbers in part)
+    views, points, lines = part
     require(arises(problem, points, lines), "what is left out of the part")
     space, seen = problem.dimensions(points, lines, views)
     due = seen - space - problem.camera_dimension(len(views))
     if motion is None:
         return due
     centre, moving, *given = motion
-    moving, star = set(moving), centre is not None
-    require(moving <= views and set(given[0]) <= points and set(given[1]) <= lines and
+    star = centre is not None
+    require(moving <= views and given[0] <= points and given[1] <= lines and
             (not star or centre in points), "a motion of other views, points or lines")
     on = {j: [i for i in problem.on[j] if i in points] for j in lines}
     rank, points_within, lines_within = span(on, *given)

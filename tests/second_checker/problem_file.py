@@ -1,16 +1,15 @@
 """Section 7: problem files, the verdict on one problem in two or three views."""
 
-from algebra import determinant
-from classification import Deficient, Eliminated
-from features import CLASSES, Feature, index_of, obstruction, parse_feature, spell, weight
+from features import CLASSES, Feature, index_of, obstruction, parse_feature, weight
 from general import multiplicities
-from lines import MINOR, MODULUS, Fault, Reader, Refused, require
+from grammar import Fault, require
+from pools import Pool, check_camera_minimal, check_deficient, check_minimal
 
 RULES = ("unseen-line", "free-line", "pin-seen-once", "pin-seen-twice", "unseen-point", "bare-point",
          "point-on-line", "point-and-pin")
 
 
-def without(feature, i):
+def forgotten(feature, i):
     return Feature(feature.point, feature.lines[:i] + feature.lines[i + 1:])
 
 
@@ -18,13 +17,13 @@ def results(rule, feature, views):
     """What a rule makes of a feature: a list of Features, None for nothing."""
     point, lines = feature
     if rule == "unseen-line":
-        return [without(feature, i) if point is not None else None
+        return [forgotten(feature, i) if point is not None else None
                 for i, line in enumerate(lines) if not line]
     if point is None:
         return [None] if rule == "free-line" and 1 <= len(lines[0]) <= 2 else []
     if rule in ("pin-seen-once", "pin-seen-twice"):
         times = 1 if rule == "pin-seen-once" else 2
-        return [without(feature, i) for i, line in enumerate(lines)
+        return [forgotten(feature, i) for i, line in enumerate(lines)
                 if len(line) == times and line <= point]
     if rule == "unseen-point" and not point and lines and all(lines):
         return [Feature(None, lines) if len(lines) == 1 else None]
@@ -41,13 +40,11 @@ def results(rule, feature, views):
 
 
 def reduce(features, steps, views):
-    reduced = [feature for feature, _ in features]
-    for position, rule, text in steps:
+    reduced = list(features)
+    for position, rule, result in steps:
         require(position <= len(reduced), "no such POSITION")
-        made = [[m] if m else [] for m in results(rule, reduced[position - 1], views)
-                if (spell(m, views) if m else "nothing") == text]
-        require(made, f"{rule} does not give {text}")
-        reduced[position - 1:position] = made[0]
+        require(result in results(rule, reduced[position - 1], views), f"{rule} gives something else")
+        reduced[position - 1:position] = [result] if result else []
     require(not any(results(rule, f, views) for f in reduced for rule in RULES), "a rule applies")
     return reduced
 
@@ -64,7 +61,7 @@ def lift(reduced, views):
 
 
 def verdict_due(features, lifted, views):
-    """(verdict with K, excess, S, NUMBER as text)."""
+    """(verdict with K, excess, S, NUMBER)."""
     cameras = 11 if views == 3 else 5
     total = sum(map(weight, lifted))
     if total != cameras:
@@ -76,87 +73,57 @@ def verdict_due(features, lifted, views):
     elif views == 3:
         excess, star = obstruction(lifted)
         indices = [index_of(f) for f in lifted]
-        number = str(CLASSES.number(tuple(map(indices.count, range(27)))))
-    balanced = sum(weight(f) for f, _ in features) == cameras
+        number = CLASSES.number(tuple(map(indices.count, range(27))))
+    balanced = sum(map(weight, features)) == cameras
     verdict = "obstructed" if star or any(excess) else "minimal" if balanced else "camera-minimal"
     return verdict, excess, star, number
 
 
-class Proof:
-    """Modulus, pool and record of a problem file."""
+class File:
+    """The only record of a problem file is the file."""
 
-    def __init__(self, reader):
-        reader.line(MODULUS)
-        reader.line("pool 1")
-        self.pool = Eliminated(reader, parse_feature)
-        self.kind, self.number = reader.word("minimal", "camera-minimal", "deficient"), "-"
-        if reader.next_is("-"):
-            reader.take("-")
-        else:
-            self.number = str(reader.integer(0, 999999))
-        self.pool_number = reader.integer(0, 999999)
-        if self.kind == "minimal":
-            self.minor, = reader.line(MINOR)
-        elif self.kind == "deficient":
-            self.deficient = Deficient(reader)
-        else:
-            reader.line()
-            reader.take("delete columns")
-            self.columns = reader.ascending()
-            reader.line()
-            self.minor, = reader.line("minor", MINOR)
+    def __init__(self, node):
+        named = [parse_feature(name) for count, name in
+                 multiplicities(node["problem"][0]["NOTATION"][0]) for _ in range(count)]
+        made = [parse_feature(step["FEATURE"][0]) if step["FEATURE"] else (None, named[0][1])
+                for step in node["reduce"]]
+        self.features, self.views = [feature for feature, _ in named], named[0][1]
+        self.steps = [(step["POSITION"][0], step["RULE"][0], feature)
+                      for step, (feature, _) in zip(node["reduce"], made)]
+        verdict, self.pool, self.proof = node["verdict"][0], None, None
+        self.verdict = " ".join(map(str, verdict["words"][1:] + verdict["K"]))
+        if node["proof"]:
+            self.pool = Pool(node["pool"][0], parse_feature)
+            (self.kind, (self.proof,)), = node["proof"][0].items()
+        if any(views != self.views for _, views in named + made) or len(named) > 1000 or \
+                bool(verdict["K"]) == bool(self.proof) or self.proof and (
+                    len(self.pool.cameras) + 1 != self.views or node["pool"][0]["POOL"] != [1] or
+                    len(self.proof["kernel"]) > 11):
+            raise Fault("the views, more than 1,000 features, a proof that is missing or not due")
+        self.records = [self]
 
-    def check(self, verdict, features, lifted, views, excess, star, number):
-        kind = "deficient" if verdict == "obstructed" else verdict
-        require((self.kind, self.number, self.pool_number) == (kind, number, 1),
+    def check(self, _):
+        lifted = lift(reduce(self.features, self.steps, self.views), self.views)
+        verdict, excess, star, number = verdict_due(self.features, lifted, self.views)
+        require(self.verdict == verdict, f"the verdict is {verdict}")
+        if self.proof:
+            self.check_proof(lifted, excess, star, number)
+
+    def check_proof(self, lifted, excess, star, number):
+        obstructed = self.verdict == "obstructed"
+        kind = "deficient-record" if obstructed else \
+            "minimal-record" if self.verdict == "minimal" else "camera-record"
+        require((self.kind, self.proof["NUMBER"], self.proof["POOL"]) == (kind, [number], [1]),
                 "the kind of proof, NUMBER or POOL")
-        due = [spell(f, views) for f in lifted] if kind == "deficient" else [n for _, n in features]
-        require(self.pool.names == due, "the features of the pool")
-        self.pool.require()
-        if kind == "deficient":
-            return self.deficient.check(self.pool, range(len(due)), excess, star)
-        matrix, own = self.pool.jacobian()
-        if kind == "camera-minimal":
-            require(self.columns[-1] <= own and
-                    len(self.columns) == len(matrix[0]) - len(matrix), "the deleted columns")
-            matrix = [[x for i, x in enumerate(row, 1) if i not in self.columns] for row in matrix]
-        require(determinant(matrix) == self.minor, "the minor")
+        features = lifted if obstructed else self.features
+        require([f for f, _, _ in self.pool.features] == features, "the features of the pool")
+        require(self.pool.meets_requirements, "the requirements of section 2")
+        if obstructed:
+            check_deficient(self.proof, self.pool, range(len(features)), excess, star)
+        elif kind == "minimal-record":
+            check_minimal(self.proof, self.pool, range(len(features)))
+        else:
+            check_camera_minimal(self.proof, self.pool, range(len(features)))
 
-
-def read(data):
-    reader, steps, features = Reader(data, "problem"), [], []
-    reader.take("problem")
-    for count, name in multiplicities(reader.rest()):
-        features += [(*parse_feature(name), name)] * count
-    views = features[0][1]
-    while reader.next_is("reduce"):
-        reader.take("reduce")
-        steps.append((reader.integer(1, 1000), reader.word(), reader.word()))
-        if steps[-1][2] != "nothing" and parse_feature(steps[-1][2])[1] != views:
-            raise Fault("the views of a FEATURE")
-        reader.line()
-    reader.take("verdict")
-    verdict = reader.word("minimal", "camera-minimal", "obstructed", "under-constrained",
-                          "over-constrained")
-    counted = verdict.endswith("-constrained")
-    if counted:
-        verdict += f" {reader.integer(1, 999999)}"
-    reader.line()
-    proof = None if counted else Proof(reader)
-    if not reader.ended() or len(features) > 1000 or any(v != views for _, v, _ in features) or \
-            proof and len(proof.pool.cameras) + 1 != views:
-        raise Fault("a line after the last, the views, or more than 1,000 features")
-    return [(feature, name) for feature, _, name in features], views, steps, verdict, proof
-
-
-def check(data, every=1):
-    features, views, steps, verdict, proof = read(data)
-    try:
-        lifted = lift(reduce(features, steps, views), views)
-        due = verdict_due(features, lifted, views)
-        require(verdict == due[0], f"the verdict is {due[0]}")
-        if proof:
-            proof.check(verdict, features, lifted, views, *due[1:])
-    except Refused as why:
-        return {"hold": 0, "refused": [str(why)]}
-    return {"hold": 1, "refused": []}
+    def conclude(self, _):
+        return 0, {}

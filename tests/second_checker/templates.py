@@ -3,7 +3,14 @@
 from itertools import combinations, product
 
 from algebra import Sum, apply, cross, determinant, dot, quaternion_matrix
-from lines import MINOR, MODULUS, Fault, Reader, Refused, require
+from grammar import Fault, chunks, require
+
+
+FRAMES = ("general", "line", "points", "lines")
+
+
+def pairs(nodes):
+    return [chunks(node["INT"], 3) for node in nodes]
 
 
 def fits(degree, most):
@@ -72,39 +79,24 @@ class Condition:
 
 
 class Template:
-    def __init__(self, reader):
-        reader.take("template")
-        self.frame = reader.word("general", "line", "points", "lines")
-        self.most = tuple(reader.line("degree", *[(1, 6)] * (1 if self.frame == "general" else 2)))
-        self.read_constraints(reader)
-        reader.take("basis")
-        self.basis = reader.ascending()
-        reader.line()
-        self.rows = []
-        while reader.next_is("rows") or not self.rows:
-            after = self.rows[-1][0] if self.rows else 0
-            self.rows.append((*reader.take("rows", (after + 1, 999999)), reader.ascending()))
-            reader.line()
-        self.minor, = reader.line("minor", MINOR)
-        self.ring = Rotations(self.frame == "general")
+    """`stars` are (point, image, pins), `groups` (point, rays): pins and rays are pairs of vectors.
+    `lines` are (point, direction, image), `incidences` (point, line)."""
 
-    def read_constraints(self, reader):
-        self.stars, self.lines, self.incidences, self.groups = [], [], [], []
-        kinds = {"star": (self.stars, ("point", 3, "image", 3), ("pin", 3, "toward", 3)),
-                 "line": (self.lines, ("point", 3, "direction", 3, "image", 3), None),
-                 "incidence": (self.incidences, ("point", 3, "line", 3), None),
-                 "transversals": (self.groups, ("point", 3), ("direction", 3, "image", 3))}
-        for kind, (found, pattern, pair) in kinds.items():
-            while reader.next_is(kind):
-                constraint, pairs = reader.take(kind, *pattern), []
-                while pair and reader.more() and reader.next_is(pair[0]):
-                    pairs.append(reader.take(*pair))
-                reader.line()
-                if len(pairs) > 6 or kind == "transversals" and not pairs:
-                    raise Fault("the number of pins or rays")
-                found.append((*constraint, pairs) if pair else tuple(constraint))
-        if sum(map(len, (self.stars, self.lines, self.incidences, self.groups))) > 6:
-            raise Fault("more than 6 constraints")
+    def __init__(self, node):
+        self.frame = next(word for word in node["words"] if word in FRAMES)
+        self.most, self.minor = tuple(node["DEGREE"]), node["MINOR"][0]
+        self.basis = node["MONOMIAL"]
+        self.rows = [(row["EQUATION"][0], row["MONOMIAL"]) for row in node["rows"]]
+        self.stars = [(*chunks(star["INT"], 3), pairs(star["pin"])) for star in node["star"]]
+        self.lines = [tuple(chunks(line["INT"], 3)) for line in node["line"]]
+        self.incidences = [tuple(chunks(meets["INT"], 3)) for meets in node["incidence"]]
+        self.groups = [(group["INT"], pairs(group["ray"])) for group in node["transversals"]]
+        self.ring = Rotations(self.frame == "general")
+        numbers = [number for number, _ in self.rows]
+        if any(a >= b for a, b in zip(numbers, numbers[1:])) or \
+                any(len(both[-1]) > 6 for both in self.stars + self.groups) or \
+                sum(map(len, (self.stars, self.lines, self.incidences, self.groups))) > 6:
+            raise Fault("the order of EQUATION, or the number of constraints, pins or rays")
 
     def type(self):
         return (tuple(sorted(len(pins) for _, _, pins in self.stars)), len(self.lines),
@@ -210,8 +202,8 @@ class Template:
         return g * dot(cross(x, y), self.rotate(D)) \
             - b * y[2] * (f2 * dot(x, self.rotate(cross(E, D)))) - b * (f3 * d2) + b * (f4 * d1)
 
-    def bound(self):
-        """Items 1 to 4; the number of monomials in the basis."""
+    def check(self):
+        """Items 1 to 4."""
         self.require()
         ring = self.ring
         columns, equations = ring.columns(self.most), self.equations()
@@ -230,21 +222,17 @@ class Template:
                     if m in place:
                         matrix[-1][place[m]] = x
         require(len(matrix) == len(place) and determinant(matrix) == self.minor, "the minor")
-        return len(basis)
 
 
-def check(data, every=1):
-    """Replays the first of so many templates each time."""
-    reader, templates, bounds, refused, hold = Reader(data, "bounds"), [], {}, [], 0
-    reader.line(MODULUS)
-    while not reader.ended():
-        templates.append(Template(reader))
-    for number, template in enumerate(templates[::every]):
-        try:
-            require(len(refused) < 100, "100 templates are refused before it")
-            bound = template.bound()
-            bounds[template.type()] = min(bound, bounds.get(template.type(), bound))
-            hold += 1
-        except Refused as why:
-            refused.append(f"template {number * every + 1}: {why}")
-    return {"hold": hold, "refused": refused, "bounds": bounds}
+class File:
+    def __init__(self, node):
+        self.records, self.refused = [Template(template) for template in node["template"]], 0
+
+    def check(self, template):
+        require(self.refused < 100, "100 templates are refused before it")
+        self.refused += 1
+        template.check()
+        self.refused -= 1
+
+    def conclude(self, _):
+        return 0, {}

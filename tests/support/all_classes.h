@@ -28,7 +28,7 @@ inline std::size_t class_of(std::string_view problem) {
     return place->second;
 }
 
-/// The signature of so many of each feature; features in the notation of the table.
+/// The signature with these counts of features, in the notation of the table.
 inline checker::Signature signature_of(const std::map<std::string_view, unsigned>& counts) {
     checker::Signature signature{};
     for (const auto& [feature, count] : counts) {

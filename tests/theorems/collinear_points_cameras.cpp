@@ -155,7 +155,7 @@ Residue times(const Vector& row, const Vector& vector) {
     return sum;
 }
 
-/// Pins of X_3 at (1, 0), (0, 1), (1, 1) and (z, 1), as many as asked for; then others.
+/// Pins of X_3 at (1, 0), (0, 1), (1, 1) and (z, 1), the first `count` of them; then others.
 std::vector<Pin> star(std::size_t count, const std::vector<std::size_t>& others, Numbers& random) {
     std::vector<Pin> pins{{2, random(), {one, zero}},
                           {2, random(), {zero, one}},

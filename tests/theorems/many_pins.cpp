@@ -228,7 +228,7 @@ unsigned degree_of(const ManyPins& features) {
     return degree;
 }
 
-/// All with five to seven pins at a point, others at most as many, up to this degree.
+/// All with five to seven pins at a point, and no more at others, up to this degree.
 std::vector<ManyPins> features_up_to(unsigned most) {
     std::vector<ManyPins> all{{5, {}, 0}, {6, {}, 0}, {7, {}, 0}};
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -70,7 +70,7 @@ public:
     }
 
     /// The number of monomials that lead no polynomial. If none has the degree D, all others are
-    /// combinations of them modulo the polynomials, and there are at most as many solutions.
+    /// combinations of them modulo the polynomials, and this bounds the number of solutions.
     std::optional<std::size_t> dimension() const {
         std::size_t count = 0;
         for (std::size_t m = 0; m < monomials_.size(); ++m) {

@@ -238,7 +238,7 @@ TEST_CASE("three points on a line: the quintic on the pencils of Theorem L") {
     }
 }
 
-TEST_CASE("three points on a line: as many solutions as Theorem L says") {
+TEST_CASE("three points on a line: the number of solutions is that of Theorem L") {
     struct Row {
         Features features;
         std::size_t solutions;

@@ -122,7 +122,7 @@ std::vector<Equation> equations_at(const FiveViews& images, const ResidueRow& al
     return result;
 }
 
-/// The codimension in F of every third product, by values at as many points as F has dimension.
+/// The codimension in F of every third product, by values at dim F points.
 std::size_t codimension_by_values(const FiveViews& images, Residues& random) {
     const std::size_t dimension = monomials_of(degree_of_f).size();
     ResidueMatrix values(dimension);

@@ -80,7 +80,7 @@ enum class Complete { certified, unknown };
 struct Answer {
     int degree = 0; ///< how many complex solutions generic images have, as far as is known
     int found = 0;  ///< how many were found
-    /// Why these are all: as many as the degree, which is certified.
+    /// Why these are all: their number is the degree, which is certified.
     Complete complete = Complete::unknown;
     double moved = 0; ///< pixels that a point or line was moved at most to make lines meet points
     std::vector<Solution> solutions; ///< the real ones, those with most points in front first
@@ -104,9 +104,9 @@ public:
     static Result<Solver> load(std::string_view problem, const std::string& start) noexcept;
 
     Result<Answer> solve(const Images& images, const Options& options = {}) const noexcept;
-    /// The answers to many images, in their order, by so many threads, or fewer if the system does
-    /// not give so many: this is faster than to share each answer. Empty if there is no memory for
-    /// it.
+    /// The answers to many images, in their order, by this number of threads, or fewer if the
+    /// system does not give them: this is faster than to share each answer. Empty if there is no
+    /// memory for it.
     std::vector<Result<Answer>> solve(std::span<const Images> images, const Options& options,
                                       unsigned threads) const noexcept;
 

@@ -17,7 +17,7 @@ struct Registration {
     std::vector<int> stars;
     /// Known lines that it sees.
     int lines = 0;
-    /// Known points of which it sees only a line through them.
+    /// Known points that it does not see, though it sees a line through each.
     int incidences = 0;
     /// Known lines that meet the rays of points that it sees (transversals), by how many of them
     /// have a point in common: rays of one of the two cameras. Ascending.

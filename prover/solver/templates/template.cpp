@@ -92,7 +92,7 @@ std::vector<std::size_t> basis_left_by(const ResidueMatrix& matrix,
 }
 
 /// Makes the chosen multiples the rows of the template, and sets the minor of the columns that are
-/// not in its basis. Assumes that these are as many.
+/// not in its basis. Assumes that their numbers are equal.
 void add_rows(Template& found, const Multiples& all, const std::vector<Monomial>& monomials,
               const std::vector<int>& chosen) {
     std::map<Monomial, int> column;

@@ -11,11 +11,11 @@ namespace plprove::PLC_LANES {
 
 namespace {
 
-/// At most as many zeros as lanes; values[zero][equation].
+/// At most one zero for each lane; values[zero][equation].
 inline void refined_values_of_block(const TrackedSystem& system, const TrackedImages& images,
                                     const TrackedImages& others, std::size_t count,
                                     const CameraPoint* zeros, Complex* values) {
-    constexpr int newton_steps = 4; // from a double to twice as many digits
+    constexpr int newton_steps = 4; // from a double to twice the digits
     Number point[n], correction[n];
     for (int k = 0; k < n; ++k)
         for (int lane = 0; lane < Real::width; ++lane) {

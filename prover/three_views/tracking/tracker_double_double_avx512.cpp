@@ -1,3 +1,3 @@
-// Eight paths at a time, with twice as many digits; compiled with the flags of AVX-512
+// Eight paths at a time, with twice the digits; compiled with the flags of AVX-512
 // (CMakeLists.txt).
 #include "prover/three_views/tracking/refined_values_kernel.h"

@@ -1,2 +1,2 @@
-// One path at a time, with twice as many digits, on any machine.
+// One path at a time, with twice the digits, on any machine.
 #include "prover/three_views/tracking/refined_values_kernel.h"

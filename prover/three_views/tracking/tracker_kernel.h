@@ -1,5 +1,5 @@
 // The path tracker for the camera equations, with the lanes of the instruction set that the
-// including file is compiled for; with twice or three times as many digits if that file defines
+// including file is compiled for; with twice or three times the digits if that file defines
 // PLC_DOUBLE_DOUBLE or PLC_TRIPLE_DOUBLE.
 //
 // No function of the standard library is used here: see prover/tracking/lanes.h.

@@ -1,4 +1,4 @@
-// Four paths at a time, with three times as many digits; compiled with the flags of AVX2 and FMA
+// Four paths at a time, with three times the digits; compiled with the flags of AVX2 and FMA
 // (CMakeLists.txt).
 #define PLC_TRIPLE_DOUBLE
 #include "prover/three_views/tracking/tracker_kernel.h"

@@ -1,3 +1,3 @@
-// One path at a time, with three times as many digits, on any machine.
+// One path at a time, with three times the digits, on any machine.
 #define PLC_TRIPLE_DOUBLE
 #include "prover/three_views/tracking/tracker_kernel.h"

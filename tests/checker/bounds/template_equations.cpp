@@ -65,7 +65,7 @@ TEST_CASE("constraints have weight six, except those of the relative pose") {
     CHECK(outcome(with(on_the_axis, "toward 15 16 -47",
                        "toward 15 16 -47 pin 1 2 3 toward 3 4 5 pin 1 2 4 toward 3 5 5")) ==
           "the constraints have weight 8, not 6");
-    std::string basis, some; // the monomials of degree 2 at most; as many as columns are left, less
+    std::string basis, some; // the monomials of degree 2 at most; one for each column left, less
     const RotationRing ring{true};
     const auto columns = ring.monomials({3, 0});
     for (std::size_t i = 0, left = columns.size(); i < columns.size(); ++i) {

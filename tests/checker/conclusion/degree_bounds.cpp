@@ -1,4 +1,4 @@
-// Lower and upper bounds together: what is exact, what contradicts itself, and of which classes.
+// Lower and upper bounds together: which classes have an exact degree, which contradict themselves.
 #include "checker/bounds/registration.h"
 #include "tests/checker/bounds/templates.h"
 #include "tests/support/degree_claims.h"

@@ -66,7 +66,7 @@ TEST_CASE("theorems are asked of the classes that files bound, and of the one th
     CHECK(exact(summarize(all_classes(), {all, degree_file({{2447, 300}})})) ==
           Exact{{2447, 376}, {2448, 376}}); // the whole constraint class
     CHECK(exact(summarize(all_classes(), {problem_of_class(2447), degree_file({{2448, 1}})})) ==
-          Exact{{2447, 376}}); // of which only this one is proved minimal
+          Exact{{2447, 376}}); // only this one is proved minimal
     const ExpectedProblem expected{.problem = parse_problem("2*Pa/Pa/Pa + P/P/P"),
                                    .degree = ExpectedDegree{true, 312}};
     CHECK(exact(summarize(all_classes(), {all}, expected)) == Exact{{chicago, 312}});

@@ -38,8 +38,8 @@ int terminal_weight(const Signature& signature) {
     return sum;
 }
 
-/// Kileel's list, as his paper has it: so many PPP, PPL, PLP, LLL and PLL correspondences of total
-/// weight 11, where views 2 and 3 may be exchanged. Lifted, by swap&label class.
+/// Kileel's list, as his paper has it: numbers of PPP, PPL, PLP, LLL and PLL correspondences of
+/// total weight 11, where views 2 and 3 may be exchanged. Lifted, by swap&label class.
 std::set<std::size_t> kileels_list() {
     std::set<std::size_t> found;
     std::size_t quintuples = 0;

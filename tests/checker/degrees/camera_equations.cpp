@@ -72,7 +72,7 @@ TEST_CASE("derivatives are those of the values, over the dual numbers") {
     }
 }
 
-TEST_CASE("each feature has as many equations as its weight") {
+TEST_CASE("the number of equations of a feature is its weight") {
     const Instance all = [] {
         Instance instance = example();
         Random random;

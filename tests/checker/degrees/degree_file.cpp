@@ -90,7 +90,7 @@ TEST_CASE("images and solutions are read to the letter") {
     CHECK(violation(many) == "14: found `image`, expected at most 11 features");
 }
 
-TEST_CASE("a record goes on in the next line where a backslash says so, and not elsewhere") {
+TEST_CASE("a record goes on in the next line after a backslash, and not elsewhere") {
     std::string longer = good_record();
     for (std::size_t at = longer.find(" toward"); at != longer.npos;
          at = longer.find(" toward", at + 10))

@@ -78,8 +78,8 @@ const Instance& example();
 const std::string& example_images();
 std::string example_solution();
 
-/// Zeros of the camera equations, degenerate ones too: where Newton's method leads from so many
-/// random points.
+/// Zeros of the camera equations, degenerate ones too: where Newton's method leads from random
+/// points.
 std::vector<ComplexCameras> hunt(const checker::CameraSystem& system, std::size_t tries);
 
 /// What these records prove.

@@ -10,7 +10,7 @@
 using namespace checker;
 using namespace checker::exactly;
 
-TEST_CASE("each row is a minimal class of its own, of which no integral speaks") {
+TEST_CASE("each row is a minimal class of its own, and no integral gives its degree") {
     const std::map<Signature, Row> all = rows_by_class(rows);
     CHECK(all.size() == rows.size());
     for (const auto& [signature, row] : all) {

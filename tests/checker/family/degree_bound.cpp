@@ -63,9 +63,8 @@ TEST_CASE("the theorem is for projective cameras that all see everything") {
     CHECK(bound_of("projective: PLM/PLM/PLM + 2*PL/PL/PL + 2*PM/PM/PM + P/P/-") == std::nullopt);
 }
 
-TEST_CASE(
-    "no degree that monodromy found is above its bound; the file says so of those that "
-    "attain it, or the bound of another theorem; and the bound is one wherever the degree is") {
+TEST_CASE("no degree that monodromy found is above its bound; the file says `by theorem` where it "
+          "attains this bound or another theorem's; and the bound is one wherever the degree is") {
     std::size_t ones = 0, certified = 0, all_certified = 0;
     for (const OnFile& row : family_degrees_on_file()) {
         CAPTURE(row.problem);

@@ -37,7 +37,7 @@ bool can_be_built(const Lines& lines, int points) {
     return left == 0;
 }
 
-/// All sets of lines on numbered points, two of which share at most one point.
+/// All sets of lines on numbered points where two lines share at most one point.
 void add_lines(std::vector<Lines>& all, Lines& lines, Mask next, int points) {
     if (can_be_built(lines, points)) all.push_back(lines);
     for (; next < 1U << points; ++next) {
@@ -75,7 +75,7 @@ std::vector<int> cycles_of(const std::vector<int>& names) {
     return cycles;
 }
 
-/// In how many ways a renaming keeps so many pins: equal numbers of them on the points of a cycle.
+/// In how many ways a renaming keeps `pins` pins: equal numbers of them on the points of a cycle.
 int pins_kept(const std::vector<int>& cycles, int pins) {
     std::vector<int> ways(static_cast<std::size_t>(pins) + 1);
     ways[0] = 1;
@@ -157,7 +157,7 @@ std::string rest_of(const char* name) {
 
 } // namespace
 
-TEST_CASE("the families have as many problems as orbits, with up to six points") {
+TEST_CASE("the families have one problem for each orbit, with up to six points") {
     for (int p = 0; p <= 6; ++p) {
         const auto kept = kept_lines(p);
         for (const std::string name : {"plmp", "projective"}) {

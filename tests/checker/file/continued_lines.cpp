@@ -151,7 +151,7 @@ TEST_CASE("each line in the file has at most 16384 bytes, its backslash included
     CHECK(words_of("y \\\n" + longest + "x \\\nz\n")
               .ends_with("expected a line feed within 16384 bytes"));
     CHECK(words_of("y \\\n" + longest + "x \\\nz\n").starts_with("2: "));
-    std::string many; // as many as one likes
+    std::string many; // there is no limit
     for (int n = 0; n < 1000; ++n)
         many += "x \\\n";
     CHECK(words_of(many + "x\n").ends_with("x@1000 x@1001 "));

@@ -1,5 +1,6 @@
 // Certificate files are read to the letter: bytes, lines, words, numbers, the first line.
 #include "checker/replay.h"
+#include "checker/version.h"
 #include "tests/support/all_classes.h"
 #include "tests/support/malformed_files.h"
 
@@ -26,7 +27,6 @@ std::string outcome(const std::string& bytes, const Action& action) {
 
 TEST_CASE("a file that is empty, or whose first line is wrong, does not conform") {
     CHECK(complaint("") == "0: found nothing, expected `plcert`");
-    CHECK(complaint("plcert 3 classification\n") == "1: found `3`, expected `2`");
     CHECK(complaint("# plcert\n") == "1: found `#`, expected `plcert`");
     CHECK(complaint("plcert 2 classification more\n") ==
           "1: found `more`, expected the end of the line");
@@ -36,13 +36,24 @@ TEST_CASE("a file that is empty, or whose first line is wrong, does not conform"
 }
 
 TEST_CASE("a file of format 1 is refused, and told what to do, whatever its kind") {
-    const std::string advice = "1: this is a file of format 1: write it again with plprove 1.1, or "
-                               "check it with plcheck 1.0";
+    const std::string advice = "1: this is a file of format 1: write it again with plprove 1.1 or "
+                               "newer, or check it with plcheck 1.0";
     for (const std::string kind : {"classification", "problem", "degrees", "bounds", "catalogue"})
         CHECK(complaint("plcert 1 " + kind + "\n") == advice);
     CHECK(complaint("plcert 1\n") == advice);
-    CHECK(complaint("plcert 10 problem\n") == "1: found `10`, expected `2`");
-    CHECK(complaint("plcert 01 problem\n") == "1: found `01`, expected `2`");
+}
+
+TEST_CASE("a file of a later format is refused, and told that a newer plcheck reads it") {
+    for (const std::string format : {"3", "10"})
+        CHECK(complaint("plcert " + format + " problem\n") ==
+              say("1: this is a file of format ", format, ", and plcheck ", software_version,
+                  " reads format 2: check it with a newer plcheck"));
+}
+
+TEST_CASE("a version of the format is a number from 1, without leading zeros") {
+    for (const std::string format : {"0", "01", "-2", "2.0", "two", "1000000"})
+        CHECK(complaint("plcert " + format + " problem\n") ==
+              "1: found `" + format + "`, expected an integer from 1 to 999999");
 }
 
 TEST_CASE("a file of an unknown kind is refused") {

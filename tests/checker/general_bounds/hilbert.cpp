@@ -193,7 +193,7 @@ TEST_CASE("six lines in space have sixteen invariants of degree one in each: fif
     CHECK(invariants(visible_problem(9, {}, 6), 9) == 802450);
 }
 
-TEST_CASE("in all problems of the theorem, characters have as many invariants") {
+TEST_CASE("in all problems of the theorem, the number of invariants is that of characters") {
     const std::vector<Case> cases = all_cases();
     CHECK(cases.size() == 48);
     for (const Case& c : cases) {

@@ -11,7 +11,7 @@ using namespace checker;
 
 namespace {
 
-/// Random images of all views, and three times as many further ones.
+/// Random images of all views, and three times that number of further ones.
 std::vector<Numbers> generic_views(const Problem& problem, unsigned seed) {
     const auto cameras = static_cast<std::size_t>(std::popcount(problem.views)) - 1;
     return random_views(problem, 1 + 4 * cameras, seed);

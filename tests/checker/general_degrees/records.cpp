@@ -12,7 +12,7 @@ using namespace checker;
 
 namespace {
 
-/// Three solutions, of which two are complex conjugates.
+/// Three solutions; two are complex conjugates.
 const std::string seven_points = R"(problem projective: 7*P/P
 view 31 80 -3 -2 39 26 10 -1 -22 13 -51 -36 -26 -18 36 63 -32 -6 96 47 -75
 view 23 83 -92 -22 -55 -84 -46 74 1 -50 -27 13 -18 94 -95 -33 42 -55 -38 44 -34
@@ -29,7 +29,7 @@ view -40 -69 87 23 24 98 -5 1 45 17 -7 -26 74 95 7 -86 -20
 real 5 -71 186 -100 -135 -94 -3 22 -10 3 3 -5 -99551 28179 -23061 -34523 36232
 )";
 
-/// Images of three points on a line, of which view 3 shows two at the same place. The zeros of such
+/// Images of three points on a line; view 3 shows two of them at the same place. The zeros of such
 /// equations explain no images.
 const std::string no_point = R"(problem projective: 3*PL/PL/PL + 2*P/P/P + 2*a/a/a
 view 79 63 -92 -67 -60 55 2 -4 57 -92 -39 -74 -92 -86 21 -43 53 11 -84 -24 -72 -92 -30 74 34 1
@@ -48,7 +48,7 @@ real 5 -29 105 -19 -30 52 -75 53 143 -70 156 -279 -1252 607 -1364 -186 -835 405 
 -1648 1773 1961 1880 -1825 958 -1469
 )";
 
-/// `so many solutions`, or the first complaint as `line: reason`, after `syntax` if the file does
+/// `N solutions`, or the first complaint as `line: reason`, after `syntax` if the file does
 /// not conform.
 std::string outcome(const std::string& records) {
     const ReplayedFile file = replay(all_classes(), "file", "plcert 2 solutions\n" + records);

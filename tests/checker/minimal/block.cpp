@@ -109,7 +109,7 @@ TEST_CASE("a minor is 0 where the blocks leave more conditions than there are ca
     CHECK(minor_of(blocks, camera_unknowns, {11}) == Residue{}); // not square
 }
 
-TEST_CASE("elimination leaves as many conditions as a feature weighs, modulo q the same, scaled") {
+TEST_CASE("the conditions that elimination leaves are the weight, modulo q the same, scaled") {
     RandomIntegers random;
     for (const Feature& feature : features) {
         const Component component = random_component(feature, random);

@@ -64,7 +64,7 @@ Plane join(const Plane& a, const Plane& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Random coordinates, one of which changes.
+/// Random coordinates; one of them changes.
 class Coordinates {
 public:
     Coordinates(const std::vector<ulong>& values, std::size_t direction)

@@ -61,8 +61,7 @@ TEST_CASE("the evidence of a problem in two views is refused if anything in it i
     CHECK(outcome_of_problem(five_points + "# a comment\n") == "holds");
 }
 
-TEST_CASE(
-    "of a camera-minimal problem, as many own columns of J are deleted as there are too many") {
+TEST_CASE("of a camera-minimal problem, just the own columns that make J square are deleted") {
     const std::string open = R"(problem 3*P/P/P + P/P/a
 verdict camera-minimal
 modulus 2305843009213693951

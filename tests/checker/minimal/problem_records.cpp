@@ -58,7 +58,7 @@ TEST_CASE("a minor of a problem that is not balanced is refused") {
     CHECK(contains(outcome_of_record(with(four, " -1\n", "\n")), "it is not balanced"));
 }
 
-TEST_CASE("so many cameras, and so many numbers, as the problem has") {
+TEST_CASE("a record has the cameras and the numbers of its problem, no more and no less") {
     for (const auto& [old, replacement] : {std::pair{"3 0 -7", "3 0"},
                                            {"3 0 -7", "3 0 -7 1"},
                                            {"4 -1 -7 4", "4 -1 -7"},

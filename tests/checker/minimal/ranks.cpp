@@ -94,8 +94,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the images of a part satisfy as many conditions as its excess says, by the rank of FLINT") {
+TEST_CASE("the excess of a part is the number of conditions on its images, by the rank of FLINT") {
     Dice dice(3);
     int proved = 0, by_motion = 0;
     while (proved < 150 || by_motion < 50) {

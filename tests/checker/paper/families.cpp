@@ -16,7 +16,7 @@ std::string text_of(const std::string& name) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A file that counts so many solutions of a problem.
+/// A file that proves this number of solutions of a problem.
 ReplayedFile solutions_of(const std::string& notation, std::size_t solutions) {
     SolutionsFile content;
     content.counts.push_back({notation, parse_problem(notation), solutions});

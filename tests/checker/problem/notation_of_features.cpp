@@ -3,7 +3,7 @@
 
 using namespace checker;
 
-TEST_CASE("a feature has one spelling, a problem as many views as its features") {
+TEST_CASE("a feature has one spelling, and all features of a problem the same views") {
     for (const char* problem :
          {"Pa/Pa/Pa", "P/P", "P/P/P(a)", "-/-/-(P)", "-/-/-(a)", "a/a/a(P)", "a/b/-", "-/-/-(ab)",
           "2*P/P/P", "1000*P/P/P", "P/P/P + a/a/a + P/P/P", "Pab/b/a + Pab/a/b"}) {

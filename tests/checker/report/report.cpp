@@ -26,8 +26,7 @@ bool is_counted(const paper::ClaimedCount& claim, std::size_t n) {
     return false;
 }
 
-/// Verdicts with which a count has only so many classes; the other classes of it are called
-/// obstructed.
+/// Verdicts with which a count has only `counted` classes; its other classes are called obstructed.
 Verdicts verdicts_with(const paper::ClaimedCount& claim, std::size_t counted) {
     Verdicts verdicts = all_verdicts();
     std::size_t found = 0;

@@ -1,5 +1,5 @@
 // Certificates of degrees in general: the checker, which shares no source with the prover, finds
-// as many solutions as are known by other means.
+// the number of solutions that follows by other means.
 #include "prover/many_views/certificate.h"
 
 #include "checker/degrees/krawczyk.h"

@@ -30,7 +30,7 @@ TEST_CASE("monodromy finds degrees that are known") {
     CHECK(found("3*P/P/P + a/a/a", 3).solutions == 216);
 }
 
-TEST_CASE("monodromy finds as many solutions of a system as its symmetries divide") {
+TEST_CASE("the symmetries of a system divide the number of solutions that monodromy finds") {
     // Two views of points: the solutions with the same essential matrix come in pairs.
     for (const char* text : {"2*PL/PL + 2*P/P + PL/PL", "PLM/PLM + 2*PL/PL + 2*PM/PM"})
         CHECK(found(text, 4).solutions % 2 == 0);

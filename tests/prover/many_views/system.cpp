@@ -28,7 +28,7 @@ double largest(const Eigen::VectorXcd& values) {
 
 } // namespace
 
-TEST_CASE("there are as many equations as unknowns, and the scene solves them") {
+TEST_CASE("the system is square, and the scene solves it") {
     for (const std::string& text : problems) {
         CAPTURE(text);
         Random random(3, 1);

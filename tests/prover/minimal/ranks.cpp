@@ -54,7 +54,7 @@ TEST_CASE("the Jacobian has the rank of the joint camera map, written a second w
 }
 
 TEST_CASE("the Jacobian has a row for each dimension of the images: none is superfluous") {
-    // The images of one view alone, with the scene free, are as many as its dimension.
+    // The images of one view alone, with the scene free, have its dimension.
     Random random(21);
     for (int i = 0; i < 100; ++i) {
         Problem problem = random.problem();
@@ -67,7 +67,7 @@ TEST_CASE("the Jacobian has a row for each dimension of the images: none is supe
     }
 }
 
-TEST_CASE("there are as many motions as a reason claims, or more") {
+TEST_CASE("there are the motions that a reason claims, or more") {
     Random random(22);
     int with_motions = 0;
     for (int i = 0; i < 4000; ++i) {

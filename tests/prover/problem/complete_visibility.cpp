@@ -58,7 +58,7 @@ Lines smallest_renaming(const Lines& lines, int points) {
     return *best;
 }
 
-/// All sets of lines of three points or more, any two of which share at most one point, up to
+/// All sets of lines of three points or more where any two lines share at most one point, up to
 /// renaming: the linear spaces.
 std::set<Lines> linear_spaces(int points) {
     std::set<Lines> found;
@@ -110,7 +110,7 @@ TEST_CASE("skeletons are the linear spaces that can be constructed, up to isomor
     }
 }
 
-TEST_CASE("pins are distributed in as many ways as Burnside's lemma says") {
+TEST_CASE("Burnside's lemma counts the ways to distribute pins") {
     // Three collinear points and one more, two pins: the symmetries permute the three points.
     const Skeleton skeleton{{0, 0, 0, 0}, {{0, 1, 2}}};
     // Orbits: pins (2 0 0 | 0), (1 1 0 | 0), (1 0 0 | 1), (0 0 0 | 2).

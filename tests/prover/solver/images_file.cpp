@@ -77,7 +77,7 @@ TEST_CASE("calibration is undone exactly") {
     CHECK(*normalised.features[0][1].lines[0] == ExactVector{1, 2, mpq_class(-7, 2)});
 }
 
-TEST_CASE("a line that misses its point is moved, by so many pixels") {
+TEST_CASE("a line that misses its point is moved, and the answer says by how many pixels") {
     const std::string first = R"({"point": [0, 0], "lines": {"a": [[4, 1], [8, 0]]}})";
     const ConsistentImages moved = consistent(read_images(file(first, good_second), "f", pin));
     CHECK(moved.moved == doctest::Approx(2.0 / 3));

@@ -120,7 +120,7 @@ TEST_CASE("a run stops at its target") {
     CHECK(compute_degree(number, of_degree(216, 300)).complete);
 }
 
-TEST_CASE("a lower bound is a certificate of so many different solutions, and no more is claimed") {
+TEST_CASE("a lower bound of N is a certificate of N different solutions, and no more is claimed") {
     for (const int wanted : {50, 312}) {
         const DegreeRun found = compute_degree(number_of("2*Pa/Pa/Pa + P/P/P"), at_least(wanted));
         CHECK(found.degree >= wanted);

@@ -10,7 +10,7 @@
 
 using namespace plprove;
 
-TEST_CASE("what doubles lose arrives with two or three times as many digits") {
+TEST_CASE("what doubles lose arrives with two or three times the digits") {
     // Here many paths pass by cameras that are nearly degenerate.
     const Solved solved(257, 600, 0);
     const Images& from = solved.loops().images();
