@@ -3,7 +3,7 @@
 from algebra import determinant
 from families import family_classes, family_numbers, member
 from general import general_problem, jacobian
-from grammar import Fault, Refused, require
+from grammar import Fault, require
 from parts import conditions
 
 
@@ -71,17 +71,12 @@ class File:
         self.refused = 0
 
     def check(self, record):
-        try:
-            require(self.refused < 100, "100 records are refused before it")
-            self.check_alone(record)
-        except Refused:
-            self.refused += 1
-            raise
-
-    def check_alone(self, record):
+        require(self.refused < 100, "100 records are refused before it")
+        self.refused += 1
         place = member(self.family, record.problem) if self.family else record
         require(place is not None and place not in self.seen, "not of the family, or there already")
         record.check()
+        self.refused -= 1
         self.seen.add(place)
 
     def conclude(self, held):
