@@ -2,7 +2,7 @@
 #pragma once
 
 #include "checker/conclusion/findings.h"
-#include "checker/problem/by_problem.h"
+#include "checker/family/by_problem.h"
 
 namespace checker {
 /// A verdict on a problem, and the file that proves it.
@@ -12,8 +12,7 @@ struct ProvedInGeneral {
 };
 
 /// Finds the problem among verdicts or solutions; none if no record is about it.
-std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
-                                                const Problem& problem);
+std::optional<ProvedInGeneral> prove_in_general(const Findings& findings, const Problem& problem);
 
 /// So many solutions a problem has at least, and the file that proves it.
 struct CountedInGeneral {

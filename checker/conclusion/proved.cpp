@@ -1,9 +1,30 @@
 #include "checker/conclusion/proved.h"
 
-#include "checker/problem/isomorphism.h"
+#include "checker/family/isomorphism.h"
 #include "checker/problem/notation.h"
 
 namespace checker {
+/// Whether the line is known from its points, two of them, wherever it is seen.
+static bool is_implied(const Problem& problem, const Line& line) {
+    return line.points.size() == 2 && std::ranges::all_of(line.points, [&](std::size_t point) {
+               return (line.seen_by & ~problem.points[point].seen_by) == 0;
+           });
+}
+
+Problem without_implied_lines(const Problem& problem) {
+    Problem result = problem;
+    result.lines.clear();
+    for (Point& point : result.points)
+        point.lines.clear();
+    for (const Line& line : problem.lines) {
+        if (is_implied(problem, line)) continue;
+        for (const std::size_t point : line.points)
+            result.points[point].lines.push_back(result.lines.size());
+        result.lines.push_back(line);
+    }
+    return result;
+}
+
 /// What views see of a point and the lines through it; none if a line has another point.
 static std::optional<Feature> feature_of(const Problem& problem, const Point& point) {
     Feature feature{.point = point.seen_by};
@@ -79,8 +100,8 @@ Proved prove(const Classification& classes, const Findings& findings,
     if (!found) return proved;
     proved.verdict = found->minimal ? "minimal" : "not-minimal";
     proved.file = found->file;
-    const auto summands = without_implied_lines(*expected.in_general);
-    if (found->minimal && !proved.number && summands) proved.number = class_of(classes, *summands);
+    if (found->minimal && !proved.number)
+        proved.number = class_of(classes, without_implied_lines(expected.problem));
     return proved;
 }
 

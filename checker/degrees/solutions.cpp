@@ -2,7 +2,7 @@
 
 namespace checker {
 /// The effort of a proof. It grows with the square of the number of coordinates, 11 for three
-/// views; numbers of twice as many bits, and more steps, take four times as much. What is refused
+/// views; numbers of twice the bits, and more steps, take four times as much. What is refused
 /// has been tried with the most bits.
 static std::uint64_t effort_of(const Proof& proof, std::size_t coordinates) {
     constexpr std::size_t usual = camera_unknowns * camera_unknowns;

@@ -55,7 +55,7 @@ static std::vector<std::vector<Problem>> arrangements() {
     return all;
 }
 
-/// Adds the problems with so many pins more.
+/// Adds the problems with `pins` pins more.
 static void add_with_pins(Problems& found, const Problem& problem, int pins) {
     std::vector<Problem> with_pins{problem};
     for (; pins > 0; --pins) {

@@ -1,7 +1,7 @@
 // The families of problems (FORMAT.md, section 13): which problems they have, and their numbers.
 #pragma once
 
-#include "checker/problem/by_problem.h"
+#include "checker/family/by_problem.h"
 
 #include <string_view>
 #include <variant>

@@ -7,7 +7,7 @@
 #include "checker/problem/problem.h"
 
 namespace checker {
-/// What a record proves: if the problem is minimal, it has at most so many camera solutions.
+/// What a record proves: if the problem is minimal, it has at most this number of camera solutions.
 struct SolutionBound {
     std::string notation{};
     Problem problem{};

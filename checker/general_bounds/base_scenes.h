@@ -6,7 +6,7 @@
 #include "checker/general_degrees/scene_system.h"
 
 namespace checker {
-/// The scenes of which only some depths are not 0: a camera [0 | t] sees them.
+/// The scenes where only some depths are not 0: a camera [0 | t] sees them.
 struct FewDepths {
     std::vector<std::size_t> depths{};
     std::size_t order = 1; // to which the cubic forms vanish there, at least

@@ -1,6 +1,6 @@
 #include "checker/general_bounds/proved_degrees.h"
 
-#include "checker/problem/by_problem.h"
+#include "checker/family/by_problem.h"
 #include "checker/problem/notation.h"
 
 #include <algorithm>

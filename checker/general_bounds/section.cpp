@@ -18,8 +18,8 @@ static std::vector<Resection> resections_of(const SceneSystem& system) {
     return resections;
 }
 
-/// The effort of noting the values of all cubic forms at so many scenes. Throws Refused if these
-/// are too many.
+/// The effort of noting the values of all cubic forms at this number of scenes. Throws Refused
+/// if these are too many.
 static std::uint64_t effort_of_values(const std::vector<Resection>& resections,
                                       std::size_t scenes) {
     constexpr std::size_t most_values = 20'000'000;

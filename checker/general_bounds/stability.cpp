@@ -30,7 +30,7 @@ Positions of_point_and_line(int pins) {
     return positions;
 }
 
-/// The largest sum of counts if each feature has one of its positions, with at most so many
+/// The largest sum of counts if each feature has one of its positions, with at most `conditions`
 /// conditions in all: at most four.
 int largest_count(const std::vector<Positions>& features, std::size_t conditions) {
     std::array<int, 5> largest{}; // with at most 0, ..., 4 conditions

@@ -45,7 +45,7 @@ struct CameraForm {
 
 CameraForm camera_form(const CameraModel& model, bool second);
 
-/// A problem's equations for its cameras and depths, as many as there are of these.
+/// A problem's equations for its cameras and depths: a square system.
 struct SceneSystem {
     CameraForm second{};     // the camera of view 2
     CameraForm other{};      // each camera after it

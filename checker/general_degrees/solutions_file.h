@@ -7,7 +7,7 @@
 #include "checker/problem/problem.h"
 
 namespace checker {
-/// What a record proves: the problem is minimal, and has at least so many camera solutions.
+/// What a record proves: the problem is minimal, and has at least this number of camera solutions.
 struct SolutionCount {
     std::string notation{};
     Problem problem{};

@@ -27,7 +27,7 @@ struct CollinearClaim {
     Views views = 0;
 };
 
-/// Not minimal: the images of this part satisfy so many conditions.
+/// Not minimal: the images of this part satisfy `excess` conditions.
 struct PartClaim {
     int excess = 0;
     Selection part{};

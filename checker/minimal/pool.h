@@ -23,7 +23,7 @@ inline Numbers read_placement(Reader& reader, unsigned pins) {
     return reader.take(pattern + " $");
 }
 
-/// The rows of J of a feature in so many views. Throws Refused if they violate section 2.
+/// The rows of J of a feature in this number of views. Throws Refused if they violate section 2.
 inline Jacobian<mpz_class> rows_of(const Feature& feature, unsigned views,
                                    const Placement& placement) {
     const Problem problem = problem_of(feature, views);

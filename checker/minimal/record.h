@@ -9,7 +9,7 @@
 #include <variant>
 
 namespace checker {
-/// J has a minor that is not 0. If some rows and columns are deleted, as many motions of the
+/// J has a minor that is not 0. If the minor leaves out rows and columns, as many motions of the
 /// cameras keep all images, so that its rank is not larger; else the problem is minimal.
 struct MinorClaim {
     Residue minor{};

@@ -56,7 +56,7 @@ struct CameraModel {
     CameraMatrix<Complex> (*matrix)(const Complex* numbers) = nullptr;
     CameraMatrix<Complex> (*derivative)(const Complex* numbers, const Complex* direction) = nullptr;
 
-    /// Parameters of so many cameras, two or more, up to the motions of space.
+    /// Parameters of `views` cameras, two or more, up to the motions of space.
     int dimension(int views) const { return unknowns * views - motions_of_space; }
 };
 

@@ -52,7 +52,7 @@ struct DegreesRequest {
     DegreeOptions options{300};
     bool exact = false;
     bool retry = false;
-    unsigned threads = 0; ///< 0: as many as are useful
+    unsigned threads = 0; ///< 0: what is useful
     std::vector<ClassFilter> classes;
 };
 

@@ -34,7 +34,8 @@ ClassResult merged(ClassResult old, ClassResult recent);
 /// Whether the options were tried. A run that stopped short will do so again.
 bool attempted(const ClassResult& result, const DegreeOptions& options);
 
-/// Whether the result is what the options want: all solutions, or as many as the target.
+/// Whether the result is what the options want: all solutions, or the number that the target asks
+/// for.
 bool fulfils(const ClassResult& result, const DegreeOptions& options);
 
 /// One JSON object, in one line without its end; ASCII.
@@ -44,7 +45,8 @@ std::string run_line(const ClassResult& result);
 std::string write(const ClassResult& result);
 
 /// Reads such a file back, `record` only if `whole`. Nothing where there is none or it is damaged:
-/// where the first lines are not what write() writes, or, if `whole`, the record has another digest.
+/// where the first lines are not what write() writes, or, if `whole`, the record has another
+/// digest.
 std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole);
 
 /// The same from the bytes of such a file.

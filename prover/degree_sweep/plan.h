@@ -20,7 +20,7 @@ struct SweepPlan {
 SweepPlan plan_sweep(const SweepFolder& folder, const std::vector<std::size_t>& classes,
                      const DegreeOptions& options, bool retry);
 
-/// The classes that one of several processes computes, the first of which has the number 0. They
+/// The classes that one of several processes computes; the first has the number 0. They
 /// are dealt out to and fro by their degrees, largest first, whatever is on file: processes that
 /// share a folder need not agree on what they find there.
 std::vector<std::size_t> share_of(std::vector<std::size_t> classes, std::size_t process,

@@ -19,8 +19,8 @@ struct Incidence {
 /// line without points.
 std::size_t unknown_depths(const Problem& problem);
 
-/// All equations. They are as many as there are unknown depths and camera parameters if the problem
-/// is balanced. Assumes that all views see everything.
+/// All equations: one for each unknown depth and camera parameter if the problem is balanced.
+/// Assumes that all views see everything.
 std::vector<Incidence<Moving>> incidences(const Problem& problem, const Images<Moving>& images);
 std::vector<Incidence<Polynomial>> incidences(const Problem& problem,
                                               const Images<Polynomial>& images);

@@ -9,8 +9,8 @@ namespace plprove::many_views {
 /// Integer images: what each view sees, number by number.
 using IntegerImages = std::vector<std::vector<int>>;
 
-/// Random ones of so many views that meet the conditions of the format. Throws FormatLimit if that
-/// takes too long.
+/// Random ones of this number of views that meet the conditions of the format. Throws FormatLimit
+/// if that takes too long.
 IntegerImages random_integer_images(const Problem& problem, int views, Random& random);
 
 /// Image vectors for computing: those of free points and of lines are divided by `scale`, so that

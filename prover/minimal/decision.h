@@ -32,7 +32,7 @@ struct Decision {
     Features problem;
     Reduction reduction;
     Features lifted;   ///< reduced, with dangling pins fixed
-    Features terminal; ///< reduced, with as many dangling pins as possible
+    Features terminal; ///< reduced, with all pins dangling that can be
     int space_dimension = 0;
     int image_dimension = 0;
     int camera_dimension = 0;

@@ -28,7 +28,7 @@ int constraints_of(const Feature& feature) {
     return sum;
 }
 
-/// The changes that bring as many constraints as are missing: candidates.
+/// The changes that bring just the constraints that are missing: candidates.
 std::vector<Hint> candidates(const Decision& decision) {
     std::vector<Hint> result;
     const int missing = decision.camera_dimension - decision.constraints;

@@ -36,8 +36,8 @@ struct Matrix {
 };
 
 /// The Jacobian: dimension_in_views(problem) rows; dimension_in_space(problem) columns, and then
-/// those of the cameras. Assumes the order of construction, and as many coordinates as the problem
-/// needs. T is Modular; or std::int64_t, if no entry is too large for it.
+/// those of the cameras. Assumes the order of construction, and the number of coordinates that the
+/// problem needs. T is Modular; or std::int64_t, if no entry is too large for it.
 template <class T>
 Matrix<T> jacobian(const Problem& problem, const Instance& instance);
 

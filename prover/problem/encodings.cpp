@@ -195,7 +195,7 @@ Problem visible_problem(const CameraModel& cameras, int views, int points,
     return *in_order_of_construction(result);
 }
 
-/// The same in as many views as make it balanced.
+/// The same in the number of views that makes it balanced.
 Problem balanced_problem(const CameraModel& cameras, int points,
                          const std::vector<std::vector<int>>& lines) {
     std::vector<Problem> found;

@@ -102,18 +102,19 @@ public:
 
     Feature feature() { return feature_of(written()); }
 
-    /// Reads a feature, and appends as many copies as its multiplicity says.
+    /// Reads a feature, and appends the copies that its multiplicity asks for.
     void append_term(Features& features) {
         const std::size_t copies = multiplicity();
         const Written text = written();
         const Feature feature = feature_of(text);
         if (!features.empty() && feature.views() != features.front().views())
-            fail(text, "found " + std::to_string(feature.views()) + " views, expected " +
-                           std::to_string(features.front().views()) +
-                           " as in the first feature: write as many views in every feature");
+            fail(text,
+                 "found " + std::to_string(feature.views()) + " views, expected " +
+                     std::to_string(features.front().views()) +
+                     " as in the first feature: write the same number of views in every feature");
         if (features.size() + copies > max_features)
             fail(text, "found more than " + std::to_string(max_features) +
-                           " features: write at most so many");
+                           " features: write at most this number");
         for (std::size_t i = 0; i < feature.shared.size(); ++i)
             share(text, feature.shared[i], views_of(feature, static_cast<int>(i)), copies);
         features.insert(features.end(), copies, feature);

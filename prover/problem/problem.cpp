@@ -28,7 +28,7 @@ std::vector<char> letters_of_lines(const Problem& problem) {
     return letters;
 }
 
-/// The feature without lines, in so many views.
+/// The feature without lines, in `views` views.
 Feature feature_without_lines(bool has_point, int views, ViewSet seen) {
     Feature feature{has_point, 0, std::vector<Sight>(static_cast<std::size_t>(views))};
     for (int view = 0; view < views; ++view)

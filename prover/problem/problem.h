@@ -95,7 +95,7 @@ int dimension_in_view(const Problem& problem, int view);
 /// The sum of dimension_in_view over all views.
 int dimension_in_views(const Problem& problem);
 
-/// Whether images put as many constraints as cameras and scene have parameters.
+/// Whether the images put one constraint for each parameter of cameras and scene.
 bool is_balanced(const Problem& problem);
 
 } // namespace plprove

@@ -1,6 +1,6 @@
 // Camera-degrees: the number of complex camera solutions that a minimal problem has for generic
 // images. A theorem gives it (certs/degrees.csv). Here the solutions themselves are found, by
-// monodromy, for certificates that there are at least as many (certs/FORMAT.md, section 9).
+// monodromy, for certificates that they exist (certs/FORMAT.md, section 9).
 #pragma once
 
 #include "prover/monodromy/progress.h"
@@ -16,9 +16,9 @@
 namespace plprove {
 
 struct DegreeOptions {
-    int target = 0;         ///< stop once so many solutions are found; 0: find all
+    int target = 0;         ///< stop once this many solutions are found; 0: find all
     std::uint64_t seed = 0; ///< another seed, another sequence of random images and charts
-    int at_least = 0;       ///< not 0: find so many solutions, whatever the degree is
+    int at_least = 0;       ///< not 0: find this many solutions, whatever the degree is
     /// Called now and then by the thread that computes; has no part in the result.
     std::function<void(const MonodromyProgress&)> progress = {};
     int degree = 0; ///< that a theorem gives: the number of all solutions
@@ -49,7 +49,7 @@ struct DegreeCertificate {
 struct DegreeRun {
     std::size_t number = 0;
     int degree = 0;        ///< how many solutions were found: certified once plcheck accepts them
-    bool complete = false; ///< whether these are as many as the theorem gives
+    bool complete = false; ///< whether this is the number that the theorem gives
     std::uint64_t tracks = 0;       ///< paths followed, to an end or until lost for good
     std::uint64_t retried = 0;      ///< of these, followed with tighter settings and more digits
     std::uint64_t failed = 0;       ///< of these, lost for good

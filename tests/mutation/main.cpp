@@ -1,8 +1,8 @@
 // Soundness by mutation: the checker refuses a changed file, or what it then certifies is true, as
 // the referee finds by other means. Prints who refused what.
 //   mutation_tests [MUTANTS [SEED]]
-// So many mutants of classification and problem files, a quarter as many of files of problems in
-// general, and a tenth as many each of degree files and of files of upper bounds.
+// MUTANTS mutants of classification and problem files, a quarter of this number of files of
+// problems in general, and a tenth each of degree files and of files of upper bounds.
 #include "prover/minimal/problem_certificate.h"
 #include "tests/mutation/degree_trial.h"
 #include "tests/mutation/general_trial.h"

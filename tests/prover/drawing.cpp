@@ -186,8 +186,7 @@ TEST_CASE("what a view does not see is dotted in the text, at the place where ot
         for (const auto& panel : panels)
             for (std::size_t row = 0; row < panel.size(); ++row)
                 CHECK(std::ranges::equal(panel[row], panels[0][row], {}, kind, kind));
-        // A problem of which the views see all has no dots, one of which they see nothing no
-        // strokes.
+        // If the views see all, there are no dots; if they see nothing, there are no strokes.
         Features all = problem;
         Features nothing = problem;
         for (std::size_t i = 0; i < problem.size(); ++i)

@@ -2,6 +2,7 @@
 // their certificates.
 #pragma once
 
+#include "checker/problem/notation.h"
 #include "tests/support/all_classes.h"
 #include "tests/support/report.h"
 
@@ -23,9 +24,7 @@ inline checker::ReplayedFile problem_of_class(std::size_t number) {
     const checker::Signature& signature = all_classes().representatives[number];
     checker::ProblemFile file;
     file.problem = checker::notation(signature);
-    const std::string line = file.problem + '\n';
-    checker::Reader reader(line);
-    file.meaning = checker::read_notation(reader, checker::section_1).problem;
+    file.meaning = checker::parse_problem(file.problem, checker::section_1);
     file.verdict = "minimal";
     file.of_class = checker::ClassVerdict{number, checker::obstruction(signature)};
     return {.name = "problem.plc", .content = file};

@@ -1,7 +1,7 @@
 // What a user expects is verified if the files prove just that, and not otherwise.
 #include "checker/bounds/registration.h"
 #include "checker/conclusion/proved.h"
-#include "checker/problem/isomorphism.h"
+#include "checker/family/isomorphism.h"
 #include "checker/problem/notation.h"
 #include "prover/minimal/problem_certificate.h"
 #include "prover/problem/notation.h"

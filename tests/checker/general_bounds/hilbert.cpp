@@ -232,8 +232,7 @@ TEST_CASE("in all problems of the theorem, the invariants are counted by a polyn
 TEST_CASE("where a point has more than four pins, Lemma T4 says nothing") {
     for (std::size_t pins = 0; pins <= 10; ++pins) {
         CAPTURE(pins);
-        CHECK(general_arrangements_are_stable(visible_problem(8, {pins}, 0)) ==
-              (pins <= 4));
+        CHECK(general_arrangements_are_stable(visible_problem(8, {pins}, 0)) == (pins <= 4));
         if (pins > 4) // also where the theorem's equations are right in number
             CHECK(degree_by_invariants(visible_problem(8, {pins}, (10 - pins) / 2)) ==
                   std::nullopt);
@@ -258,7 +257,7 @@ TEST_CASE("the theorem says nothing of other problems") {
 
 TEST_CASE(
     "a line with two points is not two pins, though a problem with two such lines, in one view, "
-    "is balanced and has as many equations") {
+    "is balanced and has the same number of equations") {
     Problem problem = visible_problem(1, {1, 1, 1, 1}, 0);
     CHECK(invariants(visible_problem(5, {1, 1, 1, 1}, 0), 1) == 8);
     problem.lines.resize(2);

@@ -16,6 +16,6 @@ struct DegreeOnFile {
 /// Those in three views or more.
 std::vector<DegreeOnFile> projective_degrees();
 
-/// Random images of so many views that meet the conditions of FORMAT.md, section 14.
+/// Random images of `views` views that meet the conditions of FORMAT.md, section 14.
 std::vector<checker::Numbers> random_views(const checker::Problem& problem, std::size_t views,
                                            unsigned seed);

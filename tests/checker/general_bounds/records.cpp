@@ -134,7 +134,7 @@ TEST_CASE("each record takes an effort of 1 before anything else; after 100 refu
     CHECK(contains(outcome(many, 99), "more effort than allowed"));
     const ReplayedFile file = replay(
         all_classes(), "file", "plcert 2 at-most\n" + many + six_points, Execution{.effort = 100});
-    const auto& content = std::get<general::AtMostFile>(file.content);
+    const auto& content = std::get<AtMostFile>(file.content);
     CHECK(content.refusals.count == 102);
     CHECK(content.bounds.empty());
     // Many lines that are refused before there are monomials take no less.

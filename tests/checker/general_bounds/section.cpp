@@ -136,7 +136,7 @@ TEST_CASE("too few powers give no bound, or a larger one") {
     CHECK(bound_of("projective: 4*Pa/Pa/Pa/Pa/Pa", {2, 1}) != 7U);
 }
 
-TEST_CASE("monomials are looked for in so many steps only") {
+TEST_CASE("monomials are looked for in a limited number of steps") {
     const Problem problem = problem_of("projective: 7*P/P + 20*a/a");
     const SceneSystem system = scene_system(problem, random_views(problem, 3, 1));
     const SceneCoordinates coordinates(system, {});

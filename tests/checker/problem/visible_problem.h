@@ -3,7 +3,7 @@
 
 #include "checker/problem/problem.h"
 
-/// One in so many views, with free lines, and for each of these numbers a point with so many pins.
+/// One in `views` views, with free lines, and a point with each of these numbers of pins.
 inline checker::Problem visible_problem(unsigned views, const std::vector<std::size_t>& pins,
                                         std::size_t free_lines) {
     const checker::Views all = (1U << views) - 1;

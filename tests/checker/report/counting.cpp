@@ -16,25 +16,25 @@ const std::string other = "5*P/P";
 const std::string eight = "projective: 7*P/P";
 
 ReplayedFile verdicts(const std::vector<std::string>& notations) {
-    general::ProblemsFile file;
+    ProblemsFile file;
     for (const std::string& notation : notations)
-        file.verdicts.push_back({notation, parse_general_problem(notation), true});
+        file.verdicts.push_back({notation, parse_problem(notation), true});
     return {.name = "problems.plc", .content = file};
 }
 
-/// A file of solutions with so many of each problem.
+/// A file of solutions with this number of each problem.
 ReplayedFile counts(const std::vector<std::pair<std::string, std::size_t>>& records) {
-    general::SolutionsFile file;
+    SolutionsFile file;
     for (const auto& [notation, solutions] : records)
-        file.counts.push_back({notation, parse_general_problem(notation), solutions});
+        file.counts.push_back({notation, parse_problem(notation), solutions});
     return {.name = "solutions.plc", .content = file};
 }
 
 /// A file of upper bounds.
 ReplayedFile bounds(const std::vector<std::pair<std::string, std::size_t>>& records) {
-    general::AtMostFile file;
+    AtMostFile file;
     for (const auto& [notation, at_most] : records)
-        file.bounds.push_back({notation, parse_general_problem(notation), at_most});
+        file.bounds.push_back({notation, parse_problem(notation), at_most});
     return {.name = "at-most.plc", .content = file};
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("a problem file and a file of problems about the same problem count on
 
 TEST_CASE("a family counts once") {
     ReplayedFile family = verdicts({one, other});
-    std::get<general::ProblemsFile>(family.content).family = "plmp";
+    std::get<ProblemsFile>(family.content).family = "plmp";
     CHECK(statement({family, family}) == "VERIFIED: all 2 problems of the family plmp, 2 minimal");
 }
 

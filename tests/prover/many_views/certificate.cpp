@@ -51,7 +51,7 @@ TEST_CASE("each solution and each pair is written once, whatever the number of t
 }
 
 TEST_CASE("integer images have different points on each line") {
-    // Some seed would give the factors 0, 1 to one of so many dependent points.
+    // Some seed would give the factors 0, 1 to one of these many dependent points.
     const Problem problem = parse_problem("3*PL/PL/PL/PL + a/a/a/a");
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Random random(seed, 1);

@@ -41,7 +41,7 @@ TEST_CASE("degrees of families on file are of different minimal problems of thes
         CHECK(open[std::string(line.family)].erase(std::string(line.problem)) == 1);
         CHECK(line.degree > 0);
         // What is certified exactly, tests of the checker compare with what it certifies.
-        const bool has_class = line.family == "plmp" && !general::parse_spec(line.problem);
+        const bool has_class = line.family == "plmp" && !parse_general_spec(line.problem);
         CHECK(line.source.starts_with("by its label class; ") == has_class);
         const bool is_exact = has_class || line.source.starts_with("by theorem") ||
                               line.source.starts_with("by certificates");

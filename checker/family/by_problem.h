@@ -2,7 +2,7 @@
 // and counts how many problems there are (FORMAT.md, section 13).
 #pragma once
 
-#include "checker/problem/isomorphism.h"
+#include "checker/family/isomorphism.h"
 
 namespace checker {
 /// A value for each of some problems.

@@ -1,6 +1,6 @@
 // Problems are found and counted whatever the names of their points and lines, in few steps; where
 // these do not decide, nothing is taken for the same, and nothing counts twice.
-#include "checker/problem/by_problem.h"
+#include "checker/family/by_problem.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -27,7 +27,7 @@ Problem problem_of(std::size_t points, const Lines& lines) {
     return problem;
 }
 
-/// Cycles of points, neighbours of which have a line: of these lengths.
+/// Cycles of these lengths, of points. A line passes through each two neighbours.
 Problem cycles(const std::vector<std::size_t>& lengths) {
     Lines lines;
     std::size_t first = 0;
@@ -98,7 +98,7 @@ bool same_by_trying(const Problem& a, const Problem& b) {
     return false;
 }
 
-/// Six points, and lines with two or three of them, or one, two of which share at most one.
+/// Six points, and lines with one, two or three of them. Two lines share at most one point.
 Problem random_problem(std::mt19937& random) {
     Lines lines;
     for (int tries = 0; tries < 9; ++tries) {

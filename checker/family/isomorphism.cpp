@@ -1,4 +1,4 @@
-#include "checker/problem/isomorphism.h"
+#include "checker/family/isomorphism.h"
 
 #include <algorithm>
 
@@ -60,7 +60,7 @@ static Graph graph_of(const Problem& a, const Problem& b) {
     return graph;
 }
 
-/// Takes the steps, if there are so many; else none is left.
+/// Takes the steps if there are enough; else none is left.
 static bool take(std::size_t& steps, std::size_t needed) {
     const bool enough = needed <= steps;
     steps = enough ? steps - needed : 0;
