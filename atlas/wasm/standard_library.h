@@ -9,6 +9,7 @@
 #include <compare>
 #include <functional>
 #include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -36,6 +37,11 @@ strong_ordering operator<=>(const array<T, size>& a, const array<T, size>& b) {
 
 template <class Character>
 strong_ordering operator<=>(basic_string_view<Character> a, basic_string_view<Character> b) {
+    return a.compare(b) <=> 0;
+}
+
+template <class Character>
+strong_ordering operator<=>(const basic_string<Character>& a, const basic_string<Character>& b) {
     return a.compare(b) <=> 0;
 }
 
