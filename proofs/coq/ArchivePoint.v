@@ -1,4 +1,5 @@
-(** * What is computed for the point of the classification archive (Pool.v): all that Tree.v asks for *)
+(** * What is computed for the point of the classification archive (Pool.v): all that Tree.v asks
+    for *)
 From Coq Require Import ZArith Uint63.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.

@@ -1,5 +1,6 @@
-(** Prints the axioms on which the theorems rest; the Makefile compares them with those expected. *)
-From PL1P Require Import Statement Rigid Reducible FivePoints Main Reduction GenericImages.
-Definition proved : (classification /\ rigidity) /\ reduction /\ five_points :=
-  Logic.conj (Logic.conj main_theorem rigidity_theorem) (Logic.conj reduction_theorem five_points_theorem).
-Print Assumptions proved.
+(** Prints the axioms of each theorem; the Makefile compares them with those expected. *)
+From PL1P Require Import Main Reduction GenericImages.
+Print Assumptions main_theorem.
+Print Assumptions rigidity_theorem.
+Print Assumptions reduction_theorem.
+Print Assumptions five_points_theorem.

@@ -21,20 +21,24 @@ Lemma tot_act_single s pi c : pi \in perms -> c \in singles -> tot (act s pi) c 
 Proof.
 by move=> pin cin; rewrite -[RHS](tot_act s c pin); have /allP/(_ _ pin)/eqP -> := allP closed_singles c cin.
 Qed.
-Lemma has_act s pi cs (q : nat -> bool) : pi \in perms -> closed cs -> has (fun c => q (tot (act s pi) c)) cs = has (fun c => q (tot s c)) cs.
+Lemma has_act s pi cs (q : nat -> bool) : pi \in perms -> closed cs ->
+  has (fun c => q (tot (act s pi) c)) cs = has (fun c => q (tot s c)) cs.
 Proof.
 move=> pin /allP/(_ _ pin) cl; rewrite -(perm_has _ cl) has_map; apply: eq_has => c /=.
 by rewrite tot_act.
 Qed.
 Lemma tot_merge s c : c \in c_shared ++ c_shown ++ singles -> tot (merge s) c = tot s c.
-Proof. by move=> cin; have /and3P[/eqP h1 /eqP h2 /eqP h3] := allP all_mergeable c cin; exact: total_merge. Qed.
+Proof. by move=> cin; have /and3P[/eqP h1 /eqP h2 /eqP h3] := allP all_mergeable c cin;
+  exact: total_merge. Qed.
 
 (** The four predicates, and the weight, survive relabeling and merging. *)
-Definition portrait s := (tot s c_weight, obstructed_by tot s, (pl0p_by tot s, one_pin_by tot s), five_by tot s).
+Definition portrait s := (tot s c_weight, obstructed_by tot s, (pl0p_by tot s, one_pin_by tot s),
+  five_by tot s).
 Lemma portrait_act s pi : pi \in perms -> portrait (act s pi) = portrait s.
 Proof.
 move=> pin; rewrite /portrait /obstructed_by /pl0p_by /one_pin_by /five_by.
-rewrite (has_act s (fun n => 5 < n) pin closed_shared) (has_act s (fun n => n == 5) pin closed_shared) (has_act s (fun n => n == 1) pin closed_shown).
+rewrite (has_act s (fun n => 5 < n) pin closed_shared) (has_act s (fun n => n == 5) pin closed_shared)
+  (has_act s (fun n => n == 1) pin closed_shown).
 by do ![rewrite (tot_act_single s pin) //].
 Qed.
 Lemma portrait_merge s : portrait (merge s) = portrait s.
@@ -45,9 +49,11 @@ have e2 : has (fun c => tot (merge s) c == 5) c_shared = has (fun c => tot s c =
   by apply: eq_in_has => c cin; rewrite tot_merge //; apply: in_cat3; apply/or3P; constructor 1; exact: cin.
 have e3 : has (fun c => tot (merge s) c == 1) c_shown = has (fun c => tot s c == 1) c_shown.
   by apply: eq_in_has => c cin; rewrite tot_merge //; apply: in_cat3; apply/or3P; constructor 2; exact: cin.
-have es c : c \in singles -> tot (merge s) c = tot s c by move=> cin; rewrite tot_merge //; apply: in_cat3; apply/or3P; constructor 3; exact: cin.
+have es c : c \in singles -> tot (merge s) c = tot s c by move=> cin; rewrite tot_merge //; apply: in_cat3;
+  apply/or3P; constructor 3; exact: cin.
 rewrite /portrait /obstructed_by /pl0p_by /one_pin_by /five_by e1 e2 e3.
-by rewrite (es c_weight) // (es c_star) // (es c_seven) // (es c_six) // (es c_free) // (es c_more0) // (es c_more1).
+by rewrite (es c_weight) // (es c_star) // (es c_seven) // (es c_six) // (es c_free) // (es c_more0) //
+  (es c_more1).
 Qed.
 
 Lemma portrait_label s t : t \in label_orbit s -> portrait t = portrait s.
@@ -59,15 +65,17 @@ Lemma balancedE s : balanced s = (size s == 27) && (tot s c_weight == 11).
 Proof. by rewrite /balanced -totE. Qed.
 
 (** ** The walk *)
-Fixpoint all_lazy (A : Type) (q : A -> bool) (l : seq A) := if l is a :: l' then if q a then all_lazy q l' else false else true.
+Fixpoint all_lazy (A : Type) (q : A -> bool) (l : seq A) := if l is a :: l' then if q a then all_lazy q l'
+  else false else true.
 Lemma all_lazyE A (q : A -> bool) l : all_lazy q l = all q l.
 Proof. by elim: l => //= a l ->. Qed.
 
-(** [beats s pi] is [lexge s (act s pi)], but computes no more of [act s pi] than it compares, and does not compare
-    the first eight entries, which no relabeling moves. *)
+(** [beats s pi] is [lexge s (act s pi)], but computes no more of [act s pi] than it compares, and
+    does not compare the first eight entries, which no relabeling moves. *)
 Fixpoint beats_from (s t pi : seq nat) : bool :=
   match t, pi with
-  | x :: t', j :: pi' => let y := nth 0 s j in if y < x then true else if x < y then false else beats_from s t' pi'
+  | x :: t', j :: pi' => let y := nth 0 s j in if y < x then true else if x < y then false
+    else beats_from s t' pi'
   | _, _ => true
   end.
 Definition beats s pi := beats_from s (drop 8 s) (drop 8 pi).
@@ -81,10 +89,12 @@ rewrite -{2}(cat_take_drop 8 s); move: (take 8 s) (drop 8 s) => a b.
 by elim: a => //= x a ->; rewrite ltnn.
 Qed.
 
-(** The relabelings other than the identity; and how they act where 13, 15, 17 are empty, followed by [merge]. *)
+(** The relabelings other than the identity; and how they act where 13, 15, 17 are empty, followed
+    by [merge]. *)
 Definition others := Eval vm_compute in behead perms.
 Definition merged (pi : seq nat) :=
-  [seq if k \in [:: 12; 14; 16] then (nth 0 pi k)./2.*2 else if k \in [:: 13; 15; 17] then 13 else nth 0 pi k | k <- iota 0 27].
+  [seq if k \in [:: 12; 14; 16] then (nth 0 pi k)./2.*2 else if k \in [:: 13; 15; 17] then 13
+    else nth 0 pi k | k <- iota 0 27].
 Definition others_merged := Eval vm_compute in map merged others.
 Lemma perms_cons : perms = iota 0 27 :: others. Proof. by []. Qed.
 
@@ -107,12 +117,14 @@ Lemma merged_keep pi : pi \in others -> take 8 (merged pi) = iota 0 8.
 Proof. by have /allP h : all (fun pi => take 8 (merged pi) == iota 0 8) others by []; move/h/eqP. Qed.
 
 Definition label_top s := all_lazy (beats s) others.
-Definition swap_top s := if nth 0 s 13 + nth 0 s 15 + nth 0 s 17 is 0 then all_lazy (beats s) others_merged else false.
+Definition swap_top s := if nth 0 s 13 + nth 0 s 15 + nth 0 s 17 is 0 then all_lazy (beats s) others_merged
+  else false.
 
 Lemma label_topE s : size s = 27 -> label_top s = representative label_orbit s.
 Proof.
 move=> ss; rewrite /representative label_orbit_self // /label_top all_lazyE /label_orbit perms_cons.
-rewrite -[all (lexge s) _]/(lexge s (act s (iota 0 27)) && all (lexge s) (map (act s) others)) act_id // lexge_refl all_map.
+rewrite -[all (lexge s) _]/(lexge s (act s (iota 0 27)) && all (lexge s) (map (act s) others)) act_id //
+  lexge_refl all_map.
 by apply: eq_in_all => pi /others_keep keep; rewrite beatsE ?ss.
 Qed.
 Lemma swap_topE s : size s = 27 -> swap_top s = representative merge_orbit s.
@@ -125,7 +137,8 @@ have -> : (s \in merge_orbit s) = no_mates s.
   by exists (iota 0 27); rewrite ?perms_cons ?mem_head // act_id // merge_fixed.
 case z : (no_mates s); last by [].
 rewrite 2!andTb /merge_orbit perms_cons.
-rewrite -[all (lexge s) _]/(lexge s (merge (act s (iota 0 27))) && all (lexge s) [seq merge (act s pi) | pi <- others]).
+rewrite -[all (lexge s) _]/(lexge s (merge (act s (iota 0 27))) &&
+  all (lexge s) [seq merge (act s pi) | pi <- others]).
 rewrite act_id // merge_fixed // lexge_refl (_ : others_merged = map merged others) // !all_map.
 apply: eq_in_all => pi pin; have keep := merged_keep pin.
 by rewrite -[preim _ _ pi]/(beats s (merged pi)) beatsE ?act_merged ?ss.
@@ -156,10 +169,12 @@ Definition flags s : seq bool :=
   let l := label_top s in let w := if l then swap_top s else false in
   if l then
     let b := obstructed_by dotn s in let g := ~~ b in let f := five_by dotn s in
-    [:: l; w; l && g; l && b; w && g; w && b; l && g && pl0p_by dotn s; w && g && one_pin_by dotn s; l && g && f; w && g && f]
+    [:: l; w; l && g; l && b; w && g; w && b; l && g && pl0p_by dotn s; w && g && one_pin_by dotn s;
+      l && g && f; w && g && f]
   else nseq 10 false.
 
-Definition census := walk (fun _ _ st => st) (fun pre (_ : unit) acc => bump (flags (rev pre)) acc) ws 0 11 tt [::] (nseq 10 N0).
+Definition census := walk (fun _ _ st => st) (fun pre (_ : unit) acc => bump (flags (rev pre)) acc) ws 0 11 tt
+  [::] (nseq 10 N0).
 Definition counts : seq N := [:: 143494; 76446; 140616; 2878; 74575; 1871; 51; 9533; 6413; 3615]%num.
 
 Lemma censusE : census = counts.

@@ -32,7 +32,8 @@ Hypothesis ad : admissible C scene.
 
 Notation place n := (nth (p0 R) scene n).
 
-Lemma point_seen p n v : (n < size scene)%N -> p = place n -> sees_point (ft (kind p)) v -> x3 (project (C v) (point p)) <> 0.
+Lemma point_seen p n v : (n < size scene)%N -> p = place n -> sees_point (ft (kind p)) v ->
+  x3 (project (C v) (point p)) <> 0.
 Proof. by case: ad => _ _ _ _ /(_ n) h nl ->; case: (h nl) => h1 _ _; exact: h1. Qed.
 
 (** ** More unknowns than equations: a motion *)
@@ -47,8 +48,10 @@ Lemma not_rigid n0 (globals : seq ((nat -> R) -> R)) (own : placed R -> nat)
      feature_gauge (place n) (m (place n) z y) /\
      forall v, still T (m (place n)) C (place n) z y v) ->
   (forall z, Forall (fun g => g z = 0) globals -> (forall v, T z v = Twist (vec0 R) (vec0 R)) ->
-     (forall n, (n < size scene)%N -> exists y, dX (m (place n) z y) = vec0 R) -> forall i, (i < n0)%N -> z i = 0) ->
-  (forall z, (forall i, (i < n0)%N -> z i = 0) -> forall n, (n < size scene)%N -> forall y, dX (m (place n) z y) = vec0 R ->
+     (forall n, (n < size scene)%N -> exists y, dX (m (place n) z y) = vec0 R) -> forall i, (i < n0)%N ->
+       z i = 0) ->
+  (forall z, (forall i, (i < n0)%N -> z i = 0) -> forall n, (n < size scene)%N ->
+    forall y, dX (m (place n) z y) = vec0 R ->
      (forall j, (j < pins (ft (kind (place n))))%N -> dD (m (place n) z y) j = vec0 R) ->
      forall j, (j < own (place n))%N -> y j = 0) ->
   ~ rigid C scene.
@@ -68,7 +71,9 @@ Qed.
 Lemma globals_zero i j z : Forall (fun g => g z = 0) (globals C i j) ->
   rotation_kept C i j z = vec0 R /\ baseline_kept C i j z = vec0 R.
 Proof.
-move=> /List.Forall_cons_iff[h1 /List.Forall_cons_iff[h2 /List.Forall_cons_iff[h3 /List.Forall_cons_iff[h4 /List.Forall_cons_iff[h5 /List.Forall_cons_iff[h6 _]]]]]].
+move=> /List.Forall_cons_iff[h1
+  /List.Forall_cons_iff[h2 /List.Forall_cons_iff[h3
+    /List.Forall_cons_iff[h4 /List.Forall_cons_iff[h5 /List.Forall_cons_iff[h6 _]]]]]].
 by split; apply: vec_ext.
 Qed.
 
@@ -81,7 +86,8 @@ have cij := centres i j ij.
 apply: (@not_rigid 12 (globals C i j) (@own R) (forms C i j) (@twists R) (@moved R)).
 - exact: globals_lin.
 - by move=> p; exact: forms_lin.
-- have total_forms : (sumn [seq size (forms C i j p) | p <- scene] + shared s i j = 11 + sumn [seq own p | p <- scene])%N.
+- have total_forms : (sumn [seq size (forms C i j p) | p <- scene] + shared s i j =
+    11 + sumn [seq own p | p <- scene])%N.
     rewrite /shared -(sumn_scene (fun k => both i j k) sh) -b -(sumn_scene weight sh).
     case: sh => k27 _; elim: scene k27 => // p l IH /andP[p27 /IH {}IH].
     by rewrite !map_cons [LHS]/= addnACA size_forms dim2E // IH /own /= addnACA.
@@ -92,7 +98,8 @@ apply: (@not_rigid 12 (globals C i j) (@own R) (forms C i j) (@twists R) (@moved
   split; first exact: free_motion_gauge.
   move: h; rewrite /forms => /Forall_cat[h1 /Forall_cat[h2 h3]].
   have hv v : Forall (fun f => f z y = 0) (view_forms C i j (place n) v) by case: v.
-  have other v : (same_view v j && both i j (kind (place n))) = false -> still (@twists R) (@moved R (place n)) C (place n) z y v.
+  have other v : (same_view v j && both i j (kind (place n))) = false ->
+    still (@twists R) (@moved R (place n)) C (place n) z y v.
     by move=> e; apply: image_forms_still; move: (hv v); rewrite /view_forms e.
   move=> v; case e: (same_view v j && both i j (kind (place n))); last exact: other.
   move/andP: e => [/same_viewP -> bo]; have /andP[si sj] := bo.
@@ -111,7 +118,8 @@ apply: (@not_rigid 12 (globals C i j) (@own R) (forms C i j) (@twists R) (@moved
   have m0 : z 11%N = 0.
     apply/eqP/negP => /negP m0; apply: (@baseline_nonzero R C i j cij).
     apply: (@scale_inj _ (z 11%N)); first exact/eqP.
-    rewrite scale_zero; have := add_zero3 b0; rewrite !scale_zero A_zero => ->; by apply: vec_ext; rewrite /= add0r.
+    rewrite scale_zero; have := add_zero3 b0; rewrite !scale_zero A_zero => ->; by apply: vec_ext;
+      rewrite /= add0r.
   by do 12?[case=> [|] //].
 - move=> z _ n nl y d1 d2 k kl; exact: free_motion_zero d1 d2 k kl.
 Qed.

@@ -1,10 +1,13 @@
 (** * Derivations of a field, and polynomials that vanish
 
-    K is a field over F. A derivation of K over F kills F. By the chain rule it acts on polynomials in elements y of
-    K as differentiation in y does. Two consequences in characteristic 0: elements whose derivatives are independent
-    satisfy no polynomial equation; and a derivation that kills y kills what is algebraic over F(y). *)
+    K is a field over F. A derivation of K over F kills F. By the chain rule it acts on polynomials
+    in elements y of K as differentiation in y does. Two consequences in characteristic 0: elements
+    whose derivatives are independent satisfy no polynomial equation; and a derivation that kills y
+    kills what is algebraic over F(y). *)
+From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
+From mathcomp.zify Require Import ssrZ.
 From SsrMultinomials Require Import mpoly.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -55,11 +58,13 @@ have clC a : D (mmap c y a%:MP) = \sum_j mmap c y (mderiv j a%:MP) * D (y j).
   by rewrite mmapC derC big1 // => j _; rewrite mderivC mmap0 mul0r.
 have cl1 : D (mmap c y 1) = \sum_j mmap c y (mderiv j 1) * D (y j) by rewrite -mpolyC1; exact: clC.
 have clD P R : D (mmap c y P) = \sum_j mmap c y P^`M(j) * D (y j) ->
-    D (mmap c y R) = \sum_j mmap c y R^`M(j) * D (y j) -> D (mmap c y (P + R)) = \sum_j mmap c y (P + R)^`M(j) * D (y j).
+    D (mmap c y R) = \sum_j mmap c y R^`M(j) * D (y j) -> D (mmap c y (P + R)) =
+      \sum_j mmap c y (P + R)^`M(j) * D (y j).
   move=> eP eR; rewrite mmapD derD eP eR -big_split /=; apply: eq_bigr => j _.
   by rewrite mderivD mmapD mulrDl.
 have clM P R : D (mmap c y P) = \sum_j mmap c y P^`M(j) * D (y j) ->
-    D (mmap c y R) = \sum_j mmap c y R^`M(j) * D (y j) -> D (mmap c y (P * R)) = \sum_j mmap c y (P * R)^`M(j) * D (y j).
+    D (mmap c y R) = \sum_j mmap c y R^`M(j) * D (y j) -> D (mmap c y (P * R)) =
+      \sum_j mmap c y (P * R)^`M(j) * D (y j).
   move=> eP eR; rewrite mmapM derM eP eR mulr_suml mulr_sumr -big_split /=; apply: eq_bigr => j _.
   by rewrite mderivM mmapD !mmapM; ring.
 have clX i : D (mmap c y 'X_i) = \sum_j mmap c y ('X_i)^`M(j) * D (y j).
@@ -89,7 +94,8 @@ Qed.
 
 Lemma mderiv_eq0 m (Q : {mpoly F[m]}) : (forall j, Q^`M(j) = 0) -> exists a, Q = a%:MP.
 Proof.
-move=> z; exists (Q@_0); apply/mpolyP => M; rewrite mcoeffC; case: (eqVneq 0%MM M) => [<-|nz]; first by rewrite mulr1.
+move=> z; exists (Q@_0); apply/mpolyP => M; rewrite mcoeffC; case: (eqVneq 0%MM M) => [<-|nz];
+  first by rewrite mulr1.
 rewrite mulr0; have [j Mj] : exists j, (0 < M j)%N.
   apply/existsP; apply: contraNT nz; rewrite negb_exists => /forallP h; apply/eqP/mnmP => j.
   by rewrite mnm0E; have := h j; rewrite -eqn0Ngt => /eqP.
@@ -118,7 +124,8 @@ Theorem algebraic_killed m (y : 'I_m -> K) u D : derivation D ->
   (forall j, D (y j) = 0) -> algebraic y u -> D u = 0.
 Proof.
 move=> dD Dy [p]; have [k] := ubnP (size p); elim: k p => // k IH p; rewrite ltnS => le p0 rt.
-have coefE (q : {poly {mpoly F[m]}}) i : (values y q)`_i = value y q`_i by rewrite coef_map_id0 // /value mmap0.
+have coefE (q : {poly {mpoly F[m]}}) i : (values y q)`_i = value y q`_i
+  by rewrite coef_map_id0 // /value mmap0.
 have e : values y p^`() = (values y p)^`().
   by apply/polyP => i; rewrite coefE !coef_deriv coefE /value mmapMn.
 have sle : (size (values y p) <= size p)%N by exact: size_poly.
@@ -145,3 +152,19 @@ apply: (IH p^`()); rewrite ?e //.
 by apply: leq_trans le; apply: lt_size_deriv; apply: contraNneq p0 => ->; rewrite /values map_poly0.
 Qed.
 End Derivations.
+
+(** ** Characteristic 0: two is not zero, and integers are not *)
+Lemma two_neq0 (F K : fieldType) (c : {rmorphism F -> K}) : [char F] =i pred0 -> 2%:R != 0 :> K.
+Proof. by move=> char0; rewrite -(rmorph_nat c) fmorph_eq0; have /charf0P -> := char0. Qed.
+Section Integers.
+Variable F : fieldType.
+Hypothesis char0 : [char F] =i pred0.
+Definition integers : {rmorphism Z -> F} := [rmorphism of intr \o int_of_Z].
+Lemma integers0 z : (integers z == 0) = (z == 0).
+Proof.
+have nat0 := (charf0P F).1 char0.
+have int0 (k : int) : (k%:~R == 0 :> F) = (k == 0).
+  by case: k => k; rewrite ?NegzE ?rmorphN /= ?oppr_eq0 ?nat0.
+by rewrite /= int0 -(inj_eq (can_inj Z_of_intK)) int_of_ZK.
+Qed.
+End Integers.

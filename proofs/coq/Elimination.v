@@ -1,10 +1,11 @@
 (** * Elimination modulo a prime, verified by what it preserves
 
-    Rows are lists of machine integers below the modulus. An echelon state has one slot for each unknown; a filled
-    slot i is a row with zeros before i and a one at i, of which only the part after i is stored. [insert] reduces a
-    row against the slots and puts what is left into the first free one. The invariant is one-sided: a vector on
-    which all inserted rows vanish modulo p makes every slot vanish modulo p ([insert_ok]). Hence neither primality
-    nor the inverse routine needs a proof: a pivot that turns out not to be inverted is dropped. *)
+    Rows are lists of machine integers below the modulus. An echelon state has one slot for each
+    unknown; a filled slot i is a row with zeros before i and a one at i, of which only the part
+    after i is stored. [insert] reduces a row against the slots and puts what is left into the first
+    free one. The invariant is one-sided: a vector on which all inserted rows vanish modulo p makes
+    every slot vanish modulo p ([insert_ok]). Hence neither primality nor the inverse routine needs
+    a proof: a pivot that turns out not to be inverted is dropped. *)
 From Coq Require Import ZArith List Uint63 Lia Bool.
 Import ListNotations.
 Local Open Scope Z_scope.
@@ -77,7 +78,8 @@ Proof.
   intros ha hx hy. rewrite mod_spec, add_spec, mul_spec, pZE.
   pose proof (to_Z_bounded a). pose proof (to_Z_bounded x). pose proof (to_Z_bounded y).
   assert (hb : 0 <= to_Z a * to_Z x <= pZ * pZ) by (unfold pZ in *; nia).
-  rewrite (Z.mod_small (to_Z a * to_Z x) wB); [rewrite (Z.mod_small (to_Z y + to_Z a * to_Z x) wB); [reflexivity|]|];
+  rewrite (Z.mod_small (to_Z a * to_Z x) wB);
+    [rewrite (Z.mod_small (to_Z y + to_Z a * to_Z x) wB); [reflexivity|]|];
     unfold pZ in *; rewrite wBE; lia.
 Qed.
 
@@ -111,8 +113,10 @@ Proof.
   - inversion hq as [|? ? hb hq']; subst.
     destruct x as [|t x]; [rewrite !ev_nil_r, Z.mul_0_r; apply eqm_refl|].
     destruct r as [|y r].
-    + change (eqm (to_Z ((a * b) mod p)%uint63 * t + ev (add_mul a q []) x) (0 + to_Z a * (to_Z b * t + ev q x))).
-      replace (0 + to_Z a * (to_Z b * t + ev q x)) with (to_Z a * to_Z b * t + (ev [] x + to_Z a * ev q x)) by (simpl; ring).
+    + change (eqm (to_Z ((a * b) mod p)%uint63 * t + ev (add_mul a q []) x)
+        (0 + to_Z a * (to_Z b * t + ev q x))).
+      replace (0 + to_Z a * (to_Z b * t + ev q x)) with (to_Z a * to_Z b * t + (ev [] x + to_Z a * ev q x))
+        by (simpl; ring).
       apply eqm_add; [|apply IH; auto].
       replace (to_Z ((a * b) mod p)%uint63) with ((to_Z a * to_Z b) mod pZ); [apply eqm_mod|].
       rewrite <- (Z.add_0_l (to_Z a * to_Z b)). change 0 with (to_Z 0%uint63).
@@ -161,7 +165,8 @@ Proof.
   - destruct s as [q|].
     + split; [exact hx1|]. apply IH; auto; [apply add_mul_small; auto|].
       assert (hpa : to_Z (p - a)%uint63 = pZ - to_Z a).
-      { rewrite sub_spec, pZE. apply Z.mod_small. split; [lia|]. apply Z.le_lt_trans with pZ; [lia|reflexivity]. }
+      { rewrite sub_spec, pZE. apply Z.mod_small. split; [lia|].
+      apply Z.le_lt_trans with pZ; [lia|reflexivity]. }
       eapply eqm_divide; [apply ev_add_mul; auto; rewrite hpa; lia|].
       rewrite hpa.
       replace (ev r x + (pZ - to_Z a) * ev q x)
@@ -169,7 +174,8 @@ Proof.
       apply Z.divide_add_r; [exact hv|]. apply Z.divide_sub_r; [apply Z.divide_factor_r|].
       apply Z.divide_mul_r. exact hx1.
     + destruct (_ && _) eqn:ec; [|split; [exact I|exact hx2]].
-      apply andb_prop in ec. destruct ec as [e1 e2]. apply eqb_correct in e1. apply ltb_spec in e2. rewrite pZE in e2.
+      apply andb_prop in ec. destruct ec as [e1 e2]. apply eqb_correct in e1. apply ltb_spec in e2.
+      rewrite pZE in e2.
       split; [|exact hx2].
       assert (h5 : eqm (ev (add_mul (inverse a) r []) x) (ev [] x + to_Z (inverse a) * ev r x)).
       { apply ev_add_mul; auto; [lia|constructor]. }
@@ -253,21 +259,24 @@ Proof.
 Qed.
 
 Lemma ev_zeros k r y x : length y = k -> ev (repeat 0%uint63 k ++ r) (y ++ x) = ev r x.
-Proof. revert y; induction k; intros [|t y] h; try discriminate; [reflexivity|]. simpl. rewrite IHk; auto. Qed.
+Proof. revert y; induction k; intros [|t y] h; try discriminate; [reflexivity|]. simpl.
+rewrite IHk; auto. Qed.
 
 Lemma rows_from_ok k st y x : length y = k -> length x = length st -> small_st st -> holds st x ->
   Forall (fun r => small r /\ (pZ | ev r (y ++ x))) (rows_from (repeat 0%uint63 k) st).
 Proof.
   revert k y x; induction st as [|s st IH]; intros k y x hy hl hs hx; [constructor|].
   destruct x as [|t x]; [discriminate|]. inversion hs; subst. destruct hx as [h1 h2].
-  assert (tail : Forall (fun r => small r /\ (pZ | ev r (y ++ t :: x))) (rows_from (repeat 0%uint63 (S (length y))) st)).
+  assert (tail : Forall (fun r => small r /\ (pZ | ev r (y ++ t :: x)))
+    (rows_from (repeat 0%uint63 (S (length y))) st)).
   { replace (y ++ t :: x) with ((y ++ [t]) ++ x) by (rewrite <- app_assoc; reflexivity).
     apply IH; auto. rewrite app_length. simpl. lia. }
   destruct s as [q|]; simpl; auto.
   constructor; [|exact tail]. split.
   - apply Forall_app. split; [|constructor; [reflexivity|assumption]].
     apply Forall_forall. intros a ha. apply repeat_spec in ha. subst a. reflexivity.
-  - rewrite ev_zeros by reflexivity. change (ev (1%uint63 :: q) (t :: x)) with (to_Z 1 * t + ev q x). rewrite to_Z_1, Z.mul_1_l. exact h1.
+  - rewrite ev_zeros by reflexivity. change (ev (1%uint63 :: q) (t :: x)) with (to_Z 1 * t + ev q x).
+    rewrite to_Z_1, Z.mul_1_l. exact h1.
 Qed.
 
 Lemma rows_of_ok st x : length x = length st -> small_st st -> holds st x ->

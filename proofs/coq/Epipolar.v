@@ -1,8 +1,9 @@
 (** * Two views that share more than five points: never rigid
 
-    Keep the relative pose of views i and j up to the length mu of the baseline: 6 conditions on the 11 camera
-    unknowns and mu. Then a point that both views see gives 4 equations of which one follows from the other three
-    ([epipolar]), so that each shared point saves an equation. With six of them, unknowns outnumber equations. *)
+    Keep the relative pose of views i and j up to the length mu of the baseline: 6 conditions on the
+    11 camera unknowns and mu. Then a point that both views see gives 4 equations of which one
+    follows from the other three ([epipolar]), so that each shared point saves an equation. With six
+    of them, unknowns outnumber equations. *)
 From Coq Require List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
@@ -63,7 +64,8 @@ Implicit Types (z y : nat -> R).
 Variables (C : view -> camera R) (i j : view).
 Hypothesis ij : i <> j.
 Hypothesis norms : forall v, norm (quat_of (C v)) <> 0.
-Hypothesis centres : scale (norm (quat_of (C j)) ^+ 2) (centre (C i)) <> scale (norm (quat_of (C i)) ^+ 2) (centre (C j)).
+Hypothesis centres : scale (norm (quat_of (C j)) ^+ 2) (centre (C i)) <> scale (norm (quat_of (C i)) ^+ 2)
+  (centre (C j)).
 
 (** The 11 camera unknowns in the gauge, and mu, the twelfth. *)
 Definition twists z (v : view) : twist R := match v with
@@ -84,10 +86,14 @@ Let Ni := norm (quat_of (C i)).
 Let Nj := norm (quat_of (C j)).
 Definition A u := rot (quat_of (C j)) (rot (conj (quat_of (C i))) u).
 Definition baseline := add (scale (Ni ^+ 2) (trans (C j))) (scale (-1) (A (trans (C i)))).
-Definition rotation_kept z := add (scale (Ni * Nj) (omega (twists z j))) (scale (-1) (A (omega (twists z i)))).
-Definition baseline_kept z := add (add (scale (Ni ^+ 2) (dt (twists z j))) (scale (-1) (A (dt (twists z i))))) (scale (- mu z) baseline).
-Definition globals := [:: (fun z => x1 (rotation_kept z)); (fun z => x2 (rotation_kept z)); (fun z => x3 (rotation_kept z));
-                          (fun z => x1 (baseline_kept z)); (fun z => x2 (baseline_kept z)); (fun z => x3 (baseline_kept z))].
+Definition rotation_kept z := add (scale (Ni * Nj) (omega (twists z j)))
+  (scale (-1) (A (omega (twists z i)))).
+Definition baseline_kept z := add (add (scale (Ni ^+ 2) (dt (twists z j))) (scale (-1) (A (dt (twists z i)))))
+  (scale (- mu z) baseline).
+Definition globals := [:: (fun z => x1 (rotation_kept z)); (fun z => x2 (rotation_kept z));
+  (fun z => x3 (rotation_kept z));
+                          (fun z => x1 (baseline_kept z)); (fun z => x2 (baseline_kept z));
+                            (fun z => x3 (baseline_kept z))].
 
 Lemma lin_of_lin2 n f : lin2 n 0 (fun z _ => f z : R) -> lin n f.
 Proof. by case=> c [d e]; exists c => z; rewrite (e z z) /sum big_ord0 addr0. Qed.
@@ -129,12 +135,14 @@ rewrite /project A_add A_turn /baseline; apply: vec_ext; rewrite /add /scale /=;
 Qed.
 
 Lemma motion_pose z X d : rotation_kept z = vec0 R -> baseline_kept z = vec0 R ->
-  scale (Ni ^+ 2) (d_project (C j) (twists z j) X d) = add (A (d_project (C i) (twists z i) X d)) (scale (mu z) baseline).
+  scale (Ni ^+ 2) (d_project (C j) (twists z j) X d) = add (A (d_project (C i) (twists z i) X d))
+    (scale (mu z) baseline).
 Proof.
 move=> r0 b0.
 have e1 : scale (Ni * Nj) (omega (twists z j)) = A (omega (twists z i)).
   exact: add_zero2 r0.
-have e2 : scale (Ni ^+ 2) (cross (omega (twists z j)) (turn (C j) X)) = A (cross (omega (twists z i)) (turn (C i) X)).
+have e2 : scale (Ni ^+ 2) (cross (omega (twists z j)) (turn (C j) X)) =
+  A (cross (omega (twists z i)) (turn (C i) X)).
   apply: (@scale_inj _ (Ni * Nj)); first by move/eqP; rewrite mulf_eq0 => /orP[] /eqP; exact: norms.
   by rewrite -A_cross A_turn -e1 cross_scale scaleA.
 have e3 : scale (Ni ^+ 2) (dt (twists z j)) = add (A (dt (twists z i))) (scale (mu z) baseline).
@@ -194,7 +202,8 @@ Definition own (p : placed R) := dim3 (ft (kind p)).
 Lemma view_forms_lin p v : Forall (lin2 12 (own p)) (view_forms p v).
 Proof.
 have h1 := @free_motion_dX_lin R 12 (kind p); have h2 := @free_motion_dD_lin R 12 (kind p).
-rewrite /view_forms; case: ifP => _; last by apply: image_forms_lin => // v'; [exact: omega_lin | exact: dt_lin].
+rewrite /view_forms; case: ifP => _; last by apply: image_forms_lin => // v';
+  [exact: omega_lin | exact: dt_lin].
 constructor; last by apply: pin_forms_lin => // v'; [exact: omega_lin | exact: dt_lin].
 by apply: lin2_dot; apply: dx_lin => // v'; [exact: omega_lin | exact: dt_lin].
 Qed.
@@ -203,7 +212,8 @@ Lemma forms_lin p : Forall (lin2 12 (own p)) (forms p).
 Proof. by apply/Forall_cat; split; [|apply/Forall_cat; split]; exact: view_forms_lin. Qed.
 
 Lemma size_view_forms p v : (size (view_forms p v) + (same_view v j && both (kind p)) =
-  if (looks (ft (kind p)) v).1 then 2 + size (looks (ft (kind p)) v).2 else 2 * size (looks (ft (kind p)) v).2)%N.
+  if (looks (ft (kind p)) v).1 then 2 + size (looks (ft (kind p)) v).2
+    else 2 * size (looks (ft (kind p)) v).2)%N.
 Proof.
 rewrite -(size_image_forms twists (moved p) C p v) /view_forms.
 case: ifP => [/andP[/same_viewP -> /andP[_ sj]]|_]; last by rewrite addn0.
@@ -212,7 +222,9 @@ Qed.
 
 Lemma size_forms p : (size (forms p) + both (kind p) = dim2 (ft (kind p)))%N.
 Proof.
-rewrite /dim2 /sees_point /sees_pins [LHS]/= [sumn _]/= addn0 -!size_view_forms /forms size_cat [X in (_ + X + _)%N]size_cat.
-by move: (size _) (size _) (size _) => a1 a2 a3; case: (j); rewrite /= ?addn0; [rewrite addnAC|rewrite -addnA addnAC|]; rewrite -!addnA.
+rewrite /dim2 /sees_point /sees_pins [LHS]/= [sumn _]/= addn0 -!size_view_forms /forms size_cat
+  [X in (_ + X + _)%N]size_cat.
+by move: (size _) (size _) (size _) => a1 a2 a3; case: (j); rewrite /= ?addn0;
+  [rewrite addnAC|rewrite -addnA addnAC|]; rewrite -!addnA.
 Qed.
 End Epipolar.

@@ -1,8 +1,9 @@
 (** * The five-point problem has at most 20 solutions
 
-    Two calibrated views see five points. The cameras are those of views 1 and 2 in Statement.v: the first is [1 | 0],
-    quaternion and translation of the second begin with 1. The claim is [five_points]; GenericImages.v ends its proof.
-    Template.v, Pose.v and SamePose.v say why there are at most ten essential matrices, and two cameras for each. *)
+    Two calibrated views see five points. The cameras are those of views 1 and 2 in Statement.v: the
+    first is [1 | 0], quaternion and translation of the second begin with 1. The claim is
+    [five_points]; GenericImages.v ends its proof. Template.v, Pose.v and SamePose.v say why there
+    are at most ten essential matrices, and two cameras for each. *)
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
@@ -17,17 +18,18 @@ Local Open Scope ring_scope.
 
 Section Definitions.
 Variable L : fieldType.
-(** Points i = 0..4: views 1 and 2 see them at (y_4i, y_4i+1) and (y_4i+2, y_4i+3). A solution p is a camera of view 2
-    that is not degenerate, such that there are five points with these images. *)
+(** Points i = 0..4: views 1 and 2 see them at (y_4i, y_4i+1) and (y_4i+2, y_4i+3). A solution p is
+    a camera of view 2 that is not degenerate, such that there are five points with these images. *)
 Definition image_in v (p : seq L) (X : vec L) (a b : L) :=
   let x := project (cameras_at L (nth 0 p) v) X in x3 x != 0 /\ point_image x = [:: a; b].
-Definition solution (y : nat -> L) (p : seq L) := [/\ size p = 5%N, norm (quat_of (cameras_at L (nth 0 p) V2)) != 0 &
+Definition solution (y : nat -> L) (p : seq L) :=
+  [/\ size p = 5%N, norm (quat_of (cameras_at L (nth 0 p) V2)) != 0 &
   forall i, (i < 5)%N -> exists X, image_in V1 p X (y (4 * i)%N) (y (4 * i + 1)%N) /\
     image_in V2 p X (y (4 * i + 2)%N) (y (4 * i + 3)%N)].
 End Definitions.
 
-(** Let the 20 coordinates of the images be independent over a field F of characteristic 0, in any field L over F.
-    Then there are at most 20 solutions in L. *)
+(** Let the 20 coordinates of the images be independent over a field F of characteristic 0, in any
+    field L over F. Then there are at most 20 solutions in L. *)
 Definition five_points : Prop := forall (F L : fieldType) (c : {rmorphism F -> L}), [char F] =i pred0 ->
   forall y : nat -> L, independent c (fun j : 'I_20 => y j) ->
   forall s : seq (seq L), uniq s -> (forall p, p \in s -> solution y p) -> (size s <= 20)%N.
@@ -39,7 +41,8 @@ Implicit Types y : nat -> R.
 Definition bound_entries := [:: 2; 5; 6; 7; 8]%N.
 Definition free_entries := [:: 0; 1; 3; 4]%N.
 (** The coefficient of E_e in the equation of point i. *)
-Definition seen y i (w : bool) a : R := nth 1 (if w then [:: y (4 * i + 2)%N; y (4 * i + 3)%N] else [:: y (4 * i)%N; y (4 * i + 1)%N]) a.
+Definition seen y i (w : bool) a : R :=
+  nth 1 (if w then [:: y (4 * i + 2)%N; y (4 * i + 3)%N] else [:: y (4 * i)%N; y (4 * i + 1)%N]) a.
 Definition coefficient y i e := seen y i true (e %/ 3)%N * seen y i false (e %% 3)%N.
 Definition bound_block y : 'M[R]_5 := \matrix_(i, j) coefficient y i (nth 0%N bound_entries j).
 Definition free_block y : 'M[R]_(5, 4) := \matrix_(i, j) coefficient y i (nth 0%N free_entries j).
@@ -72,16 +75,19 @@ Qed.
 End Natural.
 
 Lemma form_map (R R' : comRingType) (g : {rmorphism R -> R'}) k (A B C : nat -> R) (A' B' C' : nat -> R') :
-  (forall e, A' e = g (A e)) -> (forall e, B' e = g (B e)) -> (forall e, C' e = g (C e)) -> form k A' B' C' = g (form k A B C).
+  (forall e, A' e = g (A e)) -> (forall e, B' e = g (B e)) -> (forall e, C' e = g (C e)) -> form k A' B' C' =
+    g (form k A B C).
 Proof.
 move=> eA eB eC; rewrite /form; case: eqP => _; rewrite !eA !eB !eC.
   by rewrite !(rmorphN, rmorphD, rmorphM).
 by rewrite !(rmorphN, rmorphD, rmorphM, rmorphMn).
 Qed.
-Lemma leading_map (R R' : comRingType) (g : {rmorphism R -> R'}) (P : nat -> nat -> R) (P' : nat -> nat -> R') :
+Lemma leading_map (R R' : comRingType) (g : {rmorphism R -> R'}) (P : nat -> nat -> R) (P' : nat -> nat ->
+  R') :
   (forall i e, P' i e = g (P i e)) -> leading P' = map_mx g (leading P).
 Proof.
-move=> gP; apply/matrixP => k j; rewrite !mxE /coef; elim: (permutations _) => [|r l IH] /=; first by rewrite rmorph0.
+move=> gP; apply/matrixP => k j; rewrite !mxE /coef; elim: (permutations _) => [|r l IH] /=;
+  first by rewrite rmorph0.
 by rewrite IH rmorphD; congr (_ + _); apply: form_map => e; exact: gP.
 Qed.
 
@@ -100,13 +106,15 @@ Definition E (p : seq L) := essential (trans (C2 p)) (quat_of (C2 p)).
 Lemma image_in_E v p X a b : image_in v p X a b -> let x := project (cameras_at L (nth 0 p) v) X in
   [/\ x3 x != 0, x1 x / x3 x = a & x2 x / x3 x = b].
 Proof. by case=> h [h1 h2]. Qed.
-Lemma equations p : solution y p -> forall i, (i < 5)%N -> \sum_(e < 9) E p e * @coefficient [comRingType of L] y i e = 0.
+Lemma equations p : solution y p -> forall i, (i < 5)%N ->
+  \sum_(e < 9) E p e * @coefficient [comRingType of L] y i e = 0.
 Proof.
 case=> _ _ h i /h[X [/image_in_E[a1 a2 a3] /image_in_E[b1 b2 b3]]].
 have eX : project (cameras_at L (nth 0 p) V1) X = X.
   by case: (X) => u1 u2 u3; apply: vec_ext; rewrite /project /turn /rot /dot /add /=; ring.
 rewrite eX in a1 a2 a3.
-rewrite -[RHS](@epipolar_sum L (C2 p) X (Vec (y (4 * i)%N) (y (4 * i + 1)%N) 1) (Vec (y (4 * i + 2)%N) (y (4 * i + 3)%N) 1)) //.
+rewrite -[RHS](@epipolar_sum L (C2 p) X (Vec (y (4 * i)%N) (y (4 * i + 1)%N) 1)
+  (Vec (y (4 * i + 2)%N) (y (4 * i + 3)%N) 1)) //.
 rewrite essential_dot; apply: eq_bigr => e _; congr (_ * _).
 by case: e => -[|[|[|[|[|[|[|[|[|e]]]]]]]]].
 Qed.
@@ -126,15 +134,18 @@ Lemma in_space m p e : solution y p -> (e < 9)%N -> at_z P (free_z m p) e = m * 
 Proof.
 move=> /equations eq e9; pose Eb : 'cV[L]_5 := \col_j E p (nth 0%N bound_entries j).
 pose Ef : 'cV[L]_4 := \col_j E p (nth 0%N free_entries j).
-have lin : bound_block (y : nat -> [comRingType of L]) *m Eb = - (free_block (y : nat -> [comRingType of L]) *m Ef).
+have lin : bound_block (y : nat -> [comRingType of L]) *m Eb =
+  - (free_block (y : nat -> [comRingType of L]) *m Ef).
   apply/eqP; rewrite -addr_eq0; apply/eqP/colP => i; rewrite !mxE -[RHS](eq i (ltn_ord i)).
   rewrite !big_ord_recl !big_ord0 !mxE; exact: regroup.
 have sol : @solved [comRingType of L] y *m Ef = det *: Eb.
   by rewrite /solved mulNmx -mulmxA -[_ *m Ef]opprK -lin mulmxN opprK mulmxA mul_adj_mx mul_scalar_mx.
 have [S SE] : exists S, @solved [comRingType of L] y = S by exists (@solved [comRingType of L] y).
 rewrite SE in sol.
-have bound j : (j < 5)%N -> at_z P (free_z m p) (nth 0%N bound_entries j) = m * det * E p (nth 0%N bound_entries j).
-  move=> j5; have := congr1 (fun v : 'cV_5 => v (inord j) 0) sol; rewrite !mxE !big_ord_recl big_ord0 !mxE inordK // => es.
+have bound j : (j < 5)%N -> at_z P (free_z m p) (nth 0%N bound_entries j) =
+  m * det * E p (nth 0%N bound_entries j).
+  move=> j5; have := congr1 (fun v : 'cV_5 => v (inord j) 0) sol;
+    rewrite !mxE !big_ord_recl big_ord0 !mxE inordK // => es.
   rewrite -mulrA -[X in m * X]es /at_z /space /free_z SE.
   have -> : (nth 0%N bound_entries j \in free_entries) = false by case: j j5 {es} => [|[|[|[|[|j]]]]].
   have -> : index (nth 0%N bound_entries j) bound_entries = j by case: j j5 {es} => [|[|[|[|[|j]]]]].
@@ -143,10 +154,13 @@ have bound j : (j < 5)%N -> at_z P (free_z m p) (nth 0%N bound_entries j) = m * 
   have e2 : inord 2 = lift ord0 (lift ord0 ord0) :> 'I_4 by apply/val_inj; rewrite /= inordK.
   have e3 : inord 3 = lift ord0 (lift ord0 (lift ord0 ord0)) :> 'I_4 by apply/val_inj; rewrite /= inordK.
   rewrite e0 e1 e2 e3; exact: (regroup4 m (S (inord j) ord0) _ _ _ (E p)).
-have free i : (i < 4)%N -> at_z P (free_z m p) (nth 0%N free_entries i) = m * det * E p (nth 0%N free_entries i).
+have free i : (i < 4)%N -> at_z P (free_z m p) (nth 0%N free_entries i) =
+  m * det * E p (nth 0%N free_entries i).
   by case: i => [|[|[|[|i]]]] // _; rewrite /at_z /space /free_z /= !mulr0 ?addr0 ?add0r; exact: mulrAC.
-by case: e e9 => [|[|[|[|[|[|[|[|[|e]]]]]]]]] // _; [exact: (free 0%N) | exact: (free 1%N) | exact: (bound 0%N) |
-  exact: (free 2%N) | exact: (free 3%N) | exact: (bound 1%N) | exact: (bound 2%N) | exact: (bound 3%N) | exact: (bound 4%N)].
+by case: e e9 => [|[|[|[|[|[|[|[|[|e]]]]]]]]] // _;
+  [exact: (free 0%N) | exact: (free 1%N) | exact: (bound 0%N) |
+  exact: (free 2%N) | exact: (free 3%N) | exact: (bound 1%N) | exact: (bound 2%N) | exact:
+    (bound 3%N) | exact: (bound 4%N)].
 Qed.
 
 (** The solution, with translation times m det, is a point of the space. *)
@@ -201,7 +215,8 @@ Proof.
 case: p => [|b [|c [|d [|t [|t' []]]]]] // _; case: q => [|b' [|c' [|d' [|u [|u' []]]]]] // _.
 by case=> -> -> -> -> ->.
 Qed.
-Lemma at_most_two p q r : solution y p -> solution y q -> solution y r -> point_of p = point_of q -> point_of p = point_of r ->
+Lemma at_most_two p q r : solution y p -> solution y q -> solution y r -> point_of p = point_of q ->
+  point_of p = point_of r ->
   q != p -> r != p -> q = r.
 Proof.
 have other u : solution y p -> solution y u -> point_of p = point_of u -> u != p ->
@@ -245,7 +260,8 @@ rewrite -size_filter leqNgt; apply/negP => lt.
 have : uniq [seq p <- s | point_of p == v] by exact: filter_uniq.
 have : forall p, p \in [seq p <- s | point_of p == v] -> solution y p /\ point_of p = v.
   by move=> p; rewrite mem_filter => /andP[/eqP -> /sol].
-case: filter lt => [|p [|q [|r l]]] // _ h /= /and3P[]; rewrite !inE !negb_or => /and3P[pq pr _] /andP[qr _] _.
+case: filter lt => [|p [|q [|r l]]] // _ h /= /and3P[];
+  rewrite !inE !negb_or => /and3P[pq pr _] /andP[qr _] _.
 have [sp ep] := h p (mem_head _ _).
 have [|sq eq] := h q; first by rewrite !inE eqxx orbT.
 have [|sr er] := h r; first by rewrite !inE eqxx !orbT.

@@ -1,8 +1,9 @@
 (** * Forgetting points and lines: what it costs, feature by feature
 
-    A feature is final if it is one of the 27, or a point with any number of pins that all views see in full. Whatever
-    is forgotten of a final feature takes more degrees of freedom from the images than from space ([final_strict]). Of
-    any other feature something can be forgotten that takes at least as many from space ([not_final]). *)
+    A feature is final if it is one of the 27, or a point with any number of pins that all views see
+    in full. Whatever is forgotten of a final feature takes more degrees of freedom from the images
+    than from space ([final_strict]). Of any other feature something can be forgotten that takes at
+    least as many from space ([not_final]). *)
 From mathcomp Require Import all_ssreflect.
 From mathcomp.zify Require Import zify.
 From PL1P Require Import Statement Reducible.
@@ -60,14 +61,16 @@ Lemma seen_split f c v : proper f -> feasible f c -> lost_seen f c v + seen_by (
 Proof.
 move=> pf /and3P[uc _ fc]; have [u _ _] := properP v pf.
 rewrite /lost_seen /seen_by /sees_point /sees_pins /= size_map -/(sees_pins f v) -/(sees_point f v).
-have : size [seq j <- sees_pins f v | j \notin c.2] + size [seq j <- sees_pins f v | j \in c.2] = size (sees_pins f v).
+have : size [seq j <- sees_pins f v | j \notin c.2] + size [seq j <- sees_pins f v | j \in c.2] =
+  size (sees_pins f v).
   by rewrite !size_filter addnC -(count_predC (mem c.2)).
 have : ~~ c.1 -> size [seq j <- sees_pins f v | j \in c.2] = has (mem c.2) (sees_pins f v).
   move=> nc; have : size [seq j <- sees_pins f v | j \in c.2] <= 1.
     move: fc; rewrite (negbTE nc) /=; apply: leq_trans; apply: uniq_leq_size; first exact: filter_uniq.
     by move=> j; rewrite mem_filter => /andP[].
   by rewrite has_filter; case: (filter _ _) => [|j [|]].
-move: (size _) (size _) (size _) (has _ _) => n0 n1 n2 h; case: (sees_point f v); case: (c.1); case: h => /=; lia.
+move: (size _) (size _) (size _) (has _ _) => n0 n1 n2 h; case: (sees_point f v); case: (c.1); case: h => /=;
+  lia.
 Qed.
 
 (** ** Small features: a computation *)
@@ -106,7 +109,8 @@ Qed.
 Lemma full_pins f v : proper f -> full f -> perm_eq (sees_pins f v) (iota 0 (pins f)).
 Proof.
 move=> pf /andP[_ /and4P[h1 h2 h3 _]]; have [u le _] := properP v pf.
-have : size (sees_pins f v) = pins f by case: v {u le}; apply/eqP; [case/andP: h1|case/andP: h2|case/andP: h3].
+have : size (sees_pins f v) = pins f by case: v {u le}; apply/eqP;
+  [case/andP: h1|case/andP: h2|case/andP: h3].
 move=> sz; apply: uniq_perm; rewrite ?iota_uniq //.
 have sub : {subset sees_pins f v <= iota 0 (pins f)} by move=> j jl; rewrite mem_iota; exact: (allP le).
 by have [|_ e] := uniq_min_size u sub; [rewrite size_iota sz | exact: e].
@@ -119,7 +123,8 @@ Proof.
 move=> pf ff /and3P[uc ac fc]; have nf : free f = false by case/andP: ff => /negbTE.
 have sz v : size [seq j <- sees_pins f v | j \in c.2] = size c.2.
   rewrite size_filter (seq.permP (full_pins v pf ff)) -size_filter.
-  apply/eqP; rewrite eqn_leq; apply/andP; split; apply: uniq_leq_size => //; first exact: filter_uniq (iota_uniq _ _).
+  apply/eqP; rewrite eqn_leq; apply/andP; split; apply: uniq_leq_size => //;
+    first exact: filter_uniq (iota_uniq _ _).
     by move=> j; rewrite mem_filter => /andP[].
   by move=> j jc; rewrite mem_filter jc mem_iota; exact: (allP ac).
 have sf v : seen_by f v = 2 + pins f.
@@ -162,8 +167,10 @@ Lemma forget_pin f j : proper f -> ~~ free f -> j < pins f -> let c := (true, re
 Proof.
 move=> pf nf jp c; have ji : j \in iota 0 (pins f) by rewrite mem_iota.
 split.
-- by rewrite /feasible /= rem_uniq ?iota_uniq //=; apply/andP; split=> //; apply/allP => i /mem_rem; rewrite mem_iota.
-- rewrite /whole (negbTE nf) /= size_rem // size_iota; case: (pins f) jp => // k _; by rewrite neq_ltn /= ltnSn.
+- by rewrite /feasible /= rem_uniq ?iota_uniq //=; apply/andP; split=> //; apply/allP => i /mem_rem;
+    rewrite mem_iota.
+- rewrite /whole (negbTE nf) /= size_rem // size_iota; case: (pins f) jp => // k _;
+    by rewrite neq_ltn /= ltnSn.
 have one v : seen_by (keep f c) v + (if sees_point f v then 1 else 2) * (j \in sees_pins f v) = seen_by f v.
   have [u le _] := properP v pf.
   rewrite /seen_by /sees_point /sees_pins /= size_map -/(sees_pins f v) -/(sees_point f v) andbT.
@@ -196,14 +203,16 @@ have few v : sees_point f v || ((0 \in sees_pins f v) + (1 \in sees_pins f v) + 
   by case: (sees_pins f v) => [|i [|i' js]] //= _; rewrite !inE; case: i => [|[|[|i]]].
 pose w v := if sees_point f v then 1 else 2; pose a v j : nat := j \in sees_pins f v.
 have cap v : w v * a v 0 + w v * a v 1 + w v * a v 2 <= if sees_point f v then 3 else 2.
-  have := few v; rewrite /w /a; case: (sees_point f v) => /=; by case: (_ \in _); case: (_ \in _); case: (_ \in _).
+  have := few v; rewrite /w /a; case: (sees_point f v) => /=; by case: (_ \in _); case: (_ \in _);
+    case: (_ \in _).
 have e j : share f j = w V1 * a V1 j + (w V2 * a V2 j + w V3 * a V3 j) by rewrite /share /= addn0.
 have all_points v : sees_point f v.
   have := b 0 (ltn_trans (isT : 0 < 2) k3); have := b 1 (ltn_trans (isT : 1 < 2) k3); have := b 2 k3.
   have := cap V1; have := cap V2; have := cap V3; rewrite !e.
   move: (w V1 * a V1 0) (w V1 * a V1 1) (w V1 * a V1 2) (w V2 * a V2 0) (w V2 * a V2 1) (w V2 * a V2 2).
   move: (w V3 * a V3 0) (w V3 * a V3 1) (w V3 * a V3 2) => n1 n2 n3 n4 n5 n6 n7 n8 n9.
-  case e1: (sees_point f V1); case e2: (sees_point f V2); case e3: (sees_point f V3); case: v; rewrite ?e1 ?e2 ?e3 //=; lia.
+  case e1: (sees_point f V1); case e2: (sees_point f V2); case e3: (sees_point f V3); case: v;
+    rewrite ?e1 ?e2 ?e3 //=; lia.
 apply/andP; split=> //.
 have one v : size (sees_pins f v) == pins f.
   have [u le _] := properP v pf; rewrite eqn_leq; apply/andP; split; rewrite -[pins f](size_iota 0).
@@ -235,12 +244,14 @@ have sf : same f (star (pins f)).
     rewrite -[RHS]map_id; apply/eq_in_map => j jl; rewrite nth_iota ?add0n //; exact: (allP le).
   by rewrite /= !one.
 move: sf k7; case: (pins f) => [|[|[|[|[|[|[|[|k]]]]]]]] // sf _; apply/(has_nthP (feat 0 o o o)).
-- by exists 7. - by exists 6. - by exists 5. - by exists 4. - by exists 3. - by exists 2. - by exists 1. - by exists 0.
+- by exists 7. - by exists 6. - by exists 5. - by exists 4. - by exists 3. - by exists 2. - by exists 1.
+  - by exists 0.
 Qed.
 Lemma final_unknown f : proper f -> final f -> ~~ (index_of f < 27) ->
   [/\ full f, 8 <= pins f & dim2 f = dim3 f + 3 + pins f].
 Proof.
 move=> pf /orP[->//|ff] nk; split=> //; first by rewrite ltnNge; apply: contra nk; exact: full_known.
-have sf v : seen_by f v = 2 + pins f by rewrite /seen_by full_point // (perm_size (full_pins v pf ff)) size_iota.
+have sf v : seen_by f v = 2 + pins f
+  by rewrite /seen_by full_point // (perm_size (full_pins v pf ff)) size_iota.
 by rewrite dim2E !sf /dim3; case/andP: ff => /negbTE -> _; lia.
 Qed.

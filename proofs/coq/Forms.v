@@ -1,7 +1,8 @@
 (** * The equations of a placed feature as rows of coefficients
 
-    [block C p] has one row for each entry of the three image changes of p; the columns are the feature's own
-    unknowns (dX, then dD of each pin, without the coordinates that the gauge fixes) and the 11 of the cameras. *)
+    [block C p] has one row for each entry of the three image changes of p; the columns are the
+    feature's own unknowns (dX, then dD of each pin, without the coordinates that the gauge fixes)
+    and the 11 of the cameras. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From PL1P Require Import Statement Rigid.
@@ -29,7 +30,8 @@ Definition own_dirs k (d : nat -> vec R) := flatten [seq [:: x1 (d j); x2 (d j)]
 Definition own_unknowns f m := own_point (free f) (dX m) ++ own_dirs (pins f) (dD m).
 Definition camera_unknowns T :=
   [:: x1 (omega (T V2)); x2 (omega (T V2)); x3 (omega (T V2)); x2 (dt (T V2)); x3 (dt (T V2));
-      x1 (omega (T V3)); x2 (omega (T V3)); x3 (omega (T V3)); x1 (dt (T V3)); x2 (dt (T V3)); x3 (dt (T V3))].
+      x1 (omega (T V3)); x2 (omega (T V3)); x3 (omega (T V3)); x1 (dt (T V3)); x2 (dt (T V3));
+        x3 (dt (T V3))].
 Definition unknowns f T m := own_unknowns f m ++ camera_unknowns T.
 
 (** The rows. *)
@@ -42,7 +44,9 @@ Definition pull (C : camera R) l := rot (conj (quat_of C)) l.
 Definition point_row f (C : view -> camera R) v X l :=
   own_point (free f) (pull (C v) l) ++ nseq (2 * pins f)%N 0 ++ camera_row v (cross (turn (C v) X) l) l.
 Definition dir_row f (C : view -> camera R) v (D : vec R) j l :=
-  nseq (if free f then 2 else 3)%N 0 ++ flatten [seq (if i == j then [:: x1 (pull (C v) l); x2 (pull (C v) l)] else [:: 0; 0]) | i <- iota 0 (pins f)]
+  nseq (if free f then 2 else 3)%N 0 ++
+    flatten [seq (if i == j then [:: x1 (pull (C v) l); x2 (pull (C v) l)] else [:: 0; 0]) | i <- iota 0
+      (pins f)]
   ++ camera_row v (cross (turn (C v) D) l) (vec0 R).
 
 Definition view_block C p v :=
@@ -50,7 +54,8 @@ Definition view_block C p v :=
   let x := project (C v) (point p) in
   let row := point_row f C v (point p) in
   (if L.1 then [:: row (Vec 0 (x3 x) (- x2 x)); row (Vec (- x3 x) 0 (x1 x))] else [::]) ++
-  flatten [seq dir_row f C v (dir p j) j (line (C v) p j) :: (if L.1 then [::] else [:: row (line (C v) p j)]) | j <- L.2].
+  flatten [seq dir_row f C v (dir p j) j (line (C v) p j) :: (if L.1 then [::] else [:: row (line (C v) p j)])
+    | j <- L.2].
 Definition block C p := flatten [seq view_block C p v | v <- views].
 
 (** ** The rows are the image changes *)
@@ -61,7 +66,8 @@ Proof. rewrite /dot /cross /=; ring. Qed.
 Lemma dot_add l u w : dot l (add u w) = dot l u + dot l w.
 Proof. rewrite /dot /add /=; ring. Qed.
 
-Lemma camera_rowE T v w l : gauge T -> ev (camera_row v w l) (camera_unknowns T) = dot w (omega (T v)) + dot l (dt (T v)).
+Lemma camera_rowE T v w l : gauge T -> ev (camera_row v w l) (camera_unknowns T) =
+  dot w (omega (T v)) + dot l (dt (T v)).
 Proof.
 case=> e1 e2; case: v; rewrite /camera_row /camera_unknowns.
 - by rewrite ev_zeros e1 /dot /= !mulr0 !addr0.
@@ -74,7 +80,8 @@ Proof. by case: fr => /= h; rewrite /dot; [rewrite h //; ring | ring]. Qed.
 
 Lemma size_own_point fr u : size (own_point fr u) = (if fr then 2 else 3)%N.
 Proof. by case: fr. Qed.
-Lemma size_pairs (F G : nat -> R) (s : seq nat) : size (flatten [seq [:: F i; G i] | i <- s]) = (2 * size s)%N.
+Lemma size_pairs (F G : nat -> R) (s : seq nat) : size (flatten [seq [:: F i; G i] | i <- s]) =
+  (2 * size s)%N.
 Proof. by elim: s => //= i s ->; rewrite mulnS. Qed.
 
 Lemma size_at (j : nat) (y z : R) (s : seq nat) :
@@ -92,7 +99,8 @@ Qed.
 Lemma dir_rowE f C T m v D j l : gauge T -> (j < pins f)%N -> x3 (dD m j) = 0 ->
   ev (dir_row f C v D j l) (unknowns f T m) = dot l (d_turn (C v) (T v) D (dD m j)).
 Proof.
-move=> gT jk gm; rewrite /dir_row /unknowns /own_unknowns -catA ev_cat ?size_nseq ?size_own_point // ev_zeros add0r.
+move=> gT jk gm; rewrite /dir_row /unknowns /own_unknowns -catA ev_cat ?size_nseq ?size_own_point // ev_zeros
+  add0r.
 rewrite ev_cat ?size_at ?size_pairs // camera_rowE //.
 rewrite /d_turn dot_add /turn dot_rot triple /pull; move: (rot _ l) => W.
 rewrite [dot (vec0 R) _]/dot /= !mul0r !addr0 addrC; congr (_ + _).
@@ -100,14 +108,16 @@ have: uniq (iota 0 (pins f)) by exact: iota_uniq.
 have: j \in iota 0 (pins f) by rewrite mem_iota.
 rewrite /own_dirs; elim: (iota 0 _) => // i s IH; rewrite inE => /orP[/eqP <-|js] /= /andP[ns us].
   rewrite eqxx /= (_ : ev _ _ = 0); first by rewrite /dot gm mulr0 !addr0 ?addrA.
-  by elim: s ns {IH us} => // k s IHs; rewrite inE negb_or eq_sym => /andP[/negbTE kj /IHs]; rewrite /= kj /= !mul0r !add0r.
+  by elim: s ns {IH us} => // k s IHs; rewrite inE negb_or eq_sym => /andP[/negbTE kj /IHs];
+    rewrite /= kj /= !mul0r !add0r.
 by rewrite (_ : i == j = false) /= ?mul0r ?add0r ?IH //; apply: contraNF ns => /eqP ->.
 Qed.
 
 Definition pins_ok f := all (fun v => all (fun j => j < pins f)%N (sees_pins f v)) views.
 
 Lemma view_blockE C T m p v : gauge T -> feature_gauge p m -> pins_ok (ft (kind p)) ->
-  map (ev^~ (unknowns (ft (kind p)) T m)) (view_block C p v) = image_change (C v) (T v) p m (looks (ft (kind p)) v).
+  map (ev^~ (unknowns (ft (kind p)) T m)) (view_block C p v) =
+    image_change (C v) (T v) p m (looks (ft (kind p)) v).
 Proof.
 move=> gT [gD gX] ok; rewrite /view_block /image_change map_cat map_flatten -map_comp; congr (_ ++ flatten _).
   by case: (looks _ _).1; rewrite //= !point_rowE.

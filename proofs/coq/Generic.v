@@ -1,7 +1,7 @@
 (** * At generic parameters no denominator is zero
 
-    A polynomial in the parameters is not zero if it is not zero at one point: all cameras are [1 | t], a point is
-    (0, 0, 1) and its pins have direction (2, 0, 1). *)
+    A polynomial in the parameters is not zero if it is not zero at one point: all cameras are
+    [1 | t], a point is (1, 0, 1) and its pins have direction (3, 1, 1). *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From SsrMultinomials Require Import mpoly.
@@ -46,7 +46,7 @@ Lemma genericE k : generic F n k = to (xP k).
 Proof. by rewrite /generic /xP; case: insub => // ; rewrite rmorph0. Qed.
 (** The point, in terms of the number of a parameter. *)
 Definition value_at k : F := if (k < o)%N then 0 else let i := (k - o)%N in
-  if i == 2%N then 1 else if odd i && (2 < i)%N then 2%:R else 0.
+  if i == 1%N then 0 else if odd i then 3%:R else 1.
 Let ev : {rmorphism P -> F} := [rmorphism of meval (fun i : 'I_n => value_at i)].
 Lemma evE k : (k < n)%N -> ev (xP k) = value_at k.
 Proof. by move=> kn; rewrite /xP insubT /= mevalXU. Qed.
@@ -54,8 +54,9 @@ Definition xF k : F := ev (xP k).
 Let own (R : idomainType) (x : nat -> R) k := x (o + k)%N.
 
 Lemma small_F k : (k < 11)%N -> xF k = 0.
-Proof. by move=> h; rewrite /xF evE /value_at ?(leq_trans h o11) //; apply: leq_trans room; rewrite ltn_addr // (leq_trans h). Qed.
-Lemma own_F k : (k < dim3 f)%N -> xF (o + k) = if k == 2%N then 1 else if odd k && (2 < k)%N then 2%:R else 0.
+Proof. by move=> h; rewrite /xF evE /value_at ?(leq_trans h o11) //; apply: leq_trans room;
+  rewrite ltn_addr // (leq_trans h). Qed.
+Lemma own_F k : (k < dim3 f)%N -> xF (o + k) = if k == 1%N then 0 else if odd k then 3%:R else 1.
 Proof.
 move=> h; rewrite /xF evE ?(leq_trans _ room) ?ltn_add2l // /value_at ltnNge leq_addr /=.
 by rewrite addKn.
@@ -66,9 +67,9 @@ Proof. by apply: contraNneq => /eqP; rewrite tofrac_eq0 => /eqP ->; rewrite rmor
 
 Let CF v := cameras_at F xF v.
 Let XF := point_at f (own xF).
-Lemma XF_E : XF = @Vec F 0 0 1.
+Lemma XF_E : XF = @Vec F 1 0 1.
 Proof. by rewrite /XF /point_at nf /own !own_F // /dim3 nf. Qed.
-Lemma dF_E j : (j < pins f)%N -> dir_at f (own xF) j = @Vec F 2%:R 0 1.
+Lemma dF_E j : (j < pins f)%N -> dir_at f (own xF) j = @Vec F 3%:R 1 1.
 Proof.
 move=> jp; have h : ((3 + 2 * j).+1 < dim3 f)%N.
   by rewrite /dim3 nf -addnS ltn_add2l -[(2 * j).+2]/(2 + 2 * j)%N -mulnS leq_mul2l.
@@ -85,7 +86,8 @@ Qed.
 Lemma generic_point v : x3 (project (cameras_at K (generic F n) v) (point_at f (own (generic F n)))) != 0.
 Proof.
 have e (x : nat -> P) (R' : idomainType) (g : {rmorphism P -> R'}) x' : (forall k, x' k = g (x k)) ->
-    x3 (project (cameras_at R' x' v) (point_at f (own x'))) = g (x3 (project (cameras_at P x v) (point_at f (own x)))).
+    x3 (project (cameras_at R' x' v) (point_at f (own x'))) =
+      g (x3 (project (cameras_at P x v) (point_at f (own x)))).
   move=> gx; rewrite (gcameras gx).
   have -> : point_at f (own x') = gvec g (point_at f (own x)) by rewrite /gvec /point_at nf /own /= -!gx.
   by rewrite -gproject.
@@ -94,20 +96,26 @@ rewrite /project turn_F -/XF XF_E; case: v {e}; rewrite /= ?small_F // addr0; ex
 Qed.
 
 Lemma generic_line v j : (j < pins f)%N ->
-  x2 (normal (cameras_at K (generic F n) v) (point_at f (own (generic F n))) (dir_at f (own (generic F n)) j)) != 0.
+  let l := normal (cameras_at K (generic F n) v) (point_at f (own (generic F n)))
+    (dir_at f (own (generic F n)) j) in x2 l != 0 /\ x3 l != 0.
 Proof.
-move=> jp; have e (x : nat -> P) (R' : idomainType) (g : {rmorphism P -> R'}) x' : (forall k, x' k = g (x k)) ->
-    x2 (normal (cameras_at R' x' v) (point_at f (own x')) (dir_at f (own x') j)) =
-    g (x2 (normal (cameras_at P x v) (point_at f (own x)) (dir_at f (own x) j))).
-  move=> gx; rewrite (gcameras gx).
+move=> jp l0; pose l (R : idomainType) (x : nat -> R) :=
+  normal (cameras_at R x v) (point_at f (own x)) (dir_at f (own x) j).
+have e (x : nat -> P) (R' : idomainType) (g : {rmorphism P -> R'}) x' : (forall k, x' k = g (x k)) ->
+    l R' x' = gvec g (l P x).
+  move=> gx; rewrite /l (gcameras gx).
   have -> : point_at f (own x') = gvec g (point_at f (own x)) by rewrite /gvec /point_at nf /own /= -!gx.
   have -> : dir_at f (own x') j = gvec g (dir_at f (own x) j) by rewrite /gvec /dir_at nf /own /= -!gx rmorph1.
   by rewrite -gnormal.
-rewrite (e _ _ _ _ genericE); apply: nonzero; rewrite -(e _ _ ev xF (fun=> erefl)).
+have eK := e _ _ to _ genericE; have eF := e _ _ ev xF (fun=> erefl).
 have two : 2%:R != 0 :> F by have /charf0P -> := char0.
-rewrite /normal /project !turn_F -/XF XF_E dF_E //; case: v {e}; rewrite /cross /= ?small_F //.
-- by rewrite !addr0 mul1r mul0r subr0.
-- by rewrite addr0 add0r !mul1r -[2%:R]/(1 + 1) addrK oner_neq0.
-- by rewrite !addr0 mul1r mul0r subr0.
+have e1 : (1 + 0) * 3%:R - (1 + 0) * 1 = 2%:R :> F by ring.
+have e2 : (1 + 0) * 3%:R - (1 + 1) * 1 = 1 :> F by ring.
+have e3 : (1 + 0) * 1 - (0 + 0) * 3%:R = 1 :> F by ring.
+have e4 : (1 + 1) * 1 - (0 + 0) * 3%:R = 2%:R :> F by ring.
+have : x2 (l F xF) != 0 /\ x3 (l F xF) != 0.
+  rewrite /l /normal /project !turn_F -/XF XF_E dF_E // /cross.
+  by case: v {l0 l e eK eF}; rewrite /= ?small_F // ?e1 ?e2 ?e3 ?e4 two oner_neq0.
+rewrite -[l0]/(l K (generic F n)) eK eF /= => -[h2 h3]; split; exact: nonzero.
 Qed.
 End Generic.

@@ -1,7 +1,7 @@
 (** * Five generic pairs of image points
 
-    The two determinants that the bound needs are polynomials in the coordinates of the images. They are not zero at
-    one integer point, so they are not zero at independent coordinates. *)
+    The two determinants that the bound needs are polynomials in the coordinates of the images. They
+    are not zero at one integer point, so they are not zero at independent coordinates. *)
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
@@ -39,10 +39,12 @@ Proof.
 rewrite /product -(big_mkord xpredT (fun k => f i k * g k j)) /index_iota subn0.
 by elim: (iota 0 n) => [|k l IH]; rewrite ?big_nil // big_cons IH.
 Qed.
-Definition agree m n (f g : nat -> nat -> ZC) := all (fun i => all (fun j => f i j == g i j) (iota 0 n)) (iota 0 m).
+Definition agree m n (f g : nat -> nat -> ZC) := all (fun i => all (fun j => f i j == g i j) (iota 0 n))
+  (iota 0 m).
 Lemma agreeP m n f g i j : agree m n f g -> (i < m)%N -> (j < n)%N -> f i j = g i j.
 Proof.
-move=> h im jn; have /allP/(_ i) := h; rewrite mem_iota => /(_ im)/allP/(_ j); rewrite mem_iota => /(_ jn)/eqP.
+move=> h im jn; have /allP/(_ i) := h; rewrite mem_iota => /(_ im)/allP/(_ j);
+  rewrite mem_iota => /(_ jn)/eqP.
 exact.
 Qed.
 Definition scalar (z : Z) (i j : nat) : ZC := if i == j then z else 0%Z.
@@ -87,11 +89,13 @@ Qed.
 (** Computes the arguments of f. *)
 Ltac numbers f := repeat match goal with |- context [f ?n] =>
   let m := eval vm_compute in n in progress change (f n) with (f m) end.
-Lemma form_scale (R : comRingType) (d : R) k (A A' C C' D D' : nat -> R) : (k < 10)%N -> (forall e, (e < 9)%N -> A e = d * A' e) ->
+Lemma form_scale (R : comRingType) (d : R) k (A A' C C' D D' : nat -> R) : (k < 10)%N ->
+  (forall e, (e < 9)%N -> A e = d * A' e) ->
   (forall e, (e < 9)%N -> C e = d * C' e) -> (forall e, (e < 9)%N -> D e = d * D' e) ->
   form k A C D = d ^+ 3 * form k A' C' D'.
 Proof.
-by move=> k10 hA hC hD; rewrite /form; case: k k10 => [|[|[|[|[|[|[|[|[|[|k]]]]]]]]]] // _; rewrite /= !hA // !hC // !hD //;
+by move=> k10 hA hC hD; rewrite /form; case: k k10 => [|[|[|[|[|[|[|[|[|[|k]]]]]]]]]] // _;
+  rewrite /= !hA // !hC // !hD //;
   numbers A'; numbers C'; numbers D'; ring.
 Qed.
 Lemma leadingE : leading (@space ZC yZ) = \det B ^+ 3 *: \matrix_(k, j) leading_entry k j.
@@ -111,7 +115,8 @@ Qed.
 Lemma det_leading : \det (leading (@space ZC yZ)) != 0.
 Proof.
 rewrite leadingE detZ mulf_neq0 //; first by rewrite !expf_neq0 // detB.
-have e : (\matrix_(i < 10, j < 10) leading_inverse i j) *m (\matrix_(k < 10, j < 10) leading_entry k j) = (48%Z : ZC)%:M.
+have e : (\matrix_(i < 10, j < 10) leading_inverse i j) *m (\matrix_(k < 10, j < 10) leading_entry k j) =
+  (48%Z : ZC)%:M.
   apply/matrixP => i j; rewrite !mxE; transitivity (product 10 leading_inverse leading_entry i j).
     by rewrite -productE; apply: eq_bigr => k _; rewrite !mxE.
   by rewrite (agreeP leading_checked) // /scalar -(inj_eq val_inj); case: eqP => _; rewrite ?mulr1n ?mulr0n.
@@ -130,7 +135,7 @@ Notation FC := [comRingType of F].
 
 Definition unknown (k : nat) : MP := if insub k is Some i then 'X_(i : 'I_20) else 0.
 Definition at_images : {rmorphism MP -> LC} := [rmorphism of mmap_rmorphism (fun j : 'I_20 => y j) c].
-Definition integers : {rmorphism ZC -> FC} := [rmorphism of intr \o int_of_Z].
+Definition integers : {rmorphism ZC -> FC} := Derivations.integers F.
 Definition at_integers : {rmorphism MP -> FC} := [rmorphism of meval (fun j : 'I_20 => integers (yZ j))].
 Definition trimmed k := if (k < 20)%N then y k else 0.
 
@@ -144,18 +149,11 @@ Proof.
 rewrite /unknown; case: insubP => [i _ <-|]; first by rewrite /at_integers /= mevalXU.
 by rewrite -leqNgt => k20; rewrite rmorph0 /yZ nth_default // rmorph0.
 Qed.
-Lemma integers0 z : (integers z == 0) = (z == 0).
-Proof.
-have nat0 := (charf0P F).1 char0.
-have int0 (k : int) : (k%:~R == 0 :> F) = (k == 0).
-  by case: k => k; rewrite ?NegzE ?rmorphN /= ?oppr_eq0 ?nat0.
-by rewrite /= int0 -(inj_eq (can_inj Z_of_intK)) int_of_ZK.
-Qed.
 
 (** A polynomial that is not zero at the integers is not zero at the images. *)
 Lemma transfer (p : MP) (z : ZC) : at_integers p = integers z -> z != 0 -> at_images p != 0.
 Proof.
-move=> e z0; apply: contra_neq z0 => p0; apply/eqP; rewrite -integers0 -e.
+move=> e z0; apply: contra_neq z0 => p0; apply/eqP; rewrite -(integers0 char0) -e.
 by rewrite (_ : p = 0) ?rmorph0 //; exact: (ind p0).
 Qed.
 Lemma generic_block : \det (@bound_block LC trimmed) != 0.
@@ -165,8 +163,10 @@ by rewrite -!det_map_mx -(bound_block_map at_integersE) -(bound_block_map (g := 
 Qed.
 Lemma generic_leading : \det (@leading LC (@space LC trimmed)) != 0.
 Proof.
-rewrite (leading_map (space_map at_imagesE)) det_map_mx; apply: (transfer (z := \det (leading (@space ZC yZ)))); last exact: det_leading.
-by rewrite -!det_map_mx -(leading_map (space_map at_integersE)) -(leading_map (space_map (g := integers) (fun k => erefl))).
+rewrite (leading_map (space_map at_imagesE)) det_map_mx;
+  apply: (transfer (z := \det (leading (@space ZC yZ)))); last exact: det_leading.
+by rewrite -!det_map_mx -(leading_map (space_map at_integersE))
+  -(leading_map (space_map (g := integers) (fun k => erefl))).
 Qed.
 Lemma trimmed_solution p : solution y p -> solution trimmed p.
 Proof.
@@ -177,13 +177,11 @@ have small k : (k < 4)%N -> trimmed (4 * i + k)%N = y (4 * i + k)%N.
 have small0 : trimmed (4 * i)%N = y (4 * i)%N by have := small 0%N isT; rewrite addn0.
 by rewrite small0 !small.
 Qed.
-Lemma two : 2%:R != 0 :> L.
-Proof. by rewrite -(rmorph_nat c) fmorph_eq0; have /charf0P -> := char0. Qed.
 End Generic.
 
 Theorem five_points_theorem : five_points.
 Proof.
 move=> F L c char0 y ind s us sol.
-apply: (at_most_twenty (two c char0) (generic_block char0 ind) (generic_leading char0 ind) us) => p /sol.
+apply: (at_most_twenty (two_neq0 c char0) (generic_block char0 ind) (generic_leading char0 ind) us) => p /sol.
 exact: trimmed_solution.
 Qed.

@@ -1,8 +1,8 @@
 (** * Independent lists of rational functions
 
-    K is the field of rational functions in n parameters. At most n elements are independent, at least n are needed to
-    make K algebraic; so both hold for a list y if and only if y has n elements and only the zero derivation kills it
-    ([criterion]). *)
+    K is the field of rational functions in n parameters. At most n elements are independent, at
+    least n are needed to make K algebraic; so both hold for a list y if and only if y has n
+    elements and only the zero derivation kills it ([criterion]). *)
 From mathcomp Require Import all_ssreflect all_algebra generic_quotient.
 From SsrMultinomials Require Import mpoly.
 From PL1P Require Import Derivations RationalFunctions.
@@ -35,13 +35,15 @@ Lemma independent_sub m k (y : 'I_m -> K) (y' : 'I_k -> K) (e : 'I_k -> 'I_m) : 
   (forall j, y' j = y (e j)) -> independent c y -> independent c y'.
 Proof.
 move=> ei ye iy Q v0; pose up := [rmorphism of mmap (@mpolyC m F) (fun j : 'I_k => 'X_(e j))].
-pose down := [rmorphism of mmap (@mpolyC k F) (fun i : 'I_m => if [pick j | e j == i] is Some j then 'X_j else 0)].
+pose down := [rmorphism of mmap (@mpolyC k F) (fun i : 'I_m => if [pick j | e j == i] is Some j then 'X_j
+  else 0)].
 have e1 : (mmap_rmorphism y c \o up)%FUN =1 mmap_rmorphism y' c.
   apply: (morphism_eq (f := [rmorphism of mmap_rmorphism y c \o up])) => [a|i] /=; first by rewrite !mmapC.
   by rewrite !(mmapX, mmap1U) ye.
 have u0 : up Q = 0 by apply: iy; rewrite -[LHS]e1 in v0 *; exact: v0.
 have e2 : (down \o up)%FUN =1 idfun.
-  apply: (morphism_eq (f := [rmorphism of down \o up]) (g := [rmorphism of idfun])) => [a|i] /=; first by rewrite !mmapC.
+  apply: (morphism_eq (f := [rmorphism of down \o up]) (g := [rmorphism of idfun])) => [a|i] /=;
+    first by rewrite !mmapC.
   rewrite !(mmapX, mmap1U); case: pickP => [j /eqP /ei -> //|/(_ i)]; by rewrite eqxx.
 by rewrite -[Q]e2 /= u0 mmap0.
 Qed.
@@ -115,7 +117,8 @@ End Functions.
 (** ** Fractions *)
 Section Quotients.
 Local Open Scope quotient_scope.
-Lemma quotient_repr (R : idomainType) (u : {fraction R}) : u = FracField.tofrac (repr u).1 / FracField.tofrac (repr u).2.
+Lemma quotient_repr (R : idomainType) (u : {fraction R}) : u = FracField.tofrac (repr u).1 / FracField.tofrac
+  (repr u).2.
 Proof.
 have d0 : (repr u).2 != 0 by exact: denom_ratioP.
 apply: (mulIf (x := FracField.tofrac (repr u).2)); first by rewrite tofrac_eq0.

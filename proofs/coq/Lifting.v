@@ -1,7 +1,7 @@
 (** * What is kept and the images of what is forgotten determine all images
 
-    Here in terms of derivations: one that kills the cameras, what is kept, and the images of what is forgotten kills
-    all images ([local_killed], for one feature). *)
+    Here in terms of derivations: one that kills the cameras, what is kept, and the images of what
+    is forgotten kills all images ([local_killed], for one feature). *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From mathcomp.zify Require Import zify.
@@ -20,7 +20,8 @@ Hypothesis hD : derivation c0 D.
 Notation Z a := (D a = 0).
 Lemma zN a : Z a -> Z (- a). Proof. by move=> h; rewrite (derN hD) h oppr0. Qed.
 Lemma zD a b : Z a -> Z b -> Z (a + b). Proof. by move=> h1 h2; rewrite (derD hD) h1 h2 addr0. Qed.
-Lemma zM a b : Z a -> Z b -> Z (a * b). Proof. by move=> h1 h2; rewrite (derM hD) h1 h2 mulr0 mul0r addr0. Qed.
+Lemma zM a b : Z a -> Z b -> Z (a * b). Proof.
+by move=> h1 h2; rewrite (derM hD) h1 h2 mulr0 mul0r addr0. Qed.
 Lemma zMn a : Z a -> Z (a *+ 2). Proof. by move=> h; rewrite mulr2n; exact: zD. Qed.
 Lemma zX a : Z a -> Z (a ^+ 2). Proof. by move=> h; rewrite expr2; exact: zM. Qed.
 Lemma zV a : Z a -> Z a^-1.
@@ -52,7 +53,8 @@ Lemma dead_line p n : dead n -> killed D (line_image p n).
 Proof. by case=> h1 h2 h3; case: p; rewrite /killed /= !(introT eqP) //; kill. Qed.
 Lemma killed_cat s t : killed D (s ++ t) = killed D s && killed D t.
 Proof. exact: all_cat. Qed.
-Lemma killed_flatten T (g : T -> seq K) (l : seq T) : killed D (flatten [seq g i | i <- l]) = all (fun i => killed D (g i)) l.
+Lemma killed_flatten T (g : T -> seq K) (l : seq T) : killed D (flatten [seq g i | i <- l]) =
+  all (fun i => killed D (g i)) l.
 Proof. by elim: l => //= i l IH; rewrite killed_cat IH. Qed.
 
 Lemma dead_image fx C l : dead_camera C -> dead (point_at fx.1 fx.2) ->
@@ -64,7 +66,8 @@ by rewrite killed_flatten; apply/allP => j jl; apply: dead_line; apply: dead_nor
 Qed.
 
 (** The other coordinate of a point on a line. *)
-Lemma on_line (n x : vec K) : dead n -> x2 n != 0 -> x3 x != 0 -> dot n x = 0 -> Z (x1 x / x3 x) -> Z (x2 x / x3 x).
+Lemma on_line (n x : vec K) : dead n -> x2 n != 0 -> x3 x != 0 -> dot n x = 0 -> Z (x1 x / x3 x) ->
+  Z (x2 x / x3 x).
 Proof.
 case=> h1 h2 h3 n2 x30 e h.
 have -> : x2 x / x3 x = - (x3 n + x1 n * (x1 x / x3 x)) / x2 n.
@@ -82,7 +85,8 @@ by rewrite /normal /project /turn /cross /add /scale /rot /dot /=; congr Vec; ri
 Qed.
 
 (** ** One feature: what is kept and the images of what is lost give all images *)
-Lemma local_killed f x c v (C : camera K) : let X := point_at f x in proper f -> feasible f c -> dead_camera C ->
+Lemma local_killed f x c v (C : camera K) : let X := point_at f x in proper f -> feasible f c ->
+  dead_camera C ->
   (~~ free f -> sees_point f v -> x3 (project C X) != 0) ->
   (~~ free f -> forall j, (j < pins f)%N -> x2 (normal C X (dir_at f x j)) != 0) ->
   (~~ nothing (keep f c) -> killed D (kept_parameters (f, x) c)) ->
@@ -99,14 +103,16 @@ have kept j : j \in c.2 -> dead (dir_at f x j) /\ dead (normal C X (dir_at f x j
   have hX : (c.1 -> dead X) /\ dead (if c.1 then X else add X (scale (- x3 X) (dir_at f x (head 0%N c.2)))).
     move: hY; set Y := if c.1 then X else _ => hY.
     have y3 : D (x3 Y) = 0.
-      move: hY; case fr: (free f || ~~ c.1) => /= /andP[_ /andP[_ hY]]; last by move: hY; rewrite andbT => /eqP.
+      move: hY; case fr: (free f || ~~ c.1) => /= /andP[_ /andP[_ hY]]; last by move: hY;
+        rewrite andbT => /eqP.
       rewrite /Y; case c1: (c.1) fr; first by rewrite orbF => fr; rewrite /X /= fr (der0 hD).
       by move=> _; rewrite /= mulr1 subrr (der0 hD).
     have hY' : dead Y by split=> //; move: hY; case: ifP => _ /= /and3P[/eqP ? /eqP].
     by split=> //; move: hY'; rewrite /Y; case: (c.1).
   case: hX => hX hY'; split=> //; split=> //.
   case c1: (c.1) hY' fc => hY' /= fc; first by apply: dead_normal.
-  have -> : normal C X (dir_at f x j) = normal C (add X (scale (- x3 X) (dir_at f x (head 0%N c.2)))) (dir_at f x j).
+  have -> : normal C X (dir_at f x j) = normal C (add X (scale (- x3 X) (dir_at f x (head 0%N c.2))))
+    (dir_at f x j).
     have -> : head 0%N c.2 = j by move: jc fc; case: (c.2) => [|i [|]] //=; rewrite inE => /eqP ->.
     exact: normal_slide.
   exact: dead_normal.
@@ -115,7 +121,8 @@ have lines : all (fun j => killed D (line_image (looks f v).1 (normal C X (dir_a
   by apply: (allP ll); rewrite mem_filter jc.
 rewrite lines andbT; move: lp rx; rewrite -/(sees_point f v); case p: (sees_point f v) sp => //=.
 case fr: (free f) => //= _; case c1: (c.1) fc => /= fc; last first.
-  case: ifP => // /hasP[j jl jc]; rewrite /killed /= !andbT => /eqP lp /(_ isT isT) x30; rewrite lp eqxx /=; apply/eqP.
+  case: ifP => // /hasP[j jl jc]; rewrite /killed /= !andbT => /eqP lp /(_ isT isT) x30; rewrite lp eqxx /=;
+    apply/eqP.
   have [_ [hn _]] := kept j jc; apply: (on_line (x := project C X) hn _ x30 _ lp).
     by apply: rn; rewrite ?fr //; exact: (allP le).
   by rewrite /normal /dot /cross /=; ring.

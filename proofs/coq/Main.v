@@ -2,7 +2,8 @@
 From Coq Require Import NArith ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
-From PL1P Require Import Statement Rigid Walk Predicates Orbits Census ArchivePoint Regular Obstructed Minimal.
+From PL1P Require Import Statement Rigid Walk Predicates Orbits Census ArchivePoint Regular Obstructed
+  Minimal.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -14,7 +15,8 @@ Hypothesis bs : balanced s.
 Let o := obstructed s.
 Definition slow_flags : seq bool :=
   let l := representative label_orbit s in let w := representative merge_orbit s in
-  [:: l; w; l && ~~ o; l && o; w && ~~ o; w && o; l && (~~ o && pl0p_by tot s); w && (~~ o && one_pin_by tot s);
+  [:: l; w; l && ~~ o; l && o; w && ~~ o; w && o; l && (~~ o && pl0p_by tot s);
+    w && (~~ o && one_pin_by tot s);
       l && (~~ o && five_by tot s); w && (~~ o && five_by tot s)].
 Lemma flagsE : flags s = slow_flags.
 Proof.
@@ -30,7 +32,8 @@ End Flags.
 Lemma size_flags s : size (flags s) = 10.
 Proof. by rewrite /flags; case: ifP. Qed.
 
-Lemma counted j : j < 10 -> N.of_nat (count (fun s => nth false (slow_flags s) j) balanced_list) = nth N0 counts j.
+Lemma counted j : j < 10 -> N.of_nat (count (fun s => nth false (slow_flags s) j) balanced_list) =
+  nth N0 counts j.
 Proof.
 move=> j10; rewrite -censusE /census walkE; last by vm_compute.
 have -> : foldl (fun acc s => bump (flags (rev (catrev s [::]))) acc) (nseq 10 N0) (sols ws 11) =
@@ -43,7 +46,8 @@ rewrite N.add_0_l; apply: (congr1 N.of_nat); apply: eq_in_count => s sl.
 by rewrite flagsE // -balanced_mem.
 Qed.
 
-Lemma classes_iff E (Q Q' : signature -> Prop) n : (forall s, Q s <-> Q' s) -> classes E Q n -> classes E Q' n.
+Lemma classes_iff E (Q Q' : signature -> Prop) n : (forall s, Q s <-> Q' s) -> classes E Q n ->
+  classes E Q' n.
 Proof.
 move=> e [reps [h1 h2 h3 h4 h5]]; exists reps; split=> //; first by move=> r /h3 /e.
 by move=> s /e /h5.
@@ -64,7 +68,8 @@ Qed.
 Lemma label_nonempty s : label_orbit s != [::]. Proof. by []. Qed.
 Lemma merge_nonempty s : merge_orbit s != [::]. Proof. by []. Qed.
 
-Lemma label_classes (Q : signature -> Prop) q n : (forall s, balanced s -> reflect (Q s) (q s)) -> by_portrait q ->
+Lemma label_classes (Q : signature -> Prop) q n : (forall s, balanced s -> reflect (Q s) (q s)) ->
+  by_portrait q ->
   N.of_nat (count (fun s => representative label_orbit s && q s) balanced_list) = n ->
   classes label_equiv (fun s => balanced s /\ Q s) n.
 Proof.
@@ -75,7 +80,8 @@ move=> qP pq; apply: (classesP label_orbit_size label_nonempty label_orbit_same)
 - exact: (stable label_orbit_size portrait_label pq).
 Qed.
 
-Lemma swap_classes (Q : signature -> Prop) q n : (forall s, balanced s -> reflect (Q s) (q s)) -> by_portrait q ->
+Lemma swap_classes (Q : signature -> Prop) q n : (forall s, balanced s -> reflect (Q s) (q s)) ->
+  by_portrait q ->
   N.of_nat (count (fun s => representative merge_orbit s && q s) balanced_list) = n ->
   classes swap_equiv (fun s => balanced s /\ Q s) n.
 Proof.
@@ -101,7 +107,8 @@ Proof. by move=> s t e; rewrite (portrait_obstructed e); case: e => _ _ _ -> _. 
 Lemma pp_five : by_portrait (fun s => ~~ obstructed s && five_by tot s).
 Proof. by move=> s t e; rewrite (portrait_obstructed e); case: e => _ _ _ _ ->. Qed.
 
-Lemma balanced_walk : walk (fun _ _ st => st) (fun _ (_ : unit) acc => N.succ acc) ws 0 11 tt [::] N0 = 845161%num.
+Lemma balanced_walk : walk (fun _ _ st => st) (fun _ (_ : unit) acc => N.succ acc) ws 0 11 tt [::] N0 =
+  845161%num.
 Proof. vm_cast_no_check (erefl 845161%num). Qed.
 Lemma foldl_succ (l : seq (seq nat)) n : foldl (fun acc _ => N.succ acc) n l = N.add n (N.of_nat (size l)).
 Proof.
@@ -150,11 +157,13 @@ split.
   + exact: (swap_classes minP pp_min (@counted 4 isT)).
   + exact: (swap_classes notminP pp_obs (@counted 5 isT)).
 - split.
-  + apply: (classes_iff (fun s => andA _ _ _)); apply: (label_classes _ pp_pl0p); last exact: (@counted 6 isT).
+  + apply: (classes_iff (fun s => andA _ _ _)); apply: (label_classes _ pp_pl0p);
+      last exact: (@counted 6 isT).
     by move=> s bs; exact: and_reflect (minP bs) (pl0p_byE s).
   + apply: (classes_iff (fun s => andA _ _ _)); apply: (swap_classes _ pp_one); last exact: (@counted 7 isT).
     by move=> s bs; exact: and_reflect (minP bs) (one_pin_byE s).
-  + apply: (classes_iff (fun s => andA _ _ _)); apply: (label_classes _ pp_five); last exact: (@counted 8 isT).
+  + apply: (classes_iff (fun s => andA _ _ _)); apply: (label_classes _ pp_five);
+      last exact: (@counted 8 isT).
     by move=> s bs; exact: and_reflect (minP bs) (five_byE s).
   + apply: (classes_iff (fun s => andA _ _ _)); apply: (swap_classes _ pp_five); last exact: (@counted 9 isT).
     by move=> s bs; exact: and_reflect (minP bs) (five_byE s).
@@ -186,6 +195,7 @@ Proof.
 have only_if (R : idomainType) (C : view -> camera R) scene s : shape scene s -> balanced s -> obstructed s ->
     admissible C scene -> ~ rigid C scene.
   by move=> sh bs ob ad; exact: (obstructed_not_rigid sh ad bs ob).
-split; [by move=> F char0 s bs; exact: minimal_iff | split=> // s bs]; split; first exact: (regular_rigid archive_checked).
+split; [by move=> F char0 s bs; exact: minimal_iff | split=> // s bs]; split;
+  first exact: (regular_rigid archive_checked).
 by case=> C [scene [sh ad rg]]; apply/negP => ob; exact: only_if sh bs ob ad rg.
 Qed.

@@ -1,8 +1,9 @@
 (** * Minimal is what is not obstructed
 
-    The point of NormalPool.v is a configuration with integer parameters. If the signature is not obstructed it is rigid
-    there, hence at the generic point, and the Jacobian criterion says that the images are independent. Conversely, if
-    the fibres are finite, every motion at the generic point is zero, and the signature is not obstructed. *)
+    The point of NormalPool.v is a configuration with integer parameters. If the signature is not
+    obstructed it is rigid there, hence at the generic point, and the Jacobian criterion says that
+    the images are independent. Conversely, if the fibres are finite, every motion at the generic
+    point is zero, and the signature is not obstructed. *)
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
@@ -51,14 +52,7 @@ Definition xP k : P := if insub k is Some i then 'X_i else 0.
 Variable xK : nat -> K.
 Hypothesis xKE : forall k, xK k = to (xP k).
 
-Definition ZF : {rmorphism Z -> F} := [rmorphism of intr \o int_of_Z].
-Lemma ZF0 z : (ZF z == 0) = (z == 0).
-Proof.
-have nat0 := (charf0P F).1 char0.
-have int0 (k : int) : (k%:~R == 0 :> F) = (k == 0).
-  by case: k => k; rewrite ?NegzE ?rmorphN /= ?oppr_eq0 ?nat0.
-by rewrite /= int0 -(inj_eq (can_inj Z_of_intK)) int_of_ZK.
-Qed.
+Notation ZF := (integers F).
 Definition xF k : F := ZF (xZ s k).
 Definition at_point : {rmorphism P -> F} := [rmorphism of meval (fun i : 'I_N => xF i)].
 Lemma xFE k : xF k = at_point (xP k).
@@ -72,7 +66,8 @@ Qed.
 
 (** What is not zero at the integer point is not zero at the generic point. *)
 Lemma generic_nonzero (z : Z) (p : P) (u : K) : u = to p -> at_point p = ZF z -> z != 0 -> u != 0.
-Proof. by move=> -> e z0; rewrite to0; apply: contraNneq z0 => p0; rewrite -ZF0 -e p0 rmorph0. Qed.
+Proof. by move=> -> e z0; rewrite to0; apply: contraNneq z0 => p0;
+  rewrite -(integers0 char0) -e p0 rmorph0. Qed.
 
 Lemma generic_det : ~~ obstructed s -> \det (system s xK) != 0.
 Proof.
@@ -86,7 +81,8 @@ Proof.
 move=> /generic_det /(det_kernel (square bs)) ker T m gT; rewrite size_mkseq => still.
 pose own n := own_unknowns (ft (nth 0%N (kinds s) n)) (m n).
 pose v : nat -> K := nth 0 (assembled s (camera_unknowns T) own).
-have sc n : (n < size (kinds s))%N -> nth (p0 K) (scene_at K xK s) n = place_of s xK n by move=> nl; rewrite nth_mkseq.
+have sc n : (n < size (kinds s))%N -> nth (p0 K) (scene_at K xK s) n = place_of s xK n by move=> nl;
+  rewrite nth_mkseq.
 have so n : (n < size (kinds s))%N -> size (own n) = nth 0%N (sizes s) n.
   by move=> nl; rewrite (nth_map 0%N) // /own /own_unknowns size_own.
 have [g1 g2] := gT.
@@ -94,7 +90,8 @@ have tw w : twist_of v w = T w.
   case: w; rewrite ?g1 //= /v !assembled_camera //=.
     by case: (T V2) g2 => ? [? ? ?] /= ->; congr Twist; apply: vec_ext.
   by case: (T V3) => [[? ? ?] [? ? ?]].
-have loc n o : (n < size (kinds s))%N -> (o < dim3 (ft (nth 0%N (kinds s) n)))%N -> part s v n o = nth 0 (own n) o.
+have loc n o : (n < size (kinds s))%N -> (o < dim3 (ft (nth 0%N (kinds s) n)))%N -> part s v n o =
+  nth 0 (own n) o.
   by move=> nl ol; apply: assembled_part => //; rewrite (nth_map 0%N).
 clearbody v.
 have mo n : (n < size (kinds s))%N -> dX (motion_of s v n) = dX (m n) /\
@@ -126,7 +123,8 @@ have [<- e2] := mo n nl; rewrite sc // [kind _]/=; split=> [|j jp].
   - by rewrite zl // /dim3; case: (free _).
   - by rewrite zl // /dim3; case: (free _).
   - by case: ifP => fr //; rewrite zl // /dim3 fr.
-have lt : ((2 * j).+1 < 2 * pins (ft (nth 0%N (kinds s) n)))%N by rewrite -[(2 * j).+2]/(2 + 2 * j)%N -mulnS leq_mul2l.
+have lt : ((2 * j).+1 < 2 * pins (ft (nth 0%N (kinds s) n)))%N
+  by rewrite -[(2 * j).+2]/(2 + 2 * j)%N -mulnS leq_mul2l.
 rewrite -e2 // /motion_of /free_motion /= jp; apply: vec_ext => //=.
 - by rewrite zl // /dim3 ltn_add2l ltnW.
 - by rewrite zl // /dim3 -addnS ltn_add2l.
@@ -147,7 +145,8 @@ move=> nl sp; have e1 := congr1 (@x3 _) (project_map (f := to) s xKE w n).
 have e2 := congr1 (@x3 _) (project_map (f := at_point) s xFE w n).
 rewrite (project_map (f := ZF) s (x := xZ s) (fun => erefl)) in e2.
 apply: (generic_nonzero e1 (esym e2)); rewrite xZ_cameras xZ_point //; move: sp.
-rewrite -kind_place //; have /andP[/and4P[/andP[a1 _] /andP[a2 _] /andP[a3 _] _] _] := place_ok bs (instances_ok normal_checked) nl.
+rewrite -kind_place //; have /andP[/and4P[/andP[a1 _] /andP[a2 _] /andP[a3 _] _] _] :=
+  place_ok bs (instances_ok normal_checked) nl.
 by move=> sp; case: w {e1 e2} sp => sp; [move: a1|move: a2|move: a3]; rewrite sp.
 Qed.
 
@@ -166,11 +165,12 @@ Lemma generic_centres u w : u <> w -> scaled xK u w <> scaled xK w u.
 Proof.
 move=> uw; have eK a b := scaled_map (f := to) xKE a b; have eF a b := scaled_map (f := at_point) xFE a b.
 have eZ a b := scaled_map (f := ZF) (x := xZ s) (x' := xF) (fun => erefl) a b.
-have inj (R R' : idomainType) (f : {rmorphism R -> R'}) : (forall a, (f a == 0) = (a == 0)) -> injective (fvec f).
+have inj (R R' : idomainType) (f : {rmorphism R -> R'}) : (forall a, (f a == 0) = (a == 0)) ->
+  injective (fvec f).
   move=> f0 [a1 a2 a3] [b1 b2 b3] [h1 h2 h3].
   have i a b : f a = f b -> a = b by move=> e; apply/eqP; rewrite -subr_eq0 -f0 rmorphB e subrr.
   by rewrite (i _ _ h1) (i _ _ h2) (i _ _ h3).
-rewrite !eK => /(inj _ _ _ to0) /(congr1 (fvec at_point)); rewrite -!eF !eZ => /(inj _ _ _ ZF0).
+rewrite !eK => /(inj _ _ _ to0) /(congr1 (fvec at_point)); rewrite -!eF !eZ => /(inj _ _ _ (integers0 char0)).
 have [_ _ _ h _] := scene_admissible normal_checked bs; rewrite /scaled !xZ_cameras; exact: h uw.
 Qed.
 
@@ -213,14 +213,17 @@ Qed.
 (** ** The criterion, for images y at the generic point *)
 Lemma size_coordinates : size (coordinates s xK) = N.
 Proof.
-rewrite -(square bs) /coordinates size_flatten /seq.shape -map_comp /scene_at /mkseq -map_comp -[in RHS](mkseq_nth 0%N (kinds s)) /mkseq -map_comp.
+rewrite -(square bs) /coordinates size_flatten /seq.shape -map_comp /scene_at /mkseq -map_comp
+  -[in RHS](mkseq_nth 0%N (kinds s)) /mkseq -map_comp.
 congr sumn; apply: eq_map => n; set f := ft (nth 0%N (kinds s) n); pose p := place_of s xK n.
-have sz w : size (placed_image (cameras_at K xK w) p (looks f w)) = (if (looks f w).1 then 2 + size (looks f w).2 else 2 * size (looks f w).2)%N.
+have sz w : size (placed_image (cameras_at K xK w) p (looks f w)) =
+  (if (looks f w).1 then 2 + size (looks f w).2 else 2 * size (looks f w).2)%N.
   have fl (h : nat -> seq K) k js : (forall j, size (h j) = k) -> size (flatten (map h js)) = (k * size js)%N.
     by move=> e; elim: js => [|j js IH]; rewrite ?muln0 // [flatten _]/= size_cat IH e mulnS.
   rewrite /placed_image size_cat; case: (looks f w) => -[] js; first by rewrite (fl _ 1%N) // mul1n.
   by rewrite (fl _ 2%N).
-rewrite -[LHS]/(size (placed_image (cameras_at K xK V1) p (looks f V1) ++ placed_image (cameras_at K xK V2) p (looks f V2) ++
+rewrite -[LHS]/(size (placed_image (cameras_at K xK V1) p (looks f V1) ++
+  placed_image (cameras_at K xK V2) p (looks f V2) ++
   placed_image (cameras_at K xK V3) p (looks f V3) ++ [::])) -[RHS]/(dim2 f).
 by rewrite size_cat sz size_cat sz size_cat sz.
 Qed.
@@ -270,10 +273,12 @@ End Generic.
 
 (** ** The problem of a signature *)
 Lemma problem_ofE s : problem_of s = [seq ft i | i <- kinds s].
-Proof. by rewrite /problem_of /kinds map_flatten -map_comp; congr flatten; apply: eq_map => i; rewrite /= map_nseq. Qed.
+Proof. by rewrite /problem_of /kinds map_flatten -map_comp; congr flatten; apply: eq_map => i;
+  rewrite /= map_nseq. Qed.
 Lemma parametersE s : parameters (problem_of s) = unknowns_count s.
 Proof. by rewrite /parameters problem_ofE -map_comp. Qed.
-Lemma image_ext (K : fieldType) (f : feature) (x x' : nat -> K) C l : x =1 x' -> image (f, x) C l = image (f, x') C l.
+Lemma image_ext (K : fieldType) (f : feature) (x x' : nat -> K) C l : x =1 x' -> image (f, x) C l =
+  image (f, x') C l.
 Proof.
 move=> e; rewrite /image /= (_ : point_at f x = point_at f x') ?/point_at ?e //; congr (_ ++ flatten _).
 by apply: eq_map => j; congr (line_image _ (normal _ _ _)); rewrite /dir_at !e.
@@ -282,25 +287,30 @@ Qed.
 Lemma scene_map (R : idomainType) (x : nat -> R) T (G : feature * (nat -> R) -> T) (H : placed R -> T) :
   (forall f y y', y =1 y' -> G (f, y) = G (f, y')) -> (forall y i, G (ft i, y) = H (@place_at R y i)) ->
   forall l o, [seq G fx | fx <- scene x o [seq ft i | i <- l]] =
-    [seq H (@place_at R (fun k => x (o + (sumn (take n [seq dim3 (ft i) | i <- l]) + k))%N) (nth 0%N l n)) | n <- iota 0 (size l)].
+    [seq H (@place_at R (fun k => x (o + (sumn (take n [seq dim3 (ft i) | i <- l]) + k))%N) (nth 0%N l n)) | n
+      <- iota 0 (size l)].
 Proof.
 move=> ext GH; elim=> // i l IH o.
 rewrite -[scene _ _ _]/((ft i, fun k => x (o + k)%N) :: scene x (o + dim3 (ft i)) [seq ft i | i <- l]).
-rewrite [LHS]/= IH -[size (i :: l)]/(size l).+1 -[iota 0 _.+1]/(0%N :: iota 1 (size l)) [RHS]map_cons; congr (_ :: _).
+rewrite [LHS]/= IH -[size (i :: l)]/(size l).+1 -[iota 0 _.+1]/(0%N :: iota 1 (size l)) [RHS]map_cons;
+  congr (_ :: _).
   by rewrite GH.
 have h y y' m : y =1 y' -> H (@place_at R y m) = H (@place_at R y' m) by move=> e; rewrite -!GH; exact: ext.
 rewrite (iotaDl 1 0) -map_comp; apply: eq_map => k.
-rewrite -[RHS]/(H (@place_at R (fun r => x (o + (dim3 (ft i) + sumn (take k [seq dim3 (ft i) | i <- l]) + r))%N) (nth 0%N l k))).
+rewrite -[RHS]/(H (@place_at R
+  (fun r => x (o + (dim3 (ft i) + sumn (take k [seq dim3 (ft i) | i <- l]) + r))%N) (nth 0%N l k))).
 by apply: h => r; rewrite !addnA.
 Qed.
 Lemma imagesE (F : fieldType) n s : images F n (problem_of s) = coordinates s (generic F n).
 Proof.
 rewrite problem_ofE /images /scene_of /coordinates /scene_at /sizes /mkseq -map_comp; congr flatten.
-apply: (@scene_map _ _ _ _ (fun p => flatten [seq placed_image (cameras_at _ (generic F n) v) p (looks (ft (kind p)) v) | v <- views])) => //.
+apply: (@scene_map _ _ _ _ (fun p =>
+  flatten [seq placed_image (cameras_at _ (generic F n) v) p (looks (ft (kind p)) v) | v <- views])) => //.
 by move=> f y y' e; rewrite /each_view; congr flatten; apply: eq_map => v; exact: image_ext.
 Qed.
 
-Theorem minimal_iff (F : fieldType) s : [char F] =i pred0 -> balanced s -> minimal F (problem_of s) <-> ~~ obstructed s.
+Theorem minimal_iff (F : fieldType) s : [char F] =i pred0 -> balanced s -> minimal F (problem_of s) <->
+  ~~ obstructed s.
 Proof.
 move=> char0 bs; rewrite /minimal parametersE imagesE.
 pose K := [fieldType of {fraction {mpoly F[unknowns_count s]}}].
@@ -308,7 +318,8 @@ pose to : {rmorphism {mpoly F[unknowns_count s]} -> K} := [rmorphism of @FracFie
 have to0 p : (to p == 0) = (p == 0) by exact: tofrac_eq0.
 have xKE k : generic F (unknowns_count s) k = to (@xP F s k).
   by rewrite /generic /xP; case: insub => [i|] //; rewrite rmorph0.
-pose y (j : 'I_(size (coordinates s (generic F (unknowns_count s))))) := nth 0 (coordinates s (generic F (unknowns_count s))) j.
+pose y (j : 'I_(size (coordinates s (generic F (unknowns_count s))))) :=
+  nth 0 (coordinates s (generic F (unknowns_count s))) j.
 split=> [[_ fin]|us].
   exact: (finite_unobstructed char0 bs (@den_neq0 _) (@fractionE _) to0 xKE (y := y)).
 exact: (regular_minimal char0 bs (@den_neq0 _) (@fractionE _) to0 xKE (y := y)).

@@ -1,9 +1,9 @@
 (** * A derivation moves a configuration, and every motion is that of a derivation
 
-    Let D be a derivation of K, and let cameras and scene have coordinates in K. Where D changes the quaternion
-    q = (1, r) by (0, dr), it changes the rotation times its norm by a twist omega and a factor rho; the factor moves
-    no image point. So D gives a motion in the sense of Rigid.v, and D kills the image coordinates if and only if the
-    motion changes no image ([image_killed]). *)
+    Let D be a derivation of K, and let cameras and scene have coordinates in K. Where D changes the
+    quaternion q = (1, r) by (0, dr), it changes the rotation times its norm by a twist omega and a
+    factor rho; the factor moves no image point. So D gives a motion in the sense of Rigid.v, and D
+    kills the image coordinates if and only if the motion changes no image ([image_killed]). *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From PL1P Require Import Statement Rigid Derivations Epipolar.
@@ -31,7 +31,8 @@ Implicit Types (u w x e l : vec K).
 
 Definition dvec u := Vec (D (x1 u)) (D (x2 u)) (D (x3 u)).
 
-Lemma dot_sym u w : dot u w = dot w u. Proof. by rewrite /dot ![_ * x1 w]mulrC ![_ * x2 w]mulrC ![_ * x3 w]mulrC. Qed.
+Lemma dot_sym u w : dot u w = dot w u. Proof.
+by rewrite /dot ![_ * x1 w]mulrC ![_ * x2 w]mulrC ![_ * x3 w]mulrC. Qed.
 Lemma proportional l u : D (x1 l) * x3 l - x1 l * D (x3 l) = 0 -> D (x2 l) * x3 l - x2 l * D (x3 l) = 0 ->
   x3 l * dot (dvec l) u = D (x3 l) * dot l u.
 Proof.
@@ -49,7 +50,8 @@ case: l => a b f; rewrite /cross /dvec /= => -[z1 z2 z3]; split.
 - by rewrite -[LHS]opprK -[X in - X = _](_ : a * D b - b * D a = _); [rewrite z3 oppr0 | ring].
 Qed.
 
-Lemma slope_identity l x e : D (x1 l) * x2 l - x1 l * D (x2 l) = 0 -> dot (dvec l) x = 0 -> dot l x = 0 -> dot l e = 0 ->
+Lemma slope_identity l x e : D (x1 l) * x2 l - x1 l * D (x2 l) = 0 -> dot (dvec l) x = 0 -> dot l x = 0 ->
+  dot l e = 0 ->
   x3 x * (x2 l * dot (dvec l) e) = 0.
 Proof.
 case: l => l1 l2 l3; case: x => a b f; case: e => u v w /= h hx lx le.
@@ -122,7 +124,8 @@ Lemma slope_killed : x3 x != 0 -> x2 l != 0 ->
 Proof.
 move=> x30 l20; rewrite -point_killed // !div_killed // => /andP[/eqP h1 /eqP h2].
 have lx : dot l (dvec x) = 0.
-  by apply/eqP; have := proportional l h1 h2; rewrite dot_sym (dot_sym x) l_x mulr0 => /eqP; rewrite mulf_eq0 (negbTE x30).
+  by apply/eqP; have := proportional l h1 h2; rewrite dot_sym (dot_sym x) l_x mulr0 => /eqP;
+    rewrite mulf_eq0 (negbTE x30).
 rewrite l_de; apply/eqP/eqP => h; last first.
   by have [|_ _ ->] := @parallel l; rewrite // cross_dl lx h /add /scale /vec0 /= oppr0 !mul0r addr0.
 apply/eqP; rewrite -oppr_eq0 -dl_e; have dlx : dot (dvec l) x = 0 by rewrite dl_x lx oppr0.
@@ -152,7 +155,8 @@ have [seen|_] := boolP l.1.
   set g := (dot _ _ == 0) && (dot _ _ == 0); case e: g => //=; apply: eq_in_all => j jl.
   transitivity (D (x1 (line C p j) / x2 (line C p j)) == 0); first exact: andbT.
   transitivity (d_line C T p m j == 0); last exact/esym/andbT.
-  by rewrite /d_line dir_moved // lE; apply: slope_killed (x_seen seen) _ e; have /andP[] := n_seen jl; rewrite lE.
+  by rewrite /d_line dir_moved // lE; apply: slope_killed (x_seen seen) _ e; have /andP[] := n_seen jl;
+    rewrite lE.
 apply: eq_in_all => j jl; set n := line C p j.
 transitivity ((D (x1 n / x3 n) == 0) && (D (x2 n / x3 n) == 0)); first by rewrite /= andbT.
 transitivity ((d_line C T p m j == 0) && (dot n (add (dvec x) (scale al x)) == 0)); last by rewrite /= andbT.
@@ -161,7 +165,6 @@ Qed.
 End Feature.
 
 (** ** The motion of a derivation *)
-Definition fold (r : vec K) := @Quat K 1 (x1 r) (x2 r) (x3 r).
 Definition cayley (r : vec K) := @Quat K 1 (x1 r) (x2 r) (x3 r).
 Definition size2 r := norm (cayley r).
 Definition spin r := scale (2%:R / size2 r) (add (dvec r) (cross r (dvec r))).

@@ -1,9 +1,9 @@
 (** * Rigid at a configuration, in terms of derivations
 
-    Let x be parameters in K whose configuration is regular: no denominator of an image coordinate is zero. If the
-    configuration is rigid, a derivation that kills the images kills x ([rigid_kills]). Conversely, let there be a
-    derivation with any given values at x; if each that kills the images kills x, the configuration is rigid
-    ([kills_rigid]). *)
+    Let x be parameters in K whose configuration is regular: no denominator of an image coordinate
+    is zero. If the configuration is rigid, a derivation that kills the images kills x
+    ([rigid_kills]). Conversely, let there be a derivation with any given values at x; if each that
+    kills the images kills x, the configuration is rigid ([kills_rigid]). *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From PL1P Require Import Statement Rigid Walk Derivations Forms Blocks Epipolar Motion Specialize.
@@ -23,8 +23,7 @@ Let place n := nth (p0 K) scene n.
 Definition r2 := Vec (x 0%N) (x 1%N) (x 2%N).
 Definition r3 := Vec (x 5%N) (x 6%N) (x 7%N).
 
-Lemma two : 2%:R != 0 :> K.
-Proof. by rewrite -(rmorph_nat c) fmorph_eq0; have /charf0P -> := char0. Qed.
+Let two : 2%:R != 0 :> K := two_neq0 c char0.
 
 Definition local n k := x (11 + (sumn (take n (sizes s)) + k)).
 Lemma place_nth n : (n < size (kinds s))%N -> place n = @place_at K (local n) (nth 0%N (kinds s) n).
@@ -49,7 +48,8 @@ Definition twists v := match v with
   | V2 => Twist (spin D r2) (dvec D (trans (C V2)))
   | V3 => Twist (spin D r3) (add (dvec D (trans (C V3))) (scale (rho - stretch D r3) (trans (C V3))))
   end.
-Definition moves n := Motion (add (dvec D (point (place n))) (scale rho (point (place n)))) (fun j => dvec D (dir (place n) j)).
+Definition moves n := Motion (add (dvec D (point (place n))) (scale rho (point (place n))))
+  (fun j => dvec D (dir (place n) j)).
 
 Definition al v := match v with V1 => rho | V2 => 0 | V3 => rho - stretch D r3 end.
 Definition be v := match v with V1 => 0 | V2 => - rho | V3 => - stretch D r3 end.
@@ -57,10 +57,12 @@ Definition be v := match v with V1 => 0 | V2 => - rho | V3 => - stretch D r3 end
 Lemma rot_one (u : vec K) : rot (@Quat K 1 0 0 0) u = u.
 Proof. by case: u => a b f; rewrite /rot /dot /=; congr Vec; ring. Qed.
 
-Lemma dir_moves v (e : vec K) : d_turn (C v) (twists v) e (dvec D e) = add (dvec D (turn (C v) e)) (scale (be v) (turn (C v) e)).
+Lemma dir_moves v (e : vec K) : d_turn (C v) (twists v) e (dvec D e) =
+  add (dvec D (turn (C v) e)) (scale (be v) (turn (C v) e)).
 Proof.
 have [n2 n3 _] := reg; case: v; rewrite /d_turn /turn.
-- rewrite -[quat_of (C V1)]/(@Quat K 1 0 0 0) !rot_one; case: e => a b f; rewrite /add /cross /scale /dvec /=; congr Vec; ring.
+- rewrite -[quat_of (C V1)]/(@Quat K 1 0 0 0) !rot_one; case: e => a b f; rewrite /add /cross /scale /dvec /=;
+    congr Vec; ring.
 - exact: (turn_moved hD e n2).
 - exact: (turn_moved hD e n3).
 Qed.
@@ -79,7 +81,8 @@ case: v; rewrite /add /scale /dvec /= !dAdd ?(der0 hD); congr Vec; ring.
 Qed.
 
 Lemma images_killed n v : (n < size (kinds s))%N -> let p := place n in let l := looks (ft (kind p)) v in
-  all (fun a => D a == 0) (placed_image (C v) p l) = all (pred1 0) (image_change (C v) (twists v) p (moves n) l).
+  all (fun a => D a == 0) (placed_image (C v) p l) =
+    all (pred1 0) (image_change (C v) (twists v) p (moves n) l).
 Proof.
 move=> nl p l; have [_ _ /(_ n nl v)[seen lines]] := reg.
 apply: (image_killed hD (erefl _) (al := al v) (be := be v)).
@@ -89,19 +92,22 @@ apply: (image_killed hD (erefl _) (al := al v) (be := be v)).
 - exact: lines.
 Qed.
 
-Definition coordinates := flatten [seq flatten [seq placed_image (C v) p (looks (ft (kind p)) v) | v <- views] | p <- scene].
+Definition coordinates := flatten
+  [seq flatten [seq placed_image (C v) p (looks (ft (kind p)) v) | v <- views] | p <- scene].
 Lemma all_views A (q : pred A) (f : view -> seq A) :
   all q (flatten [seq f v | v <- views]) = [&& all q (f V1), all q (f V2) & all q (f V3)].
 Proof. by rewrite /= !all_cat andbT. Qed.
 Lemma all_coordinates (q : pred K) : all q coordinates ->
-  forall n, (n < size (kinds s))%N -> forall v, all q (placed_image (C v) (place n) (looks (ft (kind (place n))) v)).
+  forall n, (n < size (kinds s))%N ->
+    forall v, all q (placed_image (C v) (place n) (looks (ft (kind (place n))) v)).
 Proof.
 rewrite /coordinates all_flatten all_map => /(all_nthP (p0 K)) h n nl v.
 have := h n; rewrite size_scene => /(_ nl).
 by rewrite -[preim _ _ _]/(all q (flatten _)) all_views => /and3P[]; case: v.
 Qed.
 Lemma coordinates_all (q : pred K) :
-  (forall n, (n < size (kinds s))%N -> forall v, all q (placed_image (C v) (place n) (looks (ft (kind (place n))) v))) -> all q coordinates.
+  (forall n, (n < size (kinds s))%N ->
+    forall v, all q (placed_image (C v) (place n) (looks (ft (kind (place n))) v))) -> all q coordinates.
 Proof.
 move=> h; rewrite /coordinates all_flatten all_map; apply/(all_nthP (p0 K)) => n; rewrite size_scene => nl.
 by rewrite -[preim _ _ _]/(all q (flatten _)) all_views; apply/and3P; split; exact: h.
@@ -139,7 +145,8 @@ have [X0 D0] := m0 n nl; split=> [|j jp].
 by have := D0 j; rewrite kind_place // => /(_ jp); rewrite /moves place_nth //= jp /dvec /= (der1 hD).
 Qed.
 
-Lemma zero_twists : (forall k, (k < 11)%N -> D (x k) = 0) -> rho = 0 /\ forall v, twists v = Twist (vec0 K) (vec0 K).
+Lemma zero_twists : (forall k, (k < 11)%N -> D (x k) = 0) -> rho = 0 /\ forall v, twists v =
+  Twist (vec0 K) (vec0 K).
 Proof.
 move=> z; have D1 := der1 hD.
 have w2 : dvec D r2 = vec0 K by rewrite /dvec /= !z.
@@ -174,7 +181,8 @@ Definition w3 := add (dt (T V3)) (scale (dot (omega (T V3)) r3 - rho) (trans (C 
 Definition own_values n := own_unknowns (ft (kind (place n)))
   (Motion (add (dX (m n)) (scale (- rho) (point (place n)))) (dD (m n))).
 Definition values_of : seq K := assembled s
-  [:: x1 u2; x2 u2; x3 u2; x2 (dt (T V2)); x3 (dt (T V2)); x1 u3; x2 u3; x3 u3; x1 w3; x2 w3; x3 w3] own_values.
+  [:: x1 u2; x2 u2; x3 u2; x2 (dt (T V2)); x3 (dt (T V2)); x1 u3; x2 u3; x3 u3; x1 w3; x2 w3;
+    x3 w3] own_values.
 
 Variable D : K -> K.
 Hypothesis hD : derivation c D.
@@ -182,7 +190,8 @@ Hypothesis D_values : forall k, (k < 11 + sumn (sizes s))%N -> D (x k) = nth 0 v
 
 Lemma D_camera k : (k < 11)%N -> D (x k) = nth 0 values_of k.
 Proof. by move=> h; apply: D_values; exact: ltn_addr. Qed.
-Lemma D_local n o : (n < size (kinds s))%N -> (o < nth 0%N (sizes s) n)%N -> D (local n o) = nth 0 (own_values n) o.
+Lemma D_local n o : (n < size (kinds s))%N -> (o < nth 0%N (sizes s) n)%N -> D (local n o) =
+  nth 0 (own_values n) o.
 Proof.
 move=> nl ol; rewrite D_values; last by rewrite ltn_add2l; apply: (@flatten_indexP (sizes s) n o).
 apply: assembled_part => // i il.
@@ -256,7 +265,8 @@ rewrite dim /dim3 in zl; split=> [|j jp].
   rewrite /moves h place_nth //= /add /scale /dvec /= !mul0r !addr0 !zl; try by case: (free _).
   by case fr: (free _); rewrite ?(der0 hD) // zl // fr.
 rewrite -e2 //; move: jp; rewrite /moves -/(place n) place_nth //= => jp.
-have lt : ((2 * j).+1 < 2 * pins (ft (nth 0%N (kinds s) n)))%N by rewrite -[(2 * j).+2]/(2 + 2 * j)%N -mulnS leq_mul2l.
+have lt : ((2 * j).+1 < 2 * pins (ft (nth 0%N (kinds s) n)))%N
+  by rewrite -[(2 * j).+2]/(2 + 2 * j)%N -mulnS leq_mul2l.
 set o := if _ then _ else _ in zl *.
 have z1 : D (local n (o + 2 * j)%N) = 0 by apply: zl; rewrite ltn_add2l ltnW.
 have z2 : D (local n (o + 2 * j).+1) = 0 by apply: zl; rewrite -addnS ltn_add2l.

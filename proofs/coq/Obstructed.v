@@ -46,9 +46,11 @@ Lemma trans1 : trans (C V1) = vec0 R.
 Proof. by case: ad => ->. Qed.
 
 Lemma only_one (h : nat -> nat) n1 n2 : (sumn [seq h (kind p) | p <- scene] <= 1)%N ->
-  (n1 < size scene)%N -> (n2 < size scene)%N -> (0 < h (kind (place n1)))%N -> (0 < h (kind (place n2)))%N -> n1 = n2.
+  (n1 < size scene)%N -> (n2 < size scene)%N -> (0 < h (kind (place n1)))%N -> (0 < h (kind (place n2)))%N ->
+    n1 = n2.
 Proof.
-have pos (l : seq (placed R)) n : (n < size l)%N -> (h (kind (nth (p0 R) l n)) <= sumn [seq h (kind p) | p <- l])%N.
+have pos (l : seq (placed R)) n : (n < size l)%N ->
+  (h (kind (nth (p0 R) l n)) <= sumn [seq h (kind p) | p <- l])%N.
   by elim: l n => [|p l IH] [|n] //= nl; [exact: leq_addr | exact: leq_trans (IH n nl) (leq_addl _ _)].
 elim: scene n1 n2 => [|p l IH] [|n1] [|n2] //= le n1l n2l h1 h2.
 - by have := pos l n2 n2l; lia.
@@ -60,7 +62,8 @@ Lemma star_facts i : (i < 27)%N -> (3 <= pins (ft i))%N ->
   [/\ forall v, sees_point (ft i) v, free (ft i) = false, (6 <= weight i)%N & i != 11%N].
 Proof.
 move=> i27 p3.
-have h : all (fun i => (3 <= pins (ft i)) ==> [&& all (sees_point (ft i)) views, ~~ free (ft i), 6 <= weight i & i != 11])%N (iota 0 27) by vm_compute.
+have h : all (fun i => (3 <= pins (ft i)) ==> [&& all (sees_point (ft i)) views, ~~ free (ft i),
+  6 <= weight i & i != 11])%N (iota 0 27) by vm_compute.
 have := allP h i; rewrite mem_iota i27 p3 => /(_ isT) /and4P[/and4P[h1 h2 h3 _] /negbTE h4 h5 h6].
 by split=> //; case.
 Qed.
@@ -80,7 +83,8 @@ Qed.
 
 Section Star.
 Variables (i0 ns : nat).
-Hypotheses (i27 : (i0 < 27)%N) (p3 : (3 <= pins (ft i0))%N) (nsl : (ns < size scene)%N) (ks : kind (place ns) = i0).
+Hypotheses (i27 : (i0 < 27)%N) (p3 : (3 <= pins (ft i0))%N) (nsl : (ns < size scene)%N)
+  (ks : kind (place ns) = i0).
 Hypothesis bs : balanced s.
 Let X := point (place ns).
 
@@ -103,15 +107,18 @@ Variable v : view.
 Hypothesis only_star : shown s v = 1%N.
 
 Definition push z (u : view) : vec R :=
-  if same_view v V1 then scale (z 0%N) (turn (C u) X) else if same_view v u then scale (z 0%N) (project (C u) X) else vec0 R.
+  if same_view v V1 then scale (z 0%N) (turn (C u) X) else if same_view v u
+    then scale (z 0%N) (project (C u) X) else vec0 R.
 Definition slide1 z (u : view) : twist R :=
-  if same_view u V1 then Twist (vec0 R) (vec0 R) else Twist (vec0 R) (add (push z u) (scale (z 1%N) (trans (C u)))).
+  if same_view u V1 then Twist (vec0 R) (vec0 R)
+    else Twist (vec0 R) (add (push z u) (scale (z 1%N) (trans (C u)))).
 Definition follow1 (p : placed R) z (_ : nat -> R) : motion R :=
   Motion (add (scale (if same_view v V1 then - z 0%N else 0) X) (scale (z 1%N) (point p))) (fun _ => vec0 R).
 
 Lemma slide_one_view : ~ rigid C scene.
 Proof.
-have hid n : (n < size scene)%N -> n = ns \/ (~~ sees_point (ft (kind (place n))) v /\ sees_pins (ft (kind (place n))) v = [::]).
+have hid n : (n < size scene)%N ->
+  n = ns \/ (~~ sees_point (ft (kind (place n))) v /\ sees_pins (ft (kind (place n))) v = [::]).
   move=> nl; pose h k : nat := sees_point (ft k) v || (0 < size (sees_pins (ft k) v))%N.
   case e: (h (kind (place n))) => [|k]; last first.
     left; apply: (@only_one h) => //; rewrite ?e //.
@@ -119,7 +126,8 @@ have hid n : (n < size scene)%N -> n = ns \/ (~~ sees_point (ft (kind (place n))
     by rewrite /h ks; case: (star_facts i27 p3) => ->.
   right; move: e; rewrite /h; case: (sees_point _ _) => //=.
   by case: (sees_pins _ _).
-apply: (@not_rigid R C scene 2 [:: (fun z => x1 (dt (slide1 z V2)))] (fun _ => 0%N) (fun _ => [::]) slide1 follow1).
+apply: (@not_rigid R C scene 2 [:: (fun z => x1 (dt (slide1 z V2)))] (fun _ => 0%N)
+  (fun _ => [::]) slide1 follow1).
 - constructor; last by constructor.
   apply: lin_of_lin2; rewrite /slide1 /=; apply: lin2_add.
     rewrite /push; case: (same_view _ _); last case: (same_view _ _); last exact: lin2_0;
@@ -132,20 +140,25 @@ apply: (@not_rigid R C scene 2 [:: (fun z => x1 (dt (slide1 z V2)))] (fun _ => 0
     split=> // fr; case: (hid n nl) => [e|[e1 e2]].
       by move: fr; rewrite e ks; case: (star_facts i27 p3) => _ ->.
     have := scene_kind sh nl; move: fr e1 e2; move: (kind _) => k fr _ e2 k27.
-    have h : all (fun k => free (ft k) ==> all (fun v => 0 < size (sees_pins (ft k) v))%N views) (iota 0 27) by vm_compute.
+    have h : all (fun k => free (ft k) ==> all (fun v => 0 < size (sees_pins (ft k) v))%N views) (iota 0 27)
+      by vm_compute.
     have := allP h k; rewrite mem_iota k27 fr => /(_ isT) /and4P[h1 h2 h3 _].
     by move: e2 h1 h2 h3; case: (v) => ->.
   move=> u; rewrite /still.
   have turned q : d_turn (C u) (slide1 z u) q (vec0 R) = vec0 R.
-    have r0 (w : quat R) : rot w (vec0 R) = vec0 R by case: w => *; apply: vec_ext; rewrite /rot /dot /= !mulr0 !addr0.
+    have r0 (w : quat R) : rot w (vec0 R) = vec0 R by case: w => *; apply: vec_ext;
+      rewrite /rot /dot /= !mulr0 !addr0.
     rewrite /d_turn /turn r0 /slide1; case: ifP => _; apply: vec_ext; rewrite /= ?mul0r ?subrr ?addr0 //.
-  have unseen : n <> ns -> u = v -> all (pred1 0) (image_change (C u) (slide1 z u) (place n) (follow1 (place n) z y) (looks (ft (kind (place n))) u)).
+  have unseen : n <> ns -> u = v ->
+    all (pred1 0) (image_change (C u) (slide1 z u) (place n) (follow1 (place n) z y)
+      (looks (ft (kind (place n))) u)).
     move=> ne ->; case: (hid n nl) => [//|[/negbTE e1 e2]].
     by rewrite /image_change -/(sees_point _ _) e1 -/(sees_pins _ _) e2.
   have moves : d_project (C u) (slide1 z u) (point (place n)) (dX (follow1 (place n) z y)) =
       if same_view v V1 then if same_view u V1 then add (scale (- z 0%N) X) (scale (z 1%N) (point (place n)))
         else scale (z 1%N) (project (C u) (point (place n)))
-      else add (if same_view v u then scale (z 0%N) (project (C u) X) else vec0 R) (scale (z 1%N) (project (C u) (point (place n)))).
+      else add (if same_view v u then scale (z 0%N) (project (C u) X) else vec0 R)
+        (scale (z 1%N) (project (C u) (point (place n)))).
     rewrite /d_project /d_turn /follow1 /slide1 /push.
     case: (same_viewP v V1) => [vv|vv].
       case: (same_viewP u V1) => [->|uu]; first by rewrite !turn1; apply: vec_ext; rewrite /=; ring.
@@ -208,7 +221,8 @@ Definition follow3 (p : placed R) z y : motion R :=
 Definition own3 (k : nat) : nat := if k == i0 then 0%N else if short k then 2%N else dim3 (ft k).
 Definition forms3 (p : placed R) : seq ((nat -> R) -> (nat -> R) -> R) :=
   if kind p == i0 then [::]
-  else if short (kind p) then [seq (fun z y => dot (line (C v) p 0) (dx slide3 (follow3 p) C p v z y)) | v <- views]
+  else if short (kind p) then [seq (fun z y => dot (line (C v) p 0) (dx slide3 (follow3 p) C p v z y)) | v <-
+    views]
   else all_forms slide3 (follow3 p) C p.
 Definition size3 (k : nat) : nat := if k == i0 then 0%N else if short k then 3%N else dim2 (ft k).
 
@@ -250,22 +264,26 @@ have split11 (g : nat -> nat) : total s (fun k => if k == i0 then 0 else g k)%N 
   rewrite (@total_but 11%N) // eq_sym (negbTE i11); congr addn; apply: total_eq => k _.
   by case: eqP => //; case: eqP.
 have w11 : weight 11 = 2%N by vm_compute.
-have s3 : total s size3 = (nth 0 s 11 * (if fl then 3 else dim2 (ft 11)) + total s (fun k => if k == i0 then 0 else if k == 11 then 0 else dim2 (ft k)))%N.
+have s3 : total s size3 = (nth 0 s 11 * (if fl then 3 else dim2 (ft 11)) + total s (fun k => if k == i0 then 0
+  else if k == 11 then 0 else dim2 (ft k)))%N.
   rewrite (@total_but i0) // [in size3 i0]/size3 eqxx muln0 add0n.
   rewrite (@total_eq _ _ (fun k => if k == i0 then 0 else if short k then 3 else dim2 (ft k))%N); last first.
     by move=> k _; rewrite /size3; case: eqP.
   rewrite split11 /short eqxx andbT; congr addn; apply: total_eq => k _.
   by case: eqP => // _; case: eqP => //; rewrite andbF.
-have o3 : total s own3 = (nth 0 s 11 * (if fl then 2 else dim3 (ft 11)) + total s (fun k => if k == i0 then 0 else if k == 11 then 0 else dim3 (ft k)))%N.
+have o3 : total s own3 = (nth 0 s 11 * (if fl then 2 else dim3 (ft 11)) + total s (fun k => if k == i0 then 0
+  else if k == 11 then 0 else dim3 (ft k)))%N.
   rewrite (@total_but i0) // [in own3 i0]/own3 eqxx muln0 add0n.
   rewrite (@total_eq _ _ (fun k => if k == i0 then 0 else if short k then 2 else dim3 (ft k))%N); last first.
     by move=> k _; rewrite /own3; case: eqP.
   rewrite split11 /short eqxx andbT; congr addn; apply: total_eq => k _.
   by case: eqP => // _; case: eqP => //; rewrite andbF.
-have bb : total s weight = (weight i0 + (nth 0 s 11 * 2 + total s (fun k => if k == i0 then 0 else if k == 11 then 0 else weight k)))%N.
+have bb : total s weight = (weight i0 +
+  (nth 0 s 11 * 2 + total s (fun k => if k == i0 then 0 else if k == 11 then 0 else weight k)))%N.
   by rewrite (@total_but i0) // one_star mul1n split11 w11.
 have dd : total s (fun k => if k == i0 then 0 else if k == 11 then 0 else dim2 (ft k))%N =
-    (total s (fun k => if k == i0 then 0 else if k == 11 then 0 else weight k) + total s (fun k => if k == i0 then 0 else if k == 11 then 0 else dim3 (ft k)))%N.
+    (total s (fun k => if k == i0 then 0 else if k == 11 then 0 else weight k) + total s
+      (fun k => if k == i0 then 0 else if k == 11 then 0 else dim3 (ft k)))%N.
   rewrite -total_add; apply: total_eq => k k27.
   by case: eqP => // _; case: eqP => // _; rewrite dim2E.
 have [d2 d3] : dim2 (ft 11) = 6%N /\ dim3 (ft 11) = 4%N by split; vm_compute.
@@ -276,10 +294,12 @@ Qed.
 Lemma slide_three : ~ rigid C scene.
 Proof.
 have [seen nfree w6 i11] := star_facts i27 p3.
-have r0 (w : quat R) : rot w (vec0 R) = vec0 R by case: w => *; apply: vec_ext; rewrite /rot /dot /= !mulr0 !addr0.
+have r0 (w : quat R) : rot w (vec0 R) = vec0 R by case: w => *; apply: vec_ext;
+  rewrite /rot /dot /= !mulr0 !addr0.
 have turned u z q : d_turn (C u) (slide3 z u) q (vec0 R) = vec0 R.
   by rewrite /d_turn /turn r0; case: u; apply: vec_ext; rewrite /= ?mul0r ?subrr ?addr0.
-apply: (@not_rigid R C scene 3 [:: (fun z => x1 (dt (slide3 z V2)))] (fun p => own3 (kind p)) forms3 slide3 follow3).
+apply: (@not_rigid R C scene 3 [:: (fun z => x1 (dt (slide3 z V2)))] (fun p => own3 (kind p)) forms3 slide3
+  follow3).
 - constructor; last by constructor.
   by apply: lin_of_lin2; have [] := slide3_dt 0 V2.
 - exact: forms3_lin.
@@ -292,7 +312,8 @@ apply: (@not_rigid R C scene 3 [:: (fun z => x1 (dt (slide3 z V2)))] (fun p => o
       rewrite (@total_eq _ _ (fun _ => 0%N)); last by move=> k _; case: eqP.
       by rewrite /total; elim: (iota 0 27) => //= k l; rewrite muln0.
     rewrite /follow3 ks eqxx; split; first by split=> //; rewrite ks nfree.
-    move=> v; rewrite /still; apply: (@still_parallel _ _ _ _ _ (match v with V1 => z 2%N | V2 => z 0%N + z 2%N | V3 => z 1%N + z 2%N end)).
+    move=> v; rewrite /still; apply:
+      (@still_parallel _ _ _ _ _ (match v with V1 => z 2%N | V2 => z 0%N + z 2%N | V3 => z 1%N + z 2%N end)).
       rewrite /= -/X /d_project /d_turn /turn rot_scale /project /turn.
       case: v; apply: vec_ext; rewrite /= ?trans1 /turn /=; ring.
     by move=> j _; exact: turned.
@@ -351,7 +372,8 @@ case/or3P: why => [/eqP p7|/andP[/eqP p6 fr]|].
   have [_ _ _ i11] := star_facts i27 p3.
   move: b; rewrite (@total_but i) // (@total_but 11%N) // one w9 eq_sym (negbTE i11).
   by rewrite -[weight 11]/2%N; lia.
-- have hv v : shown s v == 1%N -> ~ rigid C scene by move=> /eqP only; exact: (slide_one_view i27 p3 nsl ks only).
+- have hv v : shown s v == 1%N -> ~ rigid C scene by move=> /eqP only;
+    exact: (slide_one_view i27 p3 nsl ks only).
   by rewrite /= orbF => /or3P[]; exact: hv.
 Qed.
 End NotRigid.

@@ -1,8 +1,9 @@
 (** * Classes of signatures and their representatives
 
-    Relabeling permutes the entries of a signature; every swap&label class contains its merged forms, in which 12, 14,
-    16 took all of 13, 15, 17. In both cases the class of s is told by a finite set of signatures ([label_orbit],
-    [merge_orbit]), and its representative is the largest element of that set. *)
+    Relabeling permutes the entries of a signature; every swap&label class contains its merged
+    forms, in which 12, 14, 16 took all of 13, 15, 17. In both cases the class of s is told by a
+    finite set of signatures ([label_orbit], [merge_orbit]), and its representative is the largest
+    element of that set. *)
 From Coq Require Import NArith.
 From mathcomp Require Import all_ssreflect.
 From mathcomp.zify Require Import zify.
@@ -13,7 +14,8 @@ Unset Printing Implicit Defensive.
 
 (** ** Lexicographic order on lists of the same length *)
 Fixpoint lexge (s t : seq nat) : bool :=
-  match s, t with x :: s', y :: t' => if y < x then true else if x < y then false else lexge s' t' | _, _ => true end.
+  match s, t with x :: s', y :: t' => if y < x then true else if x < y then false else lexge s' t' | _,
+    _ => true end.
 Lemma lexge_refl s : lexge s s. Proof. by elim: s => //= x s IH; rewrite ltnn. Qed.
 Lemma lexge_anti s t : size s = size t -> lexge s t -> lexge t s -> s = t.
 Proof. by elim: s t => [|x s IH] [|y t] //= [e]; case: ltngtP => // -> h1 h2; rewrite (IH t). Qed.
@@ -51,7 +53,8 @@ case/orP: (lexge_total r a) => ra.
   exists r; first by rewrite inE rl orbT.
   by rewrite -[all _ _]/(lexge r a && all (lexge r) (b :: l)) ra.
 exists a; first by rewrite inE eqxx.
-rewrite -[all _ _]/(lexge a a && all (lexge a) (b :: l)) lexge_refl; apply/allP => t tl; apply: (@lexge_trans r) => //; rewrite ?sa ?sr //.
+rewrite -[all _ _]/(lexge a a && all (lexge a) (b :: l)) lexge_refl; apply/allP => t tl;
+  apply: (@lexge_trans r) => //; rewrite ?sa ?sr //.
   by apply/esym/sz; rewrite inE tl orbT.
 exact: (allP rm).
 Qed.
@@ -64,7 +67,8 @@ Lemma classesP (E : signature -> signature -> Prop) (Q : signature -> Prop) (q :
   classes E (fun s => balanced s /\ Q s) n.
 Proof.
 move=> qP Eo stable cn; exists [seq s <- balanced_list | representative s && q s].
-have mem s : (s \in [seq s <- balanced_list | representative s && q s]) = [&& representative s, q s & balanced s].
+have mem s : (s \in [seq s <- balanced_list | representative s && q s]) =
+  [&& representative s, q s & balanced s].
   by rewrite mem_filter balanced_mem andbA.
 split; first by rewrite size_filter.
 - by rewrite filter_uniq ?balanced_uniq.
@@ -84,7 +88,8 @@ Qed.
 End Representatives.
 
 (** ** Relabeling *)
-Definition perms := Eval vm_compute in [seq [seq index_of (relabel_feature g (ft i)) | i <- iota 0 27] | g <- view_perms].
+Definition perms := Eval vm_compute in
+  [seq [seq index_of (relabel_feature g (ft i)) | i <- iota 0 27] | g <- view_perms].
 Lemma permsE : perms = [seq [seq index_of (relabel_feature g (ft i)) | i <- iota 0 27] | g <- view_perms].
 Proof. vm_cast_no_check (erefl perms). Qed.
 
@@ -108,7 +113,8 @@ Lemma perms_id : head [::] perms = iota 0 27. Proof. by []. Qed.
 Lemma perms_head : head [::] perms \in perms. Proof. exact: mem_head. Qed.
 
 Definition merge (s : seq nat) := let x := nth 0 s in
-  [:: x 0; x 1; x 2; x 3; x 4; x 5; x 6; x 7; x 8; x 9; x 10; x 11; x 12 + x 13; 0; x 14 + x 15; 0; x 16 + x 17; 0;
+  [:: x 0; x 1; x 2; x 3; x 4; x 5; x 6; x 7; x 8; x 9; x 10; x 11; x 12 + x 13; 0; x 14 + x 15; 0;
+    x 16 + x 17; 0;
       x 18; x 19; x 20; x 21; x 22; x 23; x 24; x 25; x 26].
 Definition merge_orbit s := [seq merge (act s pi) | pi <- perms].
 
@@ -155,11 +161,13 @@ by apply/label_equivE; rewrite (h t) label_orbit_self.
 Qed.
 
 (** Totals are permuted along. *)
-Lemma total_act s pi h h' : pi \in perms -> (forall i, i < 27 -> h i = h' (nth 0 pi i)) -> total (act s pi) h = total s h'.
+Lemma total_act s pi h h' : pi \in perms -> (forall i, i < 27 -> h i = h' (nth 0 pi i)) ->
+  total (act s pi) h = total s h'.
 Proof.
 move=> pin e; rewrite /total.
 have -> : [seq nth 0 (act s pi) i * h i | i <- iota 0 27] = [seq nth 0 s j * h' j | j <- pi].
-  rewrite -{2}(mkseq_nth 0 pi) perm_size // /mkseq -map_comp; apply/eq_in_map => i; rewrite mem_iota => i27 /=.
+  rewrite -{2}(mkseq_nth 0 pi) perm_size // /mkseq -map_comp; apply/eq_in_map => i;
+    rewrite mem_iota => i27 /=.
   by rewrite e // (nth_map 0) // perm_size.
 by apply: perm_sumn; apply: perm_map; exact: (allP perms_perm).
 Qed.
@@ -179,7 +187,8 @@ Proof. by apply/eq_in_map => pi; exact: merge_act. Qed.
 Lemma merge_orbit_act s pi : pi \in perms -> merge_orbit (act s pi) =i merge_orbit s.
 Proof.
 move=> pin u; rewrite /merge_orbit.
-have -> : [seq merge (act (act s pi) pi') | pi' <- perms] = map (merge \o act s) [seq act pi pi' | pi' <- perms].
+have -> : [seq merge (act (act s pi) pi') | pi' <- perms] =
+  map (merge \o act s) [seq act pi pi' | pi' <- perms].
   by rewrite -map_comp; apply/eq_in_map => pi' p2; rewrite /= act_act.
 exact: (perm_mem (perm_map (merge \o act s) (allP perms_group _ pin)) u).
 Qed.
@@ -202,7 +211,8 @@ Proof. by move=> e; rewrite /merge !e. Qed.
 
 Lemma mates_fixed i : i < 27 -> i \notin [:: 12; 13; 14; 15; 16; 17] -> nth 0 mates i = i.
 Proof.
-move=> i27 ni; have h : all (fun i => (i \notin [:: 12; 13; 14; 15; 16; 17]) ==> (nth 0 mates i == i)) (iota 0 27) by [].
+move=> i27 ni; have h : all (fun i => (i \notin [:: 12; 13; 14; 15; 16; 17]) ==> (nth 0 mates i == i))
+  (iota 0 27) by [].
 by have := allP h i; rewrite mem_iota i27 ni => /(_ isT) /eqP.
 Qed.
 
@@ -228,12 +238,14 @@ elim=> {s t} [s t h|s i i27 pos|s t _ IH|s t u _ IH1 _ IH2] w.
 Qed.
 
 (** Conversely, swaps merge: move the copies of b to its mate a one by one. *)
-Definition collect a b (s : seq nat) := [seq if k == a then nth 0 s a + nth 0 s b else if k == b then 0 else nth 0 s k | k <- iota 0 27].
+Definition collect a b (s : seq nat) :=
+  [seq if k == a then nth 0 s a + nth 0 s b else if k == b then 0 else nth 0 s k | k <- iota 0 27].
 
 Lemma swap_equiv_refl s : size s = 27 -> swap_equiv s s.
 Proof. by move=> ss; apply/sw_label/label_equivE/label_orbit_self. Qed.
 
-Lemma collect_equiv a b s : a < 27 -> b < 27 -> a != b -> nth 0 mates b = a -> size s = 27 -> swap_equiv s (collect a b s).
+Lemma collect_equiv a b s : a < 27 -> b < 27 -> a != b -> nth 0 mates b = a -> size s = 27 ->
+  swap_equiv s (collect a b s).
 Proof.
 move=> a27 b27 ab ba; move e: (nth 0 s b) => n; elim: n s e => [|n IH] s e ss.
   have -> : collect a b s = s; last exact: swap_equiv_refl.
@@ -264,7 +276,8 @@ Lemma swap_equivE s t : balanced s -> balanced t -> swap_equiv s t <-> merge_orb
 Proof.
 move=> /andP[/eqP ss _] /andP[/eqP st _]; split; first exact: swap_equiv_orbit.
 move=> e; have : merge t \in merge_orbit s.
-  rewrite (e _) /merge_orbit -{1}(act_id st); apply: (map_f (fun pi => merge (act t pi))); rewrite -perms_id; exact: perms_head.
+  rewrite (e _) /merge_orbit -{1}(act_id st); apply: (map_f (fun pi => merge (act t pi))); rewrite -perms_id;
+    exact: perms_head.
 case/mapP => pi pin et.
 have h1 : swap_equiv s (act s pi) by apply: sw_label; apply/label_equivE; exact: map_f.
 have h2 : swap_equiv (act s pi) (merge (act s pi)) by apply: merge_equiv; rewrite size_map perm_size.

@@ -1,10 +1,12 @@
 (** * The point of NormalPool.v as a configuration with integer parameters
 
-    The matrix of Specialize.v has determinant nonzero there, if the signature is not obstructed ([xZ_det]). *)
+    The matrix of Specialize.v has determinant nonzero there, if the signature is not obstructed
+    ([xZ_det]). *)
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
-From PL1P Require Import Statement Rigid Walk Forms Blocks Epipolar Crowded NormalPool Tree NormalPoint Regular.
+From PL1P Require Import Statement Rigid Walk Forms Blocks Epipolar Crowded NormalPool Tree NormalPoint
+  Regular.
 From PL1P Require Import Motion Moves Specialize.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -49,7 +51,8 @@ Proof. by rewrite size_kinds kindsE => nl; rewrite (nth_map (0, 0)%N). Qed.
 (** Checks that Tree.v does not ask for. *)
 Definition normal_ok i k := let p := instance i k in
   all (fun j => x3 (dir p j) == 1) (iota 0 (pins (ft i))) && (free (ft i) ==> (x3 (point p) == 0)) &&
-  all (fun v => all (fun j => (x2 (line (cams v) p j) != 0) && (x3 (line (cams v) p j) != 0)) (sees_pins (ft i) v)) views.
+  all (fun v => all (fun j => (x2 (line (cams v) p j) != 0) && (x3 (line (cams v) p j) != 0))
+    (sees_pins (ft i) v)) views.
 Lemma normals_ok : all (fun i => all (normal_ok i) (iota 0 (capacity i))) (iota 0 27).
 Proof. by vm_compute. Qed.
 Lemma place_ok n (q : nat -> nat -> bool) : all (fun i => all (q i) (iota 0 (capacity i))) (iota 0 27) ->
@@ -63,9 +66,11 @@ Qed.
 
 Lemma place_normal n : (n < size (kinds s))%N -> let f := ft (nth 0%N (kinds s) n) in
   [/\ forall j, (j < pins f)%N -> x3 (dir (at_place n) j) = 1, free f -> x3 (point (at_place n)) = 0 &
-      forall w j, j \in sees_pins f w -> (x2 (line (cams w) (at_place n) j) != 0) && (x3 (line (cams w) (at_place n) j) != 0)].
+      forall w j, j \in sees_pins f w -> (x2 (line (cams w) (at_place n) j) != 0) &&
+        (x3 (line (cams w) (at_place n) j) != 0)].
 Proof.
-move=> nl; rewrite -kind_place //=; have /andP[/andP[/allP nd fr] /and4P[/allP l1 /allP l2 /allP l3 _]] := place_ok normals_ok nl.
+move=> nl; rewrite -kind_place //=; have /andP[/andP[/allP nd fr] /and4P[/allP l1 /allP l2 /allP l3 _]] :=
+  place_ok normals_ok nl.
 split=> [j jp|f1|[]]; [| by apply/eqP; move: fr; rewrite f1 | exact: l1 | exact: l2 | exact: l3].
 by apply/eqP/nd; rewrite mem_iota.
 Qed.
@@ -82,7 +87,8 @@ Lemma point_own_size n : (n < size (kinds s))%N -> size (point_own n) = nth 0%N 
 Proof. by move=> nl; rewrite (nth_map 0%N) // /point_own size_own. Qed.
 Lemma xZ_cameras w : cameras_at ZR xZ w = cams w.
 Proof. by case: w. Qed.
-Lemma xZ_part n o : (n < size (kinds s))%N -> (o < dim3 (ft (nth 0%N (kinds s) n)))%N -> part s xZ n o = nth 0 (point_own n) o.
+Lemma xZ_part n o : (n < size (kinds s))%N -> (o < dim3 (ft (nth 0%N (kinds s) n)))%N -> part s xZ n o =
+  nth 0 (point_own n) o.
 Proof.
 move=> nl ol; apply: assembled_part => //; first exact: point_own_size.
 by rewrite (nth_map 0%N).
@@ -145,11 +151,13 @@ Lemma xZ_det : ~~ obstructed s -> \det (system s xZ) != 0.
 Proof.
 move=> us; apply/(det_kernel square) => v /all_changes ch.
 have [||T0 m0] := @scene_rigid normal_point normal_checked s bs us (twist_of v) (motion_of s v); first by [].
-  rewrite Regular.size_scene -size_kinds => n nl p; have e : p = at_place n by rewrite /p scene_nth -?size_kinds.
+  rewrite Regular.size_scene -size_kinds => n nl p; have e : p = at_place n
+    by rewrite /p scene_nth -?size_kinds.
   rewrite e kind_instance kind_place //; split=> [|w].
     by have := @free_motion_gauge ZR (at_place n) (part s v n); rewrite kind_instance kind_place.
   by rewrite -xZ_change //; exact: ch.
-apply: zero_motion T0 _ => n nl; have nl' : (n < size (scene_of s))%N by rewrite Regular.size_scene -size_kinds.
+apply: zero_motion T0 _ => n nl; have nl' : (n < size (scene_of s))%N
+  by rewrite Regular.size_scene -size_kinds.
 have [X0 D0] := m0 n nl'; split=> // j jp; apply: D0.
 by rewrite scene_nth -?size_kinds // kind_instance kind_place.
 Qed.

@@ -1,7 +1,7 @@
 (** * The essential matrix of a relative pose
 
-    A camera [R | t], next to [1 | 0], has the essential matrix E = [t] R: u |-> t x R u. It satisfies the ten cubic
-    equations of Template.v ([essential_cubics]). *)
+    A camera [R | t], next to [1 | 0], has the essential matrix E = [t] R: u |-> t x R u. It
+    satisfies the ten cubic equations of Template.v ([essential_cubics]). *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From PL1P Require Import Statement Rigid Epipolar Template.
@@ -32,7 +32,8 @@ Qed.
 Lemma t_kills t q b : (b < 3)%N -> let E := essential t q in
   entry t 0 * E b + entry t 1 * E (3 + b)%N + entry t 2 * E (6 + b)%N = 0.
 Proof.
-rewrite /essential; case: b => [|[|[|b]]] // _; rewrite [(_ %% _)%N]/= [(_ %/ _)%N]/=; move: (rot _ _) => w; rewrite /cross /=; ring.
+rewrite /essential; case: b => [|[|[|b]]] // _; rewrite [(_ %% _)%N]/= [(_ %/ _)%N]/=; move: (rot _ _) => w;
+  rewrite /cross /=; ring.
 Qed.
 Lemma essential_cubics t q k : (k < 10)%N -> form k (essential t q) (essential t q) (essential t q) = 0.
 Proof.
@@ -46,10 +47,12 @@ move: (k %/ 3)%N (k %% 3)%N => i b rows -> i3 b3; rewrite !rows // => kills.
 have -> : E 0%N * E 0%N + E 1%N * E 1%N + E 2%N * E 2%N + E 3%N * E 3%N + E 4%N * E 4%N + E 5%N * E 5%N +
     E 6%N * E 6%N + E 7%N * E 7%N + E 8%N * E 8%N = (norm q ^+ 2 * dot t t) *+ 2.
   have r0 := rows 0%N 0%N isT isT; have r1 := rows 1%N 1%N isT isT; have r2 := rows 2%N 2%N isT isT.
-  transitivity ((E 0%N * E 0%N + E 1%N * E 1%N + E 2%N * E 2%N) + (E 3%N * E 3%N + E 4%N * E 4%N + E 5%N * E 5%N) +
+  transitivity ((E 0%N * E 0%N + E 1%N * E 1%N + E 2%N * E 2%N) +
+    (E 3%N * E 3%N + E 4%N * E 4%N + E 5%N * E 5%N) +
     (E 6%N * E 6%N + E 7%N * E 7%N + E 8%N * E 8%N)); first by rewrite -!addrA.
   by rewrite r0 r1 r2 /entry /dot /=; ring.
-transitivity (- (norm q ^+ 2 * entry t i * (entry t 0 * E b + entry t 1 * E (3 + b)%N + entry t 2 * E (6 + b)%N)) *+ 2); last first.
+transitivity (- (norm q ^+ 2 * entry t i * (entry t 0 * E b + entry t 1 * E (3 + b)%N + entry t 2 * E
+  (6 + b)%N)) *+ 2); last first.
   by rewrite kills mulr0 oppr0 mul0rn.
 by case: i i3 {rows} => [|[|[|i]]] // _; rewrite ?mul0n ?mul1n -?[(2 * 3)%N]/6%N ?add0n /=; ring.
 Qed.

@@ -1,6 +1,7 @@
 (** * The stated predicates as totals with fixed coefficients, which are quick to compute
 
-    The two walks (Tree.v, Census.v) judge signatures by them; here they are proved to be those of Statement.v. *)
+    The two walks (Tree.v, Census.v) judge signatures by them; here they are proved to be those of
+    Statement.v. *)
 From Coq Require Import NArith.
 From mathcomp Require Import all_ssreflect.
 From PL1P Require Import Statement Rigid Walk.
@@ -20,7 +21,8 @@ Proof. by move=> ss sc; rewrite /tot totalE // /coefs -{2}(mkseq_nth 0 c) sc. Qe
 
 Definition c_weight := Eval vm_compute in coefs weight.
 Definition c_shared := Eval vm_compute in
-  [seq coefs (fun i => sees_point (ft i) uv.1 && sees_point (ft i) uv.2 : nat) | uv <- [:: (V1, V2); (V1, V3); (V2, V3)]].
+  [seq coefs (fun i => sees_point (ft i) uv.1 && sees_point (ft i) uv.2 : nat) | uv <- [:: (V1, V2); (V1, V3);
+    (V2, V3)]].
 Definition c_shown := Eval vm_compute in
   [seq coefs (fun i => sees_point (ft i) v || (0 < size (sees_pins (ft i) v)) : nat) | v <- views].
 Definition c_of (c : feature -> bool) := coefs (fun i => c (ft i) : nat).
@@ -46,7 +48,8 @@ Definition one_pin_by := ev s c_more1 == 0.
 Definition five_by := has (fun c => ev s c == 5) c_shared.
 End Predicates.
 
-Lemma total_pos s (q : nat -> bool) : (0 < total s (fun i => q i)) = has (fun i => (0 < nth 0 s i) && q i) (iota 0 27).
+Lemma total_pos s (q : nat -> bool) : (0 < total s (fun i => q i)) =
+  has (fun i => (0 < nth 0 s i) && q i) (iota 0 27).
 Proof.
 rewrite /total; elim: (iota 0 27) => //= i l IH; rewrite addn_gt0 IH muln_gt0; congr (_ && _ || _).
 by case: (q i).
@@ -62,10 +65,12 @@ Qed.
 Lemma obstructedE s : obstructed s = obstructed_by tot s.
 Proof.
 have e1 : crowded s = has (fun c => 5 < tot s c) c_shared.
-  rewrite (_ : c_shared = [seq coefs (fun i => sees_point (ft i) uv.1 && sees_point (ft i) uv.2 : nat) | uv <- [:: (V1, V2); (V1, V3); (V2, V3)]]); last by vm_compute.
+  rewrite (_ : c_shared = [seq coefs (fun i => sees_point (ft i) uv.1 && sees_point (ft i) uv.2 : nat) | uv <-
+    [:: (V1, V2); (V1, V3); (V2, V3)]]); last by vm_compute.
   by rewrite has_map; apply: eq_has => uv /=; rewrite totE.
 have e2 : has (fun v => shown s v == 1) views = has (fun c => tot s c == 1) c_shown.
-  rewrite (_ : c_shown = [seq coefs (fun i => sees_point (ft i) v || (0 < size (sees_pins (ft i) v)) : nat) | v <- views]); last by vm_compute.
+  rewrite (_ : c_shown = [seq coefs (fun i => sees_point (ft i) v || (0 < size (sees_pins (ft i) v)) : nat) |
+    v <- views]); last by vm_compute.
   by rewrite has_map; apply: eq_has => v /=; rewrite totE.
 have e3 (c : feature -> bool) : tot s (c_of c) = total s (fun i => c (ft i)) by rewrite /c_of totE.
 rewrite /obstructed /obstructed_by -e1 -e2; case: (crowded s); first by [].
@@ -77,7 +82,8 @@ rewrite (_ : c_free = c_of free); last by vm_compute.
 rewrite !e3; set F := 0 < total s (fun i => free (ft i)); move: F => F.
 rewrite !total_pos.
 set star := total s (fun i => 3 <= pins (ft i)).
-have st : (0 < star) = has (fun i => (0 < nth 0 s i) && (3 <= pins (ft i))) (iota 0 27) by rewrite /star total_pos.
+have st : (0 < star) = has (fun i => (0 < nth 0 s i) && (3 <= pins (ft i))) (iota 0 27)
+  by rewrite /star total_pos.
 transitivity ((0 < star) && [|| has (fun i => (0 < nth 0 s i) && (pins (ft i) == 7)) (iota 0 27),
    has (fun i => (0 < nth 0 s i) && (pins (ft i) == 6)) (iota 0 27) && F | G]); last first.
   by case: star {st} => //= _; do 2?case: ifP => //=.
@@ -94,9 +100,12 @@ Qed.
 
 Lemma five_byE s : reflect [\/ shared s V1 V2 = 5, shared s V1 V3 = 5 | shared s V2 V3 = 5] (five_by tot s).
 Proof.
-rewrite /five_by (_ : c_shared = [seq coefs (fun i => sees_point (ft i) uv.1 && sees_point (ft i) uv.2 : nat) | uv <- [:: (V1, V2); (V1, V3); (V2, V3)]]); last by vm_compute.
+rewrite /five_by (_ : c_shared =
+  [seq coefs (fun i => sees_point (ft i) uv.1 && sees_point (ft i) uv.2 : nat) | uv <- [:: (V1, V2); (V1, V3);
+    (V2, V3)]]); last by vm_compute.
 rewrite has_map /= !totE orbF; apply: (iffP or3P) => [[/eqP h|/eqP h|/eqP h]|[h|h|h]];
-  by [constructor 1 | constructor 2 | constructor 3 | constructor 1; apply/eqP | constructor 2; apply/eqP | constructor 3; apply/eqP].
+  by [constructor 1 | constructor 2 | constructor 3 | constructor 1; apply/eqP | constructor 2;
+    apply/eqP | constructor 3; apply/eqP].
 Qed.
 
 Lemma pl0p_byE s : reflect (only (fun f => (pins f == 0) || free f) s) (pl0p_by tot s).
@@ -134,7 +143,8 @@ Lemma obstructed_fast : obstructed_by dotn s = obstructed s.
 Proof.
 rewrite obstructedE /obstructed_by.
 rewrite (eq_in_has (a2 := fun c => 5 < tot s c)); last by move=> c cin /=; rewrite shared_in.
-rewrite (eq_in_has (a1 := fun c => dotn s c == 1) (a2 := fun c => tot s c == 1)); last by move=> c cin /=; rewrite shown_in.
+rewrite (eq_in_has (a1 := fun c => dotn s c == 1) (a2 := fun c => tot s c == 1)); last by move=> c cin /=;
+  rewrite shown_in.
 by rewrite (@single_in c_star) // (@single_in c_seven) // (@single_in c_six) // (@single_in c_free).
 Qed.
 Lemma pl0p_fast : pl0p_by dotn s = pl0p_by tot s. Proof. by rewrite /pl0p_by single_in. Qed.

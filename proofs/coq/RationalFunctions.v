@@ -1,12 +1,13 @@
 (** * The field K of rational functions in n parameters over F
 
-    K has a derivation with any given values at the parameters. And n independent elements y of K make every u in K
-    algebraic over F(y) ([exchange]). This is by counting. Take all monomials in y and u up to a high degree, and
-    clear denominators: these are polynomials in the parameters. They outnumber their coefficients, so some linear
-    combination of them is zero.
+    K has a derivation with any given values at the parameters. And n independent elements y of K
+    make every u in K algebraic over F(y) ([exchange]). This is by counting. Take all monomials in y
+    and u up to a high degree, and clear denominators: these are polynomials in the parameters. They
+    outnumber their coefficients, so some linear combination of them is zero.
 
-    The Jacobian criterion follows ([jacobian_criterion]). For n elements y these are equivalent: they are independent;
-    their Jacobian matrix is invertible; K is algebraic over F(y); every derivation of K that kills y is zero. *)
+    The Jacobian criterion follows ([jacobian_criterion]). For n elements y these are equivalent:
+    they are independent; their Jacobian matrix is invertible; K is algebraic over F(y); every
+    derivation of K that kills y is zero. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From SsrMultinomials Require Import mpoly.
@@ -60,7 +61,8 @@ Qed.
 Lemma on_polyC a : on_poly a%:MP = 0.
 Proof. by rewrite /on_poly big1 // => i _; rewrite mderivC rmorph0 mul0r. Qed.
 
-Lemma extensionE p q : to q != 0 -> extension (to p / to q) = (on_poly p * to q - to p * on_poly q) / to q ^+ 2.
+Lemma extensionE p q : to q != 0 -> extension (to p / to q) =
+  (on_poly p * to q - to p * on_poly q) / to q ^+ 2.
 Proof.
 move=> q0; rewrite /extension; set u := to p / to q; have b0 := den0 u.
 have e : num u * q = p * den u.
@@ -73,8 +75,10 @@ move: (on_poly (num u)) (on_poly (den u)) (on_poly p) (on_poly q) e' => da db dp
 have {}e' : da * to q = dp * to (den u) + to p * db - to (num u) * dq by rewrite -e' addrK.
 have -> : (da * to (den u) - to (num u) * db) * to q ^+ 2 =
   (da * to q) * to (den u) * to q - (to (num u) * to q) * db * to q by ring.
-rewrite e'; transitivity (dp * to q * to (den u) ^+ 2 - (to (num u) * to q) * dq * to (den u)); last by rewrite e0; ring.
-transitivity (dp * to q * to (den u) ^+ 2 + (to p * to (den u)) * db * to q - (to (num u) * to q) * dq * to (den u) -
+rewrite e'; transitivity (dp * to q * to (den u) ^+ 2 - (to (num u) * to q) * dq * to (den u));
+  last by rewrite e0; ring.
+transitivity (dp * to q * to (den u) ^+ 2 + (to p * to (den u)) * db * to q - (to (num u) * to q) * dq * to
+  (den u) -
   (to (num u) * to q) * db * to q); [ring | rewrite e0; ring].
 Qed.
 
@@ -188,7 +192,8 @@ Proof.
 apply: leq_ltn_trans (bound_card _) _; rewrite card_ffun !card_ord expnSr.
 have h : (bound.+1 <= big * (n.+1 * deg).+1)%N.
   by rewrite mulnS -add1n leq_add // /bound mulnA mulnC.
-apply: leq_ltn_trans (_ : (big * (n.+1 * deg).+1) ^ n < _)%N; first by case: (n) h => // k h; rewrite leq_exp2r.
+apply: leq_ltn_trans (_ : (big * (n.+1 * deg).+1) ^ n < _)%N; first by case: (n) h => // k h;
+  rewrite leq_exp2r.
 by rewrite expnMn ltn_mul2l expn_gt0 /= ltnS leqnn.
 Qed.
 
@@ -257,7 +262,8 @@ have pE k M : (p`_k)@_M = \sum_e v e * ((mono e == M) && (e ord_max == k :> nat)
 exists p.
   have : (p`_(a ord_max))@_(mono a) != 0.
     rewrite pE (bigD1 a) //= !eqxx mulr1 big1 ?addr0 // => e ea.
-    by case: eqP => [em|]; rewrite ?mulr0 //; case: eqP => [el|]; rewrite ?mulr0 //; case/eqP: ea; exact: mono_inj.
+    by case: eqP => [em|]; rewrite ?mulr0 //; case: eqP => [el|]; rewrite ?mulr0 //; case/eqP: ea;
+      exact: mono_inj.
   apply: contraNneq => /(congr1 (fun q : {poly K} => q`_(a ord_max))).
   by rewrite coef_map_id0 ?coef0; [move/free_y => ->; rewrite mcoeff0 | rewrite /value mmap0].
 have -> : values const y p = \sum_e value const y (v e *: 'X_[mono e]) *: 'X^(e ord_max).
@@ -268,7 +274,8 @@ rewrite -(inj_eq (mulIf G0)) mul0r; apply/eqP.
 transitivity (to (\sum_e v e *: word e)); last by rewrite vw rmorph0.
 rewrite mulr_suml rmorph_sum; apply: eq_bigr => e _.
 have -> : to (v e *: word e) = const (v e) * to (word e) by rewrite -mul_mpolyC rmorphM.
-have -> : value const y (v e *: 'X_[mono e]) = const (v e) * value const y 'X_[mono e] by rewrite /value mmapZ.
+have -> : value const y (v e *: 'X_[mono e]) = const (v e) * value const y 'X_[mono e]
+  by rewrite /value mmapZ.
 by rewrite hornerZ hornerXn wordE monoE !mulrA.
 Qed.
 End Exchange.
@@ -300,7 +307,8 @@ Qed.
 
 Lemma jacobian_free (y : 'I_n -> K) : \det (jacobian y) != 0 -> independent const y.
 Proof.
-move=> J0; apply: (jacobian_independent char0 (Ds := fun i => extension (fun k => (k == i)%:R))) => [i|h hJ j].
+move=> J0; apply: (jacobian_independent char0 (Ds := fun i => extension (fun k => (k == i)%:R))) =>
+  [i|h hJ j].
   exact: extension_derivation.
 apply/eqP; apply: contraNT J0 => hj; rewrite -det_tr; apply/det0P; exists (\row_k h k).
   by apply/rV0Pn; exists j; rewrite mxE.

@@ -1,7 +1,7 @@
 (** * Reducible problems: definitions, and what is proved of them
 
-    A problem is reduced if nothing can be forgotten that images can lift. By [reduction], a minimal problem is reduced
-    if and only if it consists of the 27 features: Theorem 3 of the paper. *)
+    A problem is reduced if nothing can be forgotten that images can lift. By [reduction], a minimal
+    problem is reduced if and only if it consists of the 27 features: Theorem 3 of the paper. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From SsrMultinomials Require Import mpoly.
 From PL1P Require Import Statement.
@@ -38,7 +38,8 @@ Arguments kept_parameters {R}.
 Section Lost.
 Variable K : fieldType.
 Local Open Scope ring_scope.
-(** The images of what is forgotten. A point on the image of a pin that is kept has one coordinate. *)
+(** The images of what is forgotten. A point on the image of a pin that is kept has one coordinate.
+    *)
 Definition lost_image (fx : feature * (nat -> K)) (c : selection) (C : camera K) (l : look) : seq K :=
   let X := point_at fx.1 fx.2 in let x := project C X in
   (if l.1 && ~~ c.1 then if has (mem c.2) l.2 then [:: x1 x / x3 x] else point_image x else [::]) ++

@@ -1,12 +1,14 @@
 (** * The reduced minimal problems consist of the 27 features
 
-    In a minimal problem only the zero derivation kills the images. Let a feasible selection take at least as many
-    degrees of freedom from space as from the images. A derivation that kills what is kept and the images of what is
-    forgotten kills all images, so it is zero. Hence these elements are independent: the problem is reducible. *)
+    In a minimal problem only the zero derivation kills the images. Let a feasible selection take at
+    least as many degrees of freedom from space as from the images. A derivation that kills what is
+    kept and the images of what is forgotten kills all images, so it is zero. Hence these elements
+    are independent: the problem is reducible. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import zify.
 From SsrMultinomials Require Import mpoly.
-From PL1P Require Import Statement Reducible Forget Derivations RationalFunctions Independence Generic Lifting.
+From PL1P Require Import Statement Reducible Forget Derivations RationalFunctions Independence Generic
+  Lifting.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -33,7 +35,8 @@ move: fc; have [fr|fr] := boolP (free f); rewrite /= => h; first by rewrite (fre
 by rewrite h.
 Qed.
 Definition everything f : selection := (true, iota 0 (pins f)).
-Lemma everything_ok f : proper f -> [/\ feasible f (everything f), whole f (everything f) & cost f (everything f) <= dim3 f].
+Lemma everything_ok f : proper f ->
+  [/\ feasible f (everything f), whole f (everything f) & cost f (everything f) <= dim3 f].
 Proof.
 move=> pf; have fe : feasible f (everything f).
   by rewrite /feasible /= iota_uniq /= andbT; apply/allP => j; rewrite mem_iota.
@@ -48,18 +51,21 @@ Qed.
 Section Sizes.
 Variables (K : fieldType) (C : view -> camera K) (x : nat -> K).
 Local Notation views_of g := (flatten [seq g (C v) v | v <- views]).
-Lemma size_flatten_const T (g : T -> seq K) k l : (forall i, size (g i) = k) -> size (flatten [seq g i | i <- l]) = k * size l.
+Lemma size_flatten_const T (g : T -> seq K) k l : (forall i, size (g i) = k) ->
+  size (flatten [seq g i | i <- l]) = k * size l.
 Proof. by move=> h; elim: l => [|i l IH]; rewrite ?muln0 //= size_cat IH h mulnS. Qed.
 Lemma size_line p (n : vec K) : size (line_image p n) = if p then 1 else 2.
 Proof. by case: p. Qed.
-Lemma size_lines p (g : nat -> vec K) js : size (flatten [seq line_image p (g j) | j <- js]) = (if p then 1 else 2) * size js.
+Lemma size_lines p (g : nat -> vec K) js : size (flatten [seq line_image p (g j) | j <- js]) =
+  (if p then 1 else 2) * size js.
 Proof. by apply: size_flatten_const => j; exact: size_line. Qed.
 Lemma size_image (fx : feature * (nat -> K)) D v : size (image fx D (looks fx.1 v)) = seen_by fx.1 v.
 Proof.
 rewrite /image size_cat size_lines /seen_by /sees_point /sees_pins.
 by case: (looks fx.1 v).1; rewrite ?mul1n.
 Qed.
-Lemma size_lost (fx : feature * (nat -> K)) c D v : size (lost_image fx c D (looks fx.1 v)) = lost_seen fx.1 c v.
+Lemma size_lost (fx : feature * (nat -> K)) c D v : size (lost_image fx c D (looks fx.1 v)) =
+  lost_seen fx.1 c v.
 Proof.
 rewrite /lost_image size_cat size_lines /lost_seen /sees_point /sees_pins; congr (_ + _).
 by case: (looks fx.1 v).1; case: c.1; case: (has _ _).
@@ -73,7 +79,8 @@ Lemma size_views (g : camera K -> view -> seq K) (m : view -> nat) : (forall v, 
   size (views_of g) = m V1 + m V2 + m V3.
 Proof. by move=> h; rewrite /= !size_cat !h addn0 addnA. Qed.
 Lemma size_images_at o A :
-  size (flatten [seq views_of (fun D v => image fx D (looks fx.1 v)) | fx <- scene x o A]) = sumn [seq dim2 f | f <- A].
+  size (flatten [seq views_of (fun D v => image fx D (looks fx.1 v)) | fx <- scene x o A]) =
+    sumn [seq dim2 f | f <- A].
 Proof.
 elim: A o => // f A IH o; rewrite -[scene _ _ _]/((f, fun k => x (o + k)) :: scene x (o + dim3 f) A).
 rewrite 2!map_cons -[flatten (_ :: _)]/(_ ++ _) size_cat IH -[sumn (_ :: _)]/(_ + _); congr (_ + _).
@@ -81,19 +88,24 @@ rewrite dim2E; set fx := (f, _).
 exact: (@size_views (fun D v => image fx D (looks f v)) (seen_by f) (fun v => size_image fx (C v) v)).
 Qed.
 Lemma size_lifting_at o A cs : size cs = size A ->
-  size (flatten [seq kept_parameters fxc.1 fxc.2 | fxc <- zip (scene x o A) cs & ~~ nothing (keep fxc.1.1 fxc.2)]) +
-  size (flatten [seq views_of (fun D v => lost_image fxc.1 fxc.2 D (looks fxc.1.1 v)) | fxc <- zip (scene x o A) cs]) =
+  size (flatten [seq kept_parameters fxc.1 fxc.2 | fxc <- zip (scene x o A) cs & ~~ nothing
+    (keep fxc.1.1 fxc.2)]) +
+  size (flatten [seq views_of (fun D v => lost_image fxc.1 fxc.2 D (looks fxc.1.1 v)) | fxc <- zip
+    (scene x o A) cs]) =
   sumn [seq cost fc.1 fc.2 | fc <- zip A cs].
 Proof.
 elim: A o cs => [|f A IH] o [|c cs] // [sz].
 rewrite -[scene _ _ _]/((f, fun k => x (o + k)) :: scene x (o + dim3 f) A); set fx := (f, _).
-rewrite -[zip (fx :: _) _]/((fx, c) :: zip (scene x (o + dim3 f) A) cs) -[zip (f :: A) _]/((f, c) :: zip A cs).
+rewrite -[zip (fx :: _) _]/((fx, c) :: zip (scene x (o + dim3 f) A) cs)
+  -[zip (f :: A) _]/((f, c) :: zip A cs).
 rewrite 2!map_cons -[flatten (_ :: _)]/(_ ++ _) -[sumn (_ :: _)]/(cost f c + sumn _) -(IH (o + dim3 f) _ sz).
-have e := @size_views (fun D v => lost_image fx c D (looks f v)) (lost_seen f c) (fun v => size_lost fx c (C v) v).
+have e := @size_views (fun D v => lost_image fx c D (looks f v)) (lost_seen f c)
+  (fun v => size_lost fx c (C v) v).
 cbv beta in e; rewrite size_cat e.
 have -> (l : seq (feature * (nat -> K) * selection)) :
     size (flatten [seq kept_parameters fxc.1 fxc.2 | fxc <- (fx, c) :: l & ~~ nothing (keep fxc.1.1 fxc.2)]) =
-    space (keep f c) + size (flatten [seq kept_parameters fxc.1 fxc.2 | fxc <- l & ~~ nothing (keep fxc.1.1 fxc.2)]).
+    space (keep f c) + size (flatten [seq kept_parameters fxc.1 fxc.2 | fxc <- l & ~~ nothing
+      (keep fxc.1.1 fxc.2)]).
   rewrite /space -[filter _ (_ :: _)]/(if ~~ nothing (keep f c) then (fx, c) :: filter _ l else filter _ l).
   by case: (nothing (keep f c)) => //; rewrite map_cons -[flatten (_ :: _)]/(_ ++ _) size_cat (size_kept fx).
 by rewrite addnACA.
@@ -118,9 +130,12 @@ Proof. exact: (size_images_at (cameras_at (K n) (generic F n))). Qed.
 
 (** What is kept and the images of what is lost. *)
 Definition lifted n A cs := mkseq (generic F n) 11 ++
-  flatten [seq kept_parameters fxc.1 fxc.2 | fxc <- zip (scene_of F n A) cs & ~~ nothing (keep fxc.1.1 fxc.2)] ++
-  flatten [seq each_view (fun C v => lost_image fxc.1 fxc.2 C (looks fxc.1.1 v)) | fxc <- zip (scene_of F n A) cs].
-Lemma size_lifted n A cs : size cs = size A -> size (lifted n A cs) = (11 + sumn [seq cost fc.1 fc.2 | fc <- zip A cs])%N.
+  flatten [seq kept_parameters fxc.1 fxc.2 | fxc <- zip (scene_of F n A) cs & ~~ nothing (keep fxc.1.1 fxc.2)]
+    ++
+  flatten [seq each_view (fun C v => lost_image fxc.1 fxc.2 C (looks fxc.1.1 v)) | fxc <- zip
+    (scene_of F n A) cs].
+Lemma size_lifted n A cs : size cs = size A -> size (lifted n A cs) =
+  (11 + sumn [seq cost fc.1 fc.2 | fc <- zip A cs])%N.
 Proof. by move=> sz; rewrite !size_cat size_mkseq (size_lifting_at (cameras_at (K n) (generic F n))). Qed.
 
 (** ** A problem of final features is reduced *)
@@ -130,9 +145,11 @@ move=> pA fA cs [/and3P[/eqP sz fs nw] li].
 have := ind_size (to := to (parameters A)) (@den_neq0 _) (@fractionE _) (y := lifted (parameters A) A cs) li.
 rewrite size_lifted // /parameters leq_add2l leqNgt => /negP; apply.
 elim: A cs pA fA sz fs nw {li} => [|f A IH] [|c cs] // /andP[pf pA] /andP[ff fA] [sz] /= /andP[fc fs].
-have le (B : problem) ds : is_problem B -> all final B -> size ds = size B -> all (fun fc => feasible fc.1 fc.2) (zip B ds) ->
+have le (B : problem) ds : is_problem B -> all final B -> size ds = size B ->
+  all (fun fc => feasible fc.1 fc.2) (zip B ds) ->
     (sumn [seq dim3 f | f <- B] <= sumn [seq cost fc.1 fc.2 | fc <- zip B ds])%N.
-  elim: B ds => [|g B IHB] [|d ds] // /andP[pg pB] /andP[fg fB] [sd] /= /andP[fd fds]; apply: leq_add; last exact: IHB.
+  elim: B ds => [|g B IHB] [|d ds] // /andP[pg pB] /andP[fg fB] [sd] /= /andP[fd fds]; apply: leq_add;
+    last exact: IHB.
   have [wd|nwd] := boolP (whole g d); first exact: cost_whole.
   by apply: ltnW; rewrite -cost_strict //; exact: final_strict.
 have [wc|nwc _] := boolP (whole f c).
@@ -142,7 +159,8 @@ Qed.
 
 (** ** A minimal problem with another feature is reducible *)
 Section Killed.
-Variables (K' : fieldType) (c0 : {rmorphism F -> K'}) (D : K' -> K') (C : view -> camera K') (x : nat -> K') (n : nat).
+Variables (K' : fieldType) (c0 : {rmorphism F -> K'}) (D : K' -> K') (C : view -> camera K') (x : nat -> K')
+  (n : nat).
 Hypothesis hD : derivation c0 D.
 Hypothesis hC : forall v, dead_camera D (C v).
 Local Notation own o := (fun k => x (o + k)%N).
@@ -152,13 +170,17 @@ Hypothesis lines : forall f o v j, (11 <= o)%N -> (o + dim3 f <= n)%N -> free f 
   x2 (normal (C v) (point_at f (own o)) (dir_at f (own o) j)) != 0.
 Local Notation views_of g := (flatten [seq g (C v) v | v <- views]).
 
-Lemma killed_views (g : camera K' -> view -> seq K') : killed D (views_of g) = all (fun v => killed D (g (C v) v)) views.
+Lemma killed_views (g : camera K' -> view -> seq K') : killed D (views_of g) =
+  all (fun v => killed D (g (C v) v)) views.
 Proof. exact: killed_flatten. Qed.
 
-Lemma scene_killed A o cs : (11 <= o)%N -> (o + sumn [seq dim3 f | f <- A] <= n)%N -> is_problem A -> size cs = size A ->
+Lemma scene_killed A o cs : (11 <= o)%N -> (o + sumn [seq dim3 f | f <- A] <= n)%N -> is_problem A ->
+  size cs = size A ->
   all (fun fc => feasible fc.1 fc.2) (zip A cs) ->
-  killed D (flatten [seq kept_parameters fxc.1 fxc.2 | fxc <- zip (scene x o A) cs & ~~ nothing (keep fxc.1.1 fxc.2)]) ->
-  killed D (flatten [seq views_of (fun E v => lost_image fxc.1 fxc.2 E (looks fxc.1.1 v)) | fxc <- zip (scene x o A) cs]) ->
+  killed D (flatten [seq kept_parameters fxc.1 fxc.2 | fxc <- zip (scene x o A) cs & ~~ nothing
+    (keep fxc.1.1 fxc.2)]) ->
+  killed D (flatten [seq views_of (fun E v => lost_image fxc.1 fxc.2 E (looks fxc.1.1 v)) | fxc <- zip
+    (scene x o A) cs]) ->
   killed D (flatten [seq views_of (fun E v => image fx E (looks fx.1 v)) | fx <- scene x o A]).
 Proof.
 rewrite !killed_flatten; elim: A o cs => [|f A IH] o [|c cs] // o11 room /andP[pf pA] [sz] /andP[fc fs].
@@ -181,7 +203,8 @@ Lemma minimal_reducible A cs : is_problem A -> minimal F A -> forgets A cs ->
   (sumn [seq cost fc.1 fc.2 | fc <- zip A cs] <= sumn [seq dim3 f | f <- A])%N -> reducible F A cs.
 Proof.
 move=> pA /minimalP[_ un] fo le; split=> //; have /and3P[/eqP sz fs _] := fo.
-apply: (@unmoved_ind _ _ _ (to (parameters A)) _ _ (@den_neq0 _) (@fractionE _) (@to0 _) char0 (lifted (parameters A) A cs)).
+apply: (@unmoved_ind _ _ _ (to (parameters A)) _ _ (@den_neq0 _) (@fractionE _) (@to0 _) char0
+  (lifted (parameters A) A cs)).
   by rewrite size_lifted // leq_add2l.
 move=> D hD; rewrite /lifted !killed_cat => /and3P[kc kk kl]; apply: un => //.
 have g k : (k < 11)%N -> D (generic F (parameters A) k) = 0.
@@ -190,12 +213,14 @@ have D0 := der0 hD; have D1 := der1 hD.
 have hC v : dead_camera D (cameras_at (K (parameters A)) (generic F (parameters A)) v).
   by case: v; split=> //; try split; rewrite ?[in LHS]/= ?g ?D0 ?D1.
 have h1 f o v : (11 <= o)%N -> (o + dim3 f <= parameters A)%N -> free f = false ->
-    x3 (project (cameras_at (K (parameters A)) (generic F (parameters A)) v) (point_at f (fun k => generic F (parameters A) (o + k)))) != 0.
+    x3 (project (cameras_at (K (parameters A)) (generic F (parameters A)) v)
+      (point_at f (fun k => generic F (parameters A) (o + k)))) != 0.
   by move=> o11 room nf; exact: (generic_point F o11 room nf).
 have h2 f o v j : (11 <= o)%N -> (o + dim3 f <= parameters A)%N -> free f = false -> (j < pins f)%N ->
-    x2 (normal (cameras_at (K (parameters A)) (generic F (parameters A)) v) (point_at f (fun k => generic F (parameters A) (o + k)))
+    x2 (normal (cameras_at (K (parameters A)) (generic F (parameters A)) v)
+      (point_at f (fun k => generic F (parameters A) (o + k)))
       (dir_at f (fun k => generic F (parameters A) (o + k)) j)) != 0.
-  by move=> o11 room nf; exact: (generic_line char0 o11 room nf).
+  by move=> o11 room nf jp; case: (generic_line char0 o11 room nf v jp).
 exact: (scene_killed hD hC h1 h2 (leqnn 11) (leqnn _) pA sz fs kk kl).
 Qed.
 
@@ -217,7 +242,8 @@ Qed.
 
 (** ** One point that all views see: camera 3 slides along its ray *)
 Section Slide.
-Variables (K' : fieldType) (c0 : {rmorphism F -> K'}) (D : K' -> K') (C : view -> camera K') (fx : feature * (nat -> K')).
+Variables (K' : fieldType) (c0 : {rmorphism F -> K'}) (D : K' -> K') (C : view -> camera K')
+  (fx : feature * (nat -> K')).
 Hypothesis hD : derivation c0 D.
 Notation X := (point_at fx.1 fx.2).
 Notation p := (project (C V3) X).
@@ -258,7 +284,8 @@ Proof.
 have dead_view v : dead_camera D (C v) -> killed D (image fx (C v) (looks fx.1 v)).
   by move=> hC; apply: (dead_image hD hC hX) => j _.
 rewrite killed_flatten; apply/and4P; split=> //; [exact: dead_view | exact: dead_view |].
-rewrite /image killed_cat killed_flatten; move: seen; rewrite /sees_point => ->; have [p1 p2 p3] := point_grows.
+rewrite /image killed_cat killed_flatten; move: seen; rewrite /sees_point => ->; have [p1 p2 p3] :=
+  point_grows.
 apply/andP; split; first by rewrite /killed /= !same_growth // eqxx.
 by apply/allP => j _; rewrite /killed /= slope_still eqxx.
 Qed.
@@ -266,11 +293,13 @@ End Slide.
 
 Lemma single_not_minimal f : proper f -> full f -> ~ minimal F [:: f].
 Proof.
-move=> pf ff /minimalP[_ un]; set n := parameters _ in un; have nf : free f = false by case/andP: ff => /negbTE.
+move=> pf ff /minimalP[_ un]; set n := parameters _ in un; have nf : free f = false
+  by case/andP: ff => /negbTE.
 have room : (11 + dim3 f <= n)%N by rewrite /n /parameters /= addn0.
 pose gx := generic F n; pose x k := gx (11 + k)%N; pose C := cameras_at (K n) gx.
 pose p := project (C V3) (point_at f x).
-pose d (i : 'I_n) := if val i == 8%N then x1 p else if val i == 9%N then x2 p else if val i == 10%N then x3 p else 0.
+pose d (i : 'I_n) := if val i == 8%N then x1 p else if val i == 9%N then x2 p else if val i == 10%N then x3 p
+  else 0.
 pose D := extension (to n) (@numerator _) (@denominator _) d.
 have hD : derivation (const (to n)) D by exact: (extension_derivation (@den_neq0 _) (@fractionE _) (@to0 n)).
 have DX i : D (to n 'X_i) = d i by exact: (extension_param (@den_neq0 _) (@fractionE _) (@to0 n)).
@@ -288,12 +317,14 @@ have h1 : dead_camera D (C V1) by split=> //; split.
 have h2 : dead_camera D (C V2) by split=> //; first [exact: rest | split=> //; exact: rest].
 have h3 : dead_camera D (Camera (quat_of (C V3)) (vec0 (K n))) by split=> //; first [exact: rest | split].
 have [e1 e2 e3] : [/\ D (gx 8%N) = x1 p, D (gx 9%N) = x2 p & D (gx 10%N) = x3 p].
-  by split; [rewrite (Dg _ (small 8%N isT)) | rewrite (Dg _ (small 9%N isT)) | rewrite (Dg _ (small 10%N isT))].
+  by split; [rewrite (Dg _ (small 8%N isT)) | rewrite (Dg _ (small 9%N isT)) | rewrite
+    (Dg _ (small 10%N isT))].
 have kill : killed D (images F n [:: f]).
   rewrite /images -[flatten _]/(_ ++ [::]) cats0.
   exact: (@slide_killed _ _ D C (f, x) hD h1 h2 h3 e1 e2 e3 hX hd (full_point V3 ff)).
 have := un D hD kill (Ordinal (small 10%N isT)); rewrite DX => p30.
-by have := generic_point F (leqnn 11) room nf V3; rewrite -[x3 _]/(x3 p) -[x3 p]/(d (Ordinal (small 10%N isT))) p30 eqxx.
+by have := generic_point F (leqnn 11) room nf V3;
+  rewrite -[x3 _]/(x3 p) -[x3 p]/(d (Ordinal (small 10%N isT))) p30 eqxx.
 Qed.
 
 (** ** The theorem *)

@@ -1,7 +1,8 @@
 (** * Not obstructed implies rigid: from the walk to rigid integer configurations
 
-    A full state says that p divides the camera part of every integer motion that changes no image; the pivots of
-    the blocks say that p divides the rest; dividing by p again and again, the motion is zero. *)
+    A full state says that p divides the camera part of every integer motion that changes no image;
+    the pivots of the blocks say that p divides the rest; dividing by p again and again, the motion
+    is zero. *)
 From Coq Require Import ZArith Uint63 List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.
@@ -41,7 +42,8 @@ Proof.
 move=> ss; split.
   by rewrite /scene_of all_map; apply/allP => -[i k]; rewrite mem_places /= kind_instance => /andP[].
 rewrite -{1}(mkseq_nth 0 s) ss; apply/eq_in_map => i; rewrite mem_iota => /andP[_ i27].
-rewrite /scene_of count_map (eq_count (a2 := fun ik => ik.1 == i)); last by move=> [j k] /=; rewrite kind_instance.
+rewrite /scene_of count_map (eq_count (a2 := fun ik => ik.1 == i)); last by move=> [j k] /=;
+  rewrite kind_instance.
 rewrite /places count_flatten -map_comp.
 have h l : uniq l -> sumn [seq count (fun ik => ik.1 == i) [seq (j, k) | k <- iota 0 (nth 0 s j)] | j <- l] =
     if i \in l then nth 0 s i else 0.
@@ -70,7 +72,8 @@ Qed.
 Lemma evE f x : evZ f x = @ev ZR f x.
 Proof. by elim: f x => [|a f IH] [|y x] //=; rewrite IH. Qed.
 
-Lemma mem_views (A : eqType) (g : view -> seq A) f : f \in flatten [seq g v | v <- views] -> exists v, f \in g v.
+Lemma mem_views (A : eqType) (g : view -> seq A) f : f \in flatten [seq g v | v <- views] ->
+  exists v, f \in g v.
 Proof. by rewrite /= cats0 !mem_cat => /or3P[] fr; [exists V1|exists V2|exists V3]. Qed.
 
 Section Descent.
@@ -124,21 +127,25 @@ Lemma rows_hold c ms n : solution c ms -> n < size (places s) ->
 Proof.
 move=> sol lt; have [sm ho] := block_holds sol lt.
 have [sc /(_ n lt)[sz _]] := sol.
-move: sm ho (size_block_state (place n).1 (place n).2); rewrite /Tree.camera_rows; set st := block_state _ _; set o := own _ => sm ho szst.
+move: sm ho (size_block_state (place n).1 (place n).2); rewrite /Tree.camera_rows; set st := block_state _ _;
+  set o := own _ => sm ho szst.
 apply: rows_of_ok.
 - by rewrite -[length c]/(size c) -[length _]/(size (drop o st)) size_drop szst addKn.
 - exact: small_drop.
 - apply: (@holds_app (take o st) _ (ms n)); last by rewrite take_dropE.
-  rewrite -[length (ms n)]/(size (ms n)) -[length _]/(size (take o st)) size_take szst sz -/o; by case: ifP => //; rewrite -{1}(addn0 o) ltn_add2l.
+  rewrite -[length (ms n)]/(size (ms n)) -[length _]/(size (take o st)) size_take szst sz -/o;
+    by case: ifP => //; rewrite -{1}(addn0 o) ltn_add2l.
 Qed.
 
 Lemma run_holds c i l st : small_st st -> holds st c -> size st = 11 ->
-  (forall j k, k < nth 0 l j -> Forall (fun r => small r /\ (pZ | Elimination.ev r c)%Z) (nth [::] (nth [::] (table pt) (i + j)) k)) ->
+  (forall j k, k < nth 0 l j -> Forall (fun r => small r /\ (pZ | Elimination.ev r c)%Z)
+    (nth [::] (nth [::] (table pt) (i + j)) k)) ->
   [/\ small_st (run step i l st), holds (run step i l st) c & size (run step i l st) = 11].
 Proof.
 elim: l i st => //= x l IH i st sm ho sz hr.
 have copies k y st' : small_st st' -> holds st' c -> size st' = 11 -> k + y <= x ->
-    [/\ small_st (take_copies step i k y st'), holds (take_copies step i k y st') c & size (take_copies step i k y st') = 11].
+    [/\ small_st (take_copies step i k y st'), holds (take_copies step i k y st') c & size
+      (take_copies step i k y st') = 11].
   elim: y k st' => //= y IHy k st' sm' ho' sz'; rewrite addnS => lt.
   have := hr 0 k; rewrite addn0 => /(_ (leq_ltn_trans (leq_addr y k) lt)) rows.
   have [s1 h1] : small_st (step i k st') /\ holds (step i k st') c.
@@ -174,14 +181,16 @@ have [|_ ho sz] := @run_holds c 0 s (empty 11) (small_empty _) (holds_empty _ _)
   by have := rows_hold sol ln; rewrite e.
 have fu := regular_full ok bs us.
 have dc : Forall (Z.divide pZ) c.
-  apply: (@full_zero (run step 0 s (empty 11)) [::] c [::]) => //; first by rewrite -[length c]/(size c) -[length _]/(size (run step 0 s (empty 11))) sz sc.
+  apply: (@full_zero (run step 0 s (empty 11)) [::] c [::]) => //;
+    first by rewrite -[length c]/(size c) -[length _]/(size (run step 0 s (empty 11))) sz sc.
   by rewrite !List.app_nil_r.
 split=> // n ln; have [smb hob] := block_holds sol ln.
 have [sz1 _] := eqs n ln.
 have pn : place n \in places s by exact: mem_nth.
 move: pn sz1 smb hob; case: (place n) => i k; rewrite mem_places => /andP[i27 ks] /= sz1 smb hob.
 apply: (@full_zero (take (own i) (block_state i k)) (drop (own i) (block_state i k)) (ms n) c) => //.
-- rewrite -[length (ms n)]/(size (ms n)) -[length _]/(size (take (own i) (block_state i k))) size_take size_block_state sz1; by case: ifP => //; rewrite -{1}(addn0 (own i)) ltn_add2l.
+- rewrite -[length (ms n)]/(size (ms n)) -[length _]/(size (take (own i) (block_state i k))) size_take
+    size_block_state sz1; by case: ifP => //; rewrite -{1}(addn0 (own i)) ltn_add2l.
 - have := allP (blocks_check ok) i; rewrite mem_iota => /(_ i27) /allP /(_ k); apply.
   by rewrite mem_iota; exact: leq_trans ks (balanced_capacity bs i27).
 - by rewrite take_dropE.
@@ -195,7 +204,8 @@ by case: hz => k ->; rewrite Z.div_mul // Z.mul_comm.
 Qed.
 
 Lemma solution_power k c ms : solution c ms ->
-  Forall (Z.divide (pZ ^ Z.of_nat k)) c /\ forall n, n < size (places s) -> Forall (Z.divide (pZ ^ Z.of_nat k)) (ms n).
+  Forall (Z.divide (pZ ^ Z.of_nat k)) c /\ forall n, n < size (places s) ->
+    Forall (Z.divide (pZ ^ Z.of_nat k)) (ms n).
 Proof.
 elim: k c ms => [|k IH] c ms sol.
   by split=> [|n _]; apply/Forall_forall => z _; exact: Z.divide_1_l.
@@ -206,7 +216,8 @@ have sol' : solution (quotient c) (fun n => quotient (ms n)).
   have [sz e] := eqs n ln; split=> [|f fb]; first by rewrite size_map.
   have := e f fb; rewrite {1}(quotientK (d2 n ln)) {1}(quotientK d1) -map_cat evZ_scale.
   by move=> /Z.mul_eq_0[].
-have times x : Forall (Z.divide (pZ ^ Z.of_nat k)) x -> Forall (Z.divide (pZ ^ Z.of_nat k.+1)) (map (Z.mul pZ) x).
+have times x : Forall (Z.divide (pZ ^ Z.of_nat k)) x ->
+  Forall (Z.divide (pZ ^ Z.of_nat k.+1)) (map (Z.mul pZ) x).
   move=> h; apply/Forall_map; apply: Forall_impl h => z hz.
   by rewrite Nat2Z.inj_succ Z.pow_succ_r; [exact: Z.mul_divide_mono_l | exact: Nat2Z.is_nonneg].
 have [h1 h2] := IH _ _ sol'.
@@ -260,7 +271,8 @@ have {}z x : x \in own_unknowns (ft i) (m n) -> x = 0%R.
   by move: xc; elim: (own_unknowns _ _) => //= y l IH; rewrite inE => /orP[/eqP ->|/IH]; [left|right].
 split=> [|j jk].
   have {}z x : x \in own_point (free (ft i)) (dX (m n)) -> x = 0%R by move=> xi; apply: z; rewrite mem_cat xi.
-  by move: gX z; case: (free _) => gX z; apply: vecE; rewrite /= ?(gX isT) //; apply: z; rewrite !inE eqxx ?orbT.
+  by move: gX z; case: (free _) => gX z; apply: vecE; rewrite /= ?(gX isT) //; apply: z;
+    rewrite !inE eqxx ?orbT.
 apply: vecE; rewrite /= ?gD //; apply: z; rewrite /own_unknowns mem_cat; apply/orP; right;
   apply/flattenP; exists [:: x1 (dD (m n) j); x2 (dD (m n) j)]; rewrite ?inE ?eqxx ?orbT //;
   by apply/mapP; exists j => //; rewrite mem_iota.
@@ -280,7 +292,8 @@ split.
 - exact: first_camera ok.
 - by case/and4P: n1 => /eqP h1 /eqP h2 /eqP h3 _ [].
 - by apply/eqP.
-- by case/and5P: n3 => /differP h1 /differP h2 /differP h3 /differP h4 /and3P[/differP h5 /differP h6 _] [] [].
+- by case/and5P: n3 => /differP h1 /differP h2 /differP h3 /differP h4 /and3P[/differP h5 /differP h6 _] []
+    [].
 rewrite size_map => n ln; rewrite scene_nth // /=.
 have : place s n \in places s by exact: mem_nth.
 case: (place s n) => i k; rewrite mem_places => /andP[i27 ks] /=; rewrite kind_instance.

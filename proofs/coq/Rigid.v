@@ -1,7 +1,8 @@
 (** * Rigid configurations: the definition by which minimal is decided
 
-    A configuration is rigid if its only motion that changes no image is zero. By [rigidity], minimal means rigid at
-    some admissible configuration over the integers. And what is obstructed is rigid at none, over any domain. *)
+    A configuration is rigid if its only motion that changes no image is zero. By [rigidity],
+    minimal means rigid at some admissible configuration over the integers. And what is obstructed
+    is rigid at none, over any domain. *)
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import ssrZ.   (* Z, Coq's integers, as an integral domain *)

@@ -1,7 +1,7 @@
 (** * Poses with the same essential matrix
 
-    If two cameras with t = (1, ...) have the same E up to scale, they have the same t, and their rotations are the same
-    or differ by a half turn about t ([same_essential]). *)
+    If two cameras with t = (1, ...) have the same E up to scale, they have the same t, and their
+    rotations are the same or differ by a half turn about t ([same_essential]). *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From PL1P Require Import Statement Rigid Epipolar Template Pose.
@@ -18,9 +18,6 @@ Implicit Types (q p : quat L) (t u w X : vec L).
 Notation Vec := (@Vec L).
 Notation Quat := (@Quat L).
 
-Lemma dot_cross3 t u w : dot t (cross u w) = dot (cross t u) w.
-Proof. by rewrite /dot /cross /=; ring. Qed.
-
 (** ** y . E x *)
 Lemma essential_dot t q u w : dot (cross t (rot q u)) w =
   \sum_(e < 9) essential t q e * (entry w (e %/ 3)%N * entry u (e %% 3)%N).
@@ -29,7 +26,8 @@ case: q => a b c d; case: t => t1 t2 t3; case: u => u1 u2 u3; case: w => w1 w2 w
 by rewrite !big_ord_recl big_ord0 /essential /entry /unit_vec /cross /rot /dot /=; ring.
 Qed.
 Lemma epipolar_sum C X x y : x3 X != 0 -> x1 X / x3 X = x1 x -> x2 X / x3 X = x2 x -> x3 x = 1 ->
-  x3 (project C X) != 0 -> x1 (project C X) / x3 (project C X) = x1 y -> x2 (project C X) / x3 (project C X) = x2 y -> x3 y = 1 ->
+  x3 (project C X) != 0 -> x1 (project C X) / x3 (project C X) = x1 y -> x2 (project C X) / x3 (project C X) =
+    x2 y -> x3 y = 1 ->
   dot (cross (trans C) (turn C x)) y = 0.
 Proof.
 move=> X3 e1 e2 e3 Y3; set Y := project C X in Y3 *; move=> f1 f2 f3.
@@ -41,7 +39,8 @@ have : x3 X * x3 Y * dot (cross (trans C) (turn C x)) y = dot (cross (trans C) (
   rewrite [in RHS]eY {2}eX; case: (C) => -[a b c d] [t1 t2 t3]; case: (x) => u1 u2 u3; case: (y) => w1 w2 w3.
   by move: (x3 X) (x3 Y) => m n; rewrite /dot /cross /turn /rot /scale /dot /=; ring.
 have -> : dot (cross (trans C) (turn C X)) Y = 0.
-  by rewrite /Y /project; case: (turn C X) => r1 r2 r3; case: (trans C) => t1 t2 t3; rewrite /dot /cross /add /=; ring.
+  by rewrite /Y /project; case: (turn C X) => r1 r2 r3; case: (trans C) => t1 t2 t3;
+    rewrite /dot /cross /add /=; ring.
 by move/eqP; rewrite !mulf_eq0 (negbTE X3) (negbTE Y3) => /eqP.
 Qed.
 
@@ -52,7 +51,8 @@ Proof. by case: q => a b c d; apply: vec_ext; rewrite /norm /rot /scale /conj /d
 Lemma same_entries t q t' q' k u : (forall e, (e < 9)%N -> essential t' q' e = k * essential t q e) ->
   cross t' (rot q' u) = scale k (cross t (rot q u)).
 Proof.
-move=> h; have d a (a3 : (a < 3)%N) : dot (cross t' (rot q' u)) (unit_vec L a) = k * dot (cross t (rot q u)) (unit_vec L a).
+move=> h; have d a (a3 : (a < 3)%N) : dot (cross t' (rot q' u)) (unit_vec L a) =
+  k * dot (cross t (rot q u)) (unit_vec L a).
   by rewrite !essential_dot mulr_sumr; apply: eq_bigr => e _; rewrite (h e (ltn_ord e)) -mulrA.
 have := d 0%N isT; have := d 1%N isT; have := d 2%N isT.
 move: (cross t' _) (cross t _) => [a1 a2 a3] [b1 b2 b3]; rewrite /dot /unit_vec /scale /= => h2 h1 h0.
@@ -68,13 +68,15 @@ move=> n0 z; have c w : cross t w = vec0 L.
   by rewrite h => [|e e9]; rewrite /scale ?mul0r // !z.
 have z1 w : x1 (cross t w) = 0 by rewrite c.
 have z3 w : x3 (cross t w) = 0 by rewrite c.
-have := z3 (Vec 0 1 0); have := z3 (Vec 1 0 0); have := z1 (Vec 0 1 0); rewrite /= !(mulr0, mulr1, subr0, sub0r) => e3 e2 e1.
+have := z3 (Vec 0 1 0); have := z3 (Vec 1 0 0); have := z1 (Vec 0 1 0);
+  rewrite /= !(mulr0, mulr1, subr0, sub0r) => e3 e2 e1.
 by apply: vec_ext => //; apply/eqP; rewrite -oppr_eq0 ?e2 ?e3.
 Qed.
 
 (** ** Poses with the same E *)
 Definition times p q := Quat (qa p * qa q - qb p * qb q - qc p * qc q - qd p * qd q)
-  (qa p * qb q + qb p * qa q + qc p * qd q - qd p * qc q) (qa p * qc q - qb p * qd q + qc p * qa q + qd p * qb q)
+  (qa p * qb q + qb p * qa q + qc p * qd q - qd p * qc q)
+    (qa p * qc q - qb p * qd q + qc p * qa q + qd p * qb q)
   (qa p * qd q + qb p * qc q - qc p * qb q + qd p * qa q).
 Lemma rot_times p q u : rot (times p q) u = rot p (rot q u).
 Proof. by case: p => a b c d; case: q => a' b' c' d'; apply: vec_ext; rewrite /rot /dot /times /=; ring. Qed.
@@ -87,7 +89,8 @@ Lemma same_twist t p k : x1 t = 1 -> norm p != 0 -> (forall w, cross t (rot p w)
 Proof.
 case: p => a b c d; case: t => t1 t2 t3; rewrite /norm /= => -> {t1} n0 h.
 have sub (x y : L) : x = y -> x - y = 0 by move=> ->; exact: subrr.
-have e1 w := sub _ _ (congr1 (@x1 L) (h w)); have e2 w := sub _ _ (congr1 (@x2 L) (h w)); have e3 w := sub _ _ (congr1 (@x3 L) (h w)).
+have e1 w := sub _ _ (congr1 (@x1 L) (h w)); have e2 w := sub _ _ (congr1 (@x2 L) (h w)); have e3 w :=
+  sub _ _ (congr1 (@x3 L) (h w)).
 move: (e1 (Vec 1 0 0)) (e2 (Vec 1 0 0)) (e3 (Vec 1 0 0)) (e1 (Vec 0 1 0)) (e2 (Vec 0 1 0)) (e3 (Vec 0 1 0))
   (e1 (Vec 0 0 1)) (e2 (Vec 0 0 1)) (e3 (Vec 0 0 1)).
 clear e1 e2 e3 h; rewrite /cross /rot /scale /dot /= => e11 e12 e13 e21 e22 e23 e31 e32 e33.
@@ -112,7 +115,8 @@ have prod (x y z w : L) : x * y = 0 -> z * w = 0 -> x * w + z * y = 0 -> x * w =
   move=> xy zw s; apply/eqP; rewrite -[_ == 0]orbb -mulf_eq0; apply/eqP.
   transitivity (x * w * (x * w + z * y) - (x * y) * (z * w)); first ring.
   by rewrite xy s mulr0 mul0r subr0.
-have p12 := prod _ _ _ _ v11 v22 v12; have p13 := prod _ _ _ _ v11 v33 v13; have p23 := prod _ _ _ _ v22 v33 v23.
+have p12 := prod _ _ _ _ v11 v22 v12; have p13 := prod _ _ _ _ v11 v33 v13; have p23 :=
+  prod _ _ _ _ v22 v33 v23.
 have p21 : v2 * b = 0 by move: v12; rewrite p12 add0r.
 have p31 : v3 * b = 0 by move: v13; rewrite p13 add0r.
 have p32 : v3 * c = 0 by move: v23; rewrite p23 add0r.
@@ -139,9 +143,11 @@ Lemma times_back p q : let r := times (times p (Rigid.conj q)) q in
   [/\ qa r = norm q * qa p, qb r = norm q * qb p, qc r = norm q * qc p & qd r = norm q * qd p].
 Proof. by case: p => a b c d; case: q => a' b' c' d'; rewrite /times /norm /=; split; ring. Qed.
 (** The rotation q after a half turn about t. *)
-Definition turned t q := let w := times (Quat 0 1 (x2 t) (x3 t)) q in Quat 1 (qb w / qa w) (qc w / qa w) (qd w / qa w).
+Definition turned t q := let w := times (Quat 0 1 (x2 t) (x3 t)) q in Quat 1 (qb w / qa w) (qc w / qa w)
+  (qd w / qa w).
 
-Lemma same_essential t q t' q' k : x1 t = 1 -> x1 t' = 1 -> qa q = 1 -> qa q' = 1 -> norm q != 0 -> norm q' != 0 -> k != 0 ->
+Lemma same_essential t q t' q' k : x1 t = 1 -> x1 t' = 1 -> qa q = 1 -> qa q' = 1 -> norm q != 0 ->
+  norm q' != 0 -> k != 0 ->
   (forall e, (e < 9)%N -> essential t' q' e = k * essential t q e) -> t' = t /\ (q' = q \/ q' = turned t q).
 Proof.
 move=> t1 t1' q1 q1' n0 n0' k0 h.
@@ -156,8 +162,10 @@ have et : t' = t.
   apply: vec_ext; first by rewrite t1.
     by apply/eqP; rewrite -subr_eq0 -oppr_eq0 -(d (Vec 0 0 1)) /dot /cross /= t1 t1'; apply/eqP; ring.
   by apply/eqP; rewrite -subr_eq0 -(d (Vec 0 1 0)) /dot /cross /= t1 t1'; apply/eqP; ring.
-split=> //; have := times_back q' q; have np : norm (times q' (Rigid.conj q)) != 0 by rewrite norm_times mulf_neq0 // norm_conj.
-have cp w : cross t (rot (times q' (Rigid.conj q)) w) = scale (k * norm q ^+ 2) (cross t w) by rewrite rot_times -c et.
+split=> //; have := times_back q' q; have np : norm (times q' (Rigid.conj q)) != 0
+  by rewrite norm_times mulf_neq0 // norm_conj.
+have cp w : cross t (rot (times q' (Rigid.conj q)) w) = scale (k * norm q ^+ 2) (cross t w)
+  by rewrite rot_times -c et.
 move: (times q' _) np cp => p np cp [ba bb bc bd]; have [[p2 p3 p4]|[p1 p3 p4]] := same_twist t1 np cp.
 - left; move: ba bb bc bd; rewrite /times p2 p3 p4 /= !mul0r !subr0 !addr0 q1 q1' !mulr1 => -> eb ec ed.
   by apply: quat_ext; rewrite ?q1 ?q1' //; apply: (mulfI n0); rewrite -?eb -?ec -?ed.

@@ -1,7 +1,8 @@
 (** * The equations of a motion as a matrix, and its specialisation
 
-    The image changes at parameters x are linear in the unknowns v of a motion. Their matrix is natural in x under
-    ring morphisms, so its determinant is nonzero at the generic point if it is nonzero at one integer point. *)
+    The image changes at parameters x are linear in the unknowns v of a motion. Their matrix is
+    natural in x under ring morphisms, so its determinant is nonzero at the generic point if it is
+    nonzero at one integer point. *)
 From Coq Require List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From PL1P Require Import Statement Rigid Walk System Forms Blocks.
@@ -20,18 +21,20 @@ Definition fquat (q : quat R) := @Quat R' (f (qa q)) (f (qb q)) (f (qc q)) (f (q
 Definition fcamera (C : camera R) := Camera (fquat (quat_of C)) (fvec (trans C)).
 Definition ftwist (T : twist R) := Twist (fvec (omega T)) (fvec (dt T)).
 
-Lemma fvec0 : fvec (vec0 R) = vec0 R'. Proof. by rewrite /fvec /= !rmorph0. Qed.
 Lemma fadd u w : fvec (add u w) = add (fvec u) (fvec w). Proof. by rewrite /fvec /= !rmorphD. Qed.
 Lemma fdot u w : f (dot u w) = dot (fvec u) (fvec w). Proof. by rewrite /dot !rmorphD !rmorphM. Qed.
-Lemma fcross u w : fvec (cross u w) = cross (fvec u) (fvec w). Proof. by rewrite /cross /fvec /= !rmorphB !rmorphM. Qed.
+Lemma fcross u w : fvec (cross u w) = cross (fvec u) (fvec w). Proof.
+by rewrite /cross /fvec /= !rmorphB !rmorphM. Qed.
 Lemma fscale k u : fvec (scale k u) = scale (f k) (fvec u). Proof. by rewrite /scale /fvec /= !rmorphM. Qed.
 Lemma frot q u : fvec (rot q u) = rot (fquat q) (fvec u).
-Proof. by case: q => a b c d; rewrite /fvec /= !fdot /fvec /= !(rmorphB, rmorphD, rmorphMn, rmorphX, rmorphM). Qed.
+Proof. by case: q => a b c d; rewrite /fvec /= !fdot /fvec /= !(rmorphB, rmorphD, rmorphMn, rmorphX,
+  rmorphM). Qed.
 Lemma fnorm q : f (norm q) = norm (fquat q). Proof. by rewrite /norm !rmorphD !rmorphX. Qed.
 Lemma fconj q : fquat (conj q) = conj (fquat q). Proof. by rewrite /fquat /conj /= !rmorphN. Qed.
 Lemma fcentre C : fvec (centre C) = centre (fcamera C). Proof. by rewrite /centre frot fconj. Qed.
 Lemma fturn C u : fvec (turn C u) = turn (fcamera C) (fvec u). Proof. exact: frot. Qed.
-Lemma fproject C u : fvec (project C u) = project (fcamera C) (fvec u). Proof. by rewrite /project fadd fturn. Qed.
+Lemma fproject C u : fvec (project C u) = project (fcamera C) (fvec u). Proof.
+by rewrite /project fadd fturn. Qed.
 
 Variables (p : placed R) (p' : placed R').
 Hypothesis fpoint : point p' = fvec (point p).
@@ -70,8 +73,10 @@ Definition twist_of v w := by_view (Twist (vec0 R) (vec0 R))
 Definition place_of x n := @place_at R (part x n) (nth 0%N (kinds s) n).
 Definition motion_of v n := free_motion (nth 0%N (kinds s) n) (part v n).
 Definition change x v n w :=
-  image_change (cameras_at R x w) (twist_of v w) (place_of x n) (motion_of v n) (looks (ft (nth 0%N (kinds s) n)) w).
-Definition changes x v := flatten [seq flatten [seq change x v n w | w <- views] | n <- iota 0 (size (kinds s))].
+  image_change (cameras_at R x w) (twist_of v w) (place_of x n) (motion_of v n)
+    (looks (ft (nth 0%N (kinds s) n)) w).
+Definition changes x v := flatten [seq flatten [seq change x v n w | w <- views] | n <- iota 0
+  (size (kinds s))].
 
 Lemma part_bound n k : (n < size (kinds s))%N -> (k < dim3 (ft (nth 0%N (kinds s) n)))%N ->
   (11 + (sumn (take n (sizes s)) + k) < N)%N.
@@ -88,7 +93,8 @@ rewrite /pin_forms map_flatten -map_comp; congr flatten; apply: eq_map => j /=.
 by congr (_ :: _); case: l.1.
 Qed.
 
-Definition forms_of x n w := image_forms (fun z => twist_of z) (fun z _ => motion_of z n) (cameras_at R x) (place_of x n) w
+Definition forms_of x n w := image_forms (fun z => twist_of z) (fun z _ => motion_of z n) (cameras_at R x)
+  (place_of x n) w
   (looks (ft (nth 0%N (kinds s) n)) w).
 
 Lemma changeE x v n w : change x v n w = [seq g v v | g <- forms_of x n w].
@@ -103,10 +109,12 @@ apply: image_forms_lin.
 - by case; split=> /=; try exact: lin2_0; apply: lin2_z; exact: small.
 - by case; split=> /=; try exact: lin2_0; apply: lin2_z; exact: small.
 - have [d1 d2 d3] := free_motion_dX_lin R 0 (nth 0%N (kinds s) n).
-  split; rewrite /motion_of /free_motion /=; try (by apply: lz; rewrite /dim3; case: (free _); rewrite addnC ltn_addl).
+  split; rewrite /motion_of /free_motion /=;
+    try (by apply: lz; rewrite /dim3; case: (free _); rewrite addnC ltn_addl).
   by case e: (free _); [exact: lin2_0 | apply: lz; rewrite /dim3 e addnC ltn_addl].
 - move=> j; rewrite /motion_of /free_motion /=; case: (ltnP j (pins _)) => jk; last by split; exact: lin2_0.
-  have h : ((2 * j).+1 < 2 * pins (ft (nth 0%N (kinds s) n)))%N by rewrite -[(2 * j).+2]/(2 + 2 * j)%N -mulnS leq_mul2l.
+  have h : ((2 * j).+1 < 2 * pins (ft (nth 0%N (kinds s) n)))%N
+    by rewrite -[(2 * j).+2]/(2 + 2 * j)%N -mulnS leq_mul2l.
   split=> /=; last exact: lin2_0; apply: lz; rewrite /dim3 ?ltn_add2l; first by rewrite (ltn_trans _ h).
   by rewrite -addnS ltn_add2l.
 Qed.
@@ -122,11 +130,13 @@ rewrite (bigD1 i) //= /delta eqxx mulr1 big1 ?addr0 => [|k ki]; first by rewrite
 by move: ki; rewrite -val_eqE /= => /negbTE ->; rewrite mulr0.
 Qed.
 
-Definition all_forms_of x := flatten [seq flatten [seq forms_of x n w | w <- views] | n <- iota 0 (size (kinds s))].
+Definition all_forms_of x := flatten [seq flatten [seq forms_of x n w | w <- views] | n <- iota 0
+  (size (kinds s))].
 Lemma changesE x v : changes x v = [seq g v v | g <- all_forms_of x].
 Proof.
 rewrite /changes /all_forms_of map_flatten -map_comp; congr flatten; apply: eq_map => n.
-by rewrite -[RHS]/(map _ (flatten _)) map_flatten -map_comp; congr flatten; apply: eq_map => w; exact: changeE.
+by rewrite -[RHS]/(map _ (flatten _)) map_flatten -map_comp; congr flatten; apply: eq_map => w;
+  exact: changeE.
 Qed.
 Lemma all_forms_of_lin x : List.Forall (lin2 N 0) (all_forms_of x).
 Proof.
@@ -145,7 +155,8 @@ Lemma size_changes x v : size (changes x v) = sumn [seq dim2 (ft i) | i <- kinds
 Proof.
 rewrite /changes size_flatten /seq.shape -map_comp -[in RHS](mkseq_nth 0%N (kinds s)) /mkseq -map_comp.
 congr sumn; apply: eq_map => n; set f := ft (nth 0%N (kinds s) n).
-have sz w : size (change x v n w) = (if (looks f w).1 then 2 + size (looks f w).2 else 2 * size (looks f w).2)%N.
+have sz w : size (change x v n w) =
+  (if (looks f w).1 then 2 + size (looks f w).2 else 2 * size (looks f w).2)%N.
   by rewrite changeE size_map size_image_forms.
 rewrite -[LHS]/(size (change x v n V1 ++ change x v n V2 ++ change x v n V3 ++ [::])) -[RHS]/(dim2 f).
 by rewrite size_cat sz size_cat sz size_cat sz.
@@ -167,7 +178,8 @@ apply/(all_nthP 0) => j; rewrite size_changes square => jN; apply/eqP.
 by rewrite -(systemE x v (Ordinal jN)) h mxE.
 Qed.
 
-Lemma det_kernel x : (forall v, all (pred1 0) (changes x v) -> forall k, (k < N)%N -> v k = 0) <-> \det (system x) != 0.
+Lemma det_kernel x : (forall v, all (pred1 0) (changes x v) -> forall k, (k < N)%N -> v k = 0) <->
+  \det (system x) != 0.
 Proof.
 split=> [h|d0 v /kernel vM k kN].
   apply/det0P => -[r r0 rM]; case/rV0Pn: r0 => i /eqP; apply.

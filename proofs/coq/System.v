@@ -1,7 +1,8 @@
 (** * A homogeneous linear system with more unknowns than equations has a nonzero solution
 
-    over any integral domain, and the same for systems assembled from one block for each placed feature. Unknowns are
-    functions nat -> R of which a form reads the first n; a block's forms read global unknowns z and its own y. *)
+    over any integral domain, and the same for systems assembled from one block for each placed
+    feature. Unknowns are functions nat -> R of which a form reads the first n; a block's forms read
+    global unknowns z and its own y. *)
 From Coq Require List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From PL1P Require Import Statement Rigid.
@@ -56,7 +57,8 @@ by rewrite [RHS]mulrC mxE /= kl /x inord_val.
 Qed.
 
 (** ** Linear in z (n0 unknowns) and y (u unknowns) *)
-Definition lin2 n0 u (f : (nat -> R) -> (nat -> R) -> R) := exists c d, forall z y, f z y = sum n0 c z + sum u d y.
+Definition lin2 n0 u (f : (nat -> R) -> (nat -> R) -> R) := exists c d, forall z y, f z y =
+  sum n0 c z + sum u d y.
 
 Section Closure.
 Variables n0 u : nat.
@@ -89,14 +91,14 @@ Qed.
 Lemma sum0 n x : sum n (fun _ => 0) x = 0.
 Proof. by rewrite /sum big1 // => i _; rewrite mul0r. Qed.
 Lemma lin2_z i : (i < n0)%N -> L (fun z _ => z i).
-Proof. by move=> lt; exists (fun k => if k == i then 1 else 0), (fun _ => 0) => z y; rewrite sum_delta // sum0 addr0. Qed.
+Proof. by move=> lt; exists (fun k => if k == i then 1 else 0), (fun _ => 0) => z y;
+  rewrite sum_delta // sum0 addr0. Qed.
 Lemma lin2_y i : (i < u)%N -> L (fun _ y => y i).
-Proof. by move=> lt; exists (fun _ => 0), (fun k => if k == i then 1 else 0) => z y; rewrite sum_delta // sum0 add0r. Qed.
+Proof. by move=> lt; exists (fun _ => 0), (fun k => if k == i then 1 else 0) => z y;
+  rewrite sum_delta // sum0 add0r. Qed.
 
 Definition vlin (F : (nat -> R) -> (nat -> R) -> vec R) :=
   [/\ L (fun z y => x1 (F z y)), L (fun z y => x2 (F z y)) & L (fun z y => x3 (F z y))].
-Lemma vlin_vec f g h : L f -> L g -> L h -> vlin (fun z y => Vec (f z y) (g z y) (h z y)).
-Proof. by []. Qed.
 Lemma vlin_0 : vlin (fun _ _ => vec0 R).
 Proof. by split; apply: lin2_0. Qed.
 Lemma vlin_add F G : vlin F -> vlin G -> vlin (fun z y => add (F z y) (G z y)).
@@ -144,7 +146,8 @@ have z1 : \sum_(0 <= i < o) F i = 0.
   by rewrite big_nat_cond big1 // => i /andP[/andP[_ lt] _]; rewrite /F leqNgt lt mul0r.
 have z2 : \sum_(o + u <= i < n) F i = 0.
   by rewrite big_nat_cond big1 // => i /andP[/andP[le _] _]; rewrite /F ltnNge le andbF mul0r.
-have split3 : \sum_(0 <= i < n) F i = \sum_(0 <= i < o) F i + (\sum_(o <= i < o + u) F i + \sum_(o + u <= i < n) F i).
+have split3 : \sum_(0 <= i < n) F i =
+  \sum_(0 <= i < o) F i + (\sum_(o <= i < o + u) F i + \sum_(o + u <= i < n) F i).
   by rewrite -big_cat_nat ?leq_addr // -big_cat_nat // (leq_trans (leq_addr _ _) h2).
 rewrite -(big_mkord (fun _ => true) F) split3 z1 z2 add0r addr0.
 rewrite -[X in \sum_(X <= i < _) F i]add0n big_addn addKn big_mkord; apply: eq_bigr => i _.
@@ -153,7 +156,8 @@ Qed.
 
 Lemma Forall_cat B (Q : B -> Prop) (s t : seq B) : Forall Q (s ++ t) <-> Forall Q s /\ Forall Q t.
 Proof. exact: List.Forall_app. Qed.
-Lemma Forall_map B D (Q : D -> Prop) (g : B -> D) (s : seq B) : Forall Q (map g s) <-> Forall (fun b => Q (g b)) s.
+Lemma Forall_map B D (Q : D -> Prop) (g : B -> D) (s : seq B) : Forall Q (map g s) <->
+  Forall (fun b => Q (g b)) s.
 Proof. exact: List.Forall_map. Qed.
 
 Lemma assemble_lin n o l : (n0 <= n)%N -> (o + unknowns_of l <= n)%N -> Forall (lin n) (assemble o l).
@@ -181,9 +185,12 @@ have [|n [j [h1 h2 h3]]] := IH (o + own a)%N _ d; first by rewrite lea lt.
 by exists n.+1, j.
 Qed.
 
-Theorem assembled d (l : seq A) : (size globals + sumn [seq size (forms a) | a <- l] < n0 + unknowns_of l)%N ->
-  exists z ys, [/\ (exists2 i, (i < n0)%N & z i != 0) \/ (exists n j, [/\ (n < size l)%N, (j < own (nth d l n))%N & ys n j != 0]),
-    Forall (fun g => g z = 0) globals & forall n, (n < size l)%N -> Forall (fun f => f z (ys n) = 0) (forms (nth d l n))].
+Theorem assembled d (l : seq A) : (size globals + sumn [seq size (forms a) | a <- l] < n0 + unknowns_of l)%N
+  ->
+  exists z ys, [/\ (exists2 i, (i < n0)%N & z i != 0) \/
+    (exists n j, [/\ (n < size l)%N, (j < own (nth d l n))%N & ys n j != 0]),
+    Forall (fun g => g z = 0) globals & forall n, (n < size l)%N ->
+      Forall (fun f => f z (ys n) = 0) (forms (nth d l n))].
 Proof.
 move=> lt.
 have [||x [i il xi] /Forall_cat[zg zf]] := @more_unknowns (n0 + unknowns_of l) (globals ++ assemble n0 l).

@@ -1,7 +1,8 @@
 (** * Enumeration of the solutions of the balance equation, and walks that visit each once
 
     [sols ws n] lists the vectors s with sum s_i ws_i = n (proved complete and without repetition);
-    [walk] visits the same vectors depth first, carrying a state along the tree, without building the list. *)
+    [walk] visits the same vectors depth first, carrying a state along the tree, without building
+    the list. *)
 From Coq Require Import NArith.
 From mathcomp Require Import all_ssreflect.
 From PL1P Require Import Statement.
@@ -13,9 +14,11 @@ Fixpoint sols (ws : seq nat) (n : nat) : seq (seq nat) :=
   if ws is w :: ws' then flatten [seq map (cons k) (sols ws' (n - k * w)) | k <- iota 0 n.+1 & k * w <= n]
   else if n is 0 then [:: [::]] else [::].
 
-Fixpoint dotn (s ws : seq nat) := if s is x :: s' then if ws is w :: ws' then x * w + dotn s' ws' else 0 else 0.
+Fixpoint dotn (s ws : seq nat) := if s is x :: s' then if ws is w :: ws' then x * w + dotn s' ws' else 0
+  else 0.
 
-Lemma sols_cons w ws n : sols (w :: ws) n = [seq k :: s | k <- [seq k <- iota 0 n.+1 | k * w <= n], s <- sols ws (n - k * w)].
+Lemma sols_cons w ws n : sols (w :: ws) n =
+  [seq k :: s | k <- [seq k <- iota 0 n.+1 | k * w <= n], s <- sols ws (n - k * w)].
 Proof. by []. Qed.
 
 Lemma sols_mem ws n s : all (ltn 0) ws -> (s \in sols ws n) = (size s == size ws) && (dotn s ws == n).
@@ -84,9 +87,11 @@ have copiesE fuel k m st' acc' : m <= fuel ->
   have -> : [seq j <- iota 0 fuel.+1 | j * w <= m - w] = [seq j <- iota 0 fuel.+1 | j.+1 * w <= m].
     by apply: eq_filter => j; rewrite mulSn -leq_subRL.
   set l := [seq j <- _ | _].
-  elim: l acc2 => // j l IHl acc2; rewrite 2!map_cons -![flatten (_ :: _)]/(_ ++ _) !foldl_cat IHl; congr foldl.
+  elim: l acc2 => // j l IHl acc2; rewrite 2!map_cons -![flatten (_ :: _)]/(_ ++ _) !foldl_cat IHl;
+    congr foldl.
   rewrite /= mulSn subnDA addSnnS.
-  elim: (sols ws _) acc2 => // s t IHt acc2; rewrite !map_cons [LHS]/= [RHS]/= IHt; congr (foldl _ (leaf _ (run _ _ _) _)).
+  elim: (sols ws _) acc2 => // s t IHt acc2; rewrite !map_cons [LHS]/= [RHS]/= IHt;
+    congr (foldl _ (leaf _ (run _ _ _) _)).
   by rewrite addKn addnS subSS addKn.
 rewrite -[LHS]/(copies _ _ _ _ _ _ _ _ _) copiesE // -[sols _ _]/(flatten _).
 by elim: (flatten _) acc => // s l IHl acc; rewrite [LHS]/= [RHS]/= IHl; case: s => //= x s; rewrite subn0.
@@ -118,9 +123,11 @@ Lemma balanced_uniq : uniq balanced_list. Proof. exact: sols_uniq. Qed.
 
 (** ** Counting several properties in one walk *)
 Fixpoint bump (bs : seq bool) (acc : seq N) : seq N :=
-  if bs is b :: bs' then if acc is c :: acc' then (if b then N.succ c else c) :: bump bs' acc' else acc else acc.
+  if bs is b :: bs' then if acc is c :: acc' then (if b then N.succ c else c) :: bump bs' acc' else acc
+    else acc.
 
-Lemma bumpE (flags : seq nat -> seq bool) k (l : seq (seq nat)) acc j : (forall s, size (flags s) = k) -> size acc = k -> j < k ->
+Lemma bumpE (flags : seq nat -> seq bool) k (l : seq (seq nat)) acc j : (forall s, size (flags s) = k) ->
+  size acc = k -> j < k ->
   nth N0 (foldl (fun acc s => bump (flags s) acc) acc l) j =
   N.add (nth N0 acc j) (N.of_nat (count (fun s => nth false (flags s) j) l)).
 Proof.
@@ -128,7 +135,8 @@ move=> fk; elim: l acc => [|s l IH] acc sk jk /=; first by rewrite N.add_0_r.
 have sb bs : size (bump bs acc) = size acc by elim: acc bs {sk} => [|c acc IHa] [|b bs] //=; rewrite IHa.
 rewrite IH ?sb //.
 have -> : nth N0 (bump (flags s) acc) j = N.add (nth N0 acc j) (N.of_nat (nth false (flags s) j)).
-  move: (flags s) (fk s) acc sk j jk {IH sb} => bs; elim: bs k {fk} => [|b bs IHb] [|k] //= [] e [|c acc] //= [] e' [|j] //=.
+  move: (flags s) (fk s) acc sk j jk {IH sb} => bs; elim: bs k {fk} => [|b bs IHb] [|k] //= [] e [|c acc] //=
+    [] e' [|j] //=.
     by case: b => /= _; rewrite ?N.add_0_r // N.add_1_r.
   by move=> jk; rewrite (IHb k).
 by rewrite Nnat.Nat2N.inj_add N.add_assoc.
