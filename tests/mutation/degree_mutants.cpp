@@ -1,5 +1,3 @@
-#include "tests/mutation/degree_mutants.h"
-
 #include "tests/mutation/edits.h"
 
 namespace mutation {

@@ -3,11 +3,12 @@
 #include "prover/minimal/obstruction.h"
 #include "prover/problem/notation.h"
 #include "prover/three_views/scene.h"
+#include "tests/mutation/bases.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 
-namespace referee {
+namespace mutation {
 
 namespace {
 
@@ -175,23 +176,32 @@ plprove::QuaternionCameras cameras(const Point& z) {
     return plprove::standard_chart().cameras(point);
 }
 
-} // namespace
+/// The record of this class, without comments; lines that go on in others are one.
+File record_of(const std::string& text, std::size_t number) {
+    File record;
+    bool goes_on = false, wanted = false;
+    for (const Words& words : split(text)) {
+        if (words[0].starts_with('#')) continue;
+        if (!goes_on && words[0] == "degree")
+            wanted = words.size() > 1 && words[1] == std::to_string(number);
+        if (wanted && !goes_on) record.emplace_back();
+        if (wanted) record.back().insert(record.back().end(), words.begin(), words.end());
+        goes_on = words.size() > 1 && words.back() == "\\";
+        if (wanted && goes_on) record.back().pop_back();
+    }
+    return record;
+}
 
-std::optional<std::string> objection_to_degree(const Text& file, std::size_t line,
-                                               std::size_t number, std::size_t solutions) {
-    const auto head = std::ranges::find(file.numbers, line);
-    if (head == file.numbers.end()) return "no record on this line";
-    const auto first = static_cast<std::size_t>(head - file.numbers.begin());
-    const Words& words = file.lines[first];
+/// Why the record does not show this number of different solutions of the class with this number.
+std::optional<std::string> objection_to_record(const File& record, std::size_t number,
+                                               std::size_t solutions) {
     const auto& classes = plprove::label_classes();
-    if (words[0] != "degree" || words.size() < 2 || words[1] != std::to_string(number) ||
-        number >= classes.size())
-        return "a record of another class";
+    if (record.empty() || number >= classes.size()) return "no record of the class";
     if (plprove::obstruction(plprove::problem_of(classes[number])).deficiency() != 0)
         return "the class is not minimal";
     std::vector<const Words*> image_lines, solution_lines;
-    for (std::size_t i = first + 1; i < file.lines.size() && file.lines[i][0] != "degree"; ++i)
-        (file.lines[i][0] == "image" ? image_lines : solution_lines).push_back(&file.lines[i]);
+    for (std::size_t i = 1; i < record.size(); ++i)
+        (record[i][0] == "image" ? image_lines : solution_lines).push_back(&record[i]);
 
     const plprove::CameraSystem system = plprove::camera_system(classes[number]);
     const auto free = images(system, image_lines);
@@ -217,4 +227,27 @@ std::optional<std::string> objection_to_degree(const Text& file, std::size_t lin
     return {};
 }
 
-} // namespace referee
+} // namespace
+
+DegreeReferee::DegreeReferee() {
+    for (const File& record : committed_degrees()) {
+        std::size_t& known = known_[class_of(record)];
+        known = std::max(known, shown(record));
+    }
+}
+
+std::optional<std::string>
+DegreeReferee::objection(const std::string& text, const std::vector<checker::LowerBound>& bounds) {
+    for (const auto& [number, solutions] : bounds) {
+        if (known_.contains(number) && solutions > known_[number])
+            return "more solutions than there are";
+        const File record = record_of(text, number);
+        const auto [place, is_new] =
+            found_.try_emplace(std::to_string(solutions) + "\n" + join(record));
+        if (is_new) place->second = objection_to_record(record, number, solutions);
+        if (place->second) return place->second;
+    }
+    return {};
+}
+
+} // namespace mutation

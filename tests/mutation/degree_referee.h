@@ -1,16 +1,30 @@
 // A second opinion on records of degree files, by other means than the checker's: the prover's
 // equations of the class, whose Jacobian is taken from differences; Newton's method with the digits
 // of long double; and the prover's measure of nondegeneracy. No proof, but another way to the same
-// numbers.
+// numbers. The second checker does not read these files.
 #pragma once
 
-#include "tests/mutation/referee.h"
+#include "checker/degrees/degree_file.h"
 
-namespace referee {
+#include <map>
+#include <optional>
+#include <string>
 
-/// Why the record on this line does not show this number of different solutions of the class with
-/// this number, as far as approximations tell; nothing where it does.
-std::optional<std::string> objection_to_degree(const Text& file, std::size_t line,
-                                               std::size_t number, std::size_t solutions);
+namespace mutation {
 
-} // namespace referee
+class DegreeReferee {
+public:
+    DegreeReferee();
+
+    /// Why one of the bounds is not what the file shows, as far as approximations tell, or is more
+    /// than the class has solutions; nothing if all are true.
+    std::optional<std::string> objection(const std::string& text,
+                                         const std::vector<checker::LowerBound>& bounds);
+
+private:
+    std::map<std::size_t, std::size_t> known_; ///< the number of solutions of classes
+    /// What was found of a record that claims so many solutions: most are unchanged.
+    std::map<std::string, std::optional<std::string>> found_;
+};
+
+} // namespace mutation

@@ -1,8 +1,4 @@
-#include "tests/mutation/mutants.h"
-
-#include "tests/mutation/degree_mutants.h"
 #include "tests/mutation/edits.h"
-#include "tests/mutation/problem_mutants.h"
 
 namespace mutation {
 
@@ -304,8 +300,8 @@ std::optional<Mutant> mutant(const std::string& base, const std::string& other, 
                              Random& random) {
     static const std::vector<Mutator> all = [] {
         std::vector<Mutator> list(of_any_file.begin(), of_any_file.end());
-        list.insert(list.end(), problem_mutators().begin(), problem_mutators().end());
-        list.insert(list.end(), degree_mutators().begin(), degree_mutators().end());
+        for (const auto& more : {problem_mutators(), general_mutators(), degree_mutators()})
+            list.insert(list.end(), more.begin(), more.end());
         return list;
     }();
     const File foreign = split(other);

@@ -34,6 +34,12 @@ struct Mutator {
     void (*apply)(File& file, const File& other, Random& random);
 };
 
+/// Those of what only some kinds of file have: problems with steps and verdicts; problems in
+/// general; records of solutions, and templates.
+std::span<const Mutator> problem_mutators();
+std::span<const Mutator> general_mutators();
+std::span<const Mutator> degree_mutators();
+
 struct Mutant {
     std::string_view mutator;
     std::string text;

@@ -1,5 +1,3 @@
-#include "tests/mutation/problem_mutants.h"
-
 #include "tests/mutation/edits.h"
 
 namespace mutation {
@@ -14,7 +12,7 @@ void foreign_problem(File& file, const File& other, Random&) {
 
 /// A symbol of a feature changed, in the name of the problem, a step or the pool.
 void feature_symbol(File& file, const File&, Random& random) {
-    change_symbol(file, random, "Pab-/c(");
+    change_symbol(file, random, file[0].back() == "problems" ? "PabLMN-/c(*2" : "Pab-/c(");
 }
 
 /// The same feature changed everywhere: a consistent lie.

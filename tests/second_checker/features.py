@@ -2,6 +2,7 @@
 
 from collections import namedtuple
 from itertools import permutations
+from operator import itemgetter
 
 from general import parse
 from grammar import Fault
@@ -53,10 +54,11 @@ def relabeled(feature, order):
 WEIGHTS = [weight(f) for f in FEATURES]
 # For each permutation of the views, where each index comes from.
 RELABELINGS = [[index_of(relabeled(f, order)) for f in FEATURES] for order in permutations(range(3))]
+RELABEL = [itemgetter(*order) for order in RELABELINGS]
 
 
 def representative(signature):
-    return max(tuple(signature[i] for i in order) for order in RELABELINGS)
+    return max(relabel(signature) for relabel in RELABEL)
 
 
 SWAPS, EXCHANGES = ((12, 13), (14, 15), (16, 17)), ((21, 24), (22, 25), (23, 26))
@@ -73,15 +75,21 @@ def largest_form(signature, pairs):
     return tuple(max(forms))
 
 
-def balanced_signatures(prefix=(), left=11):
+def balanced_signatures():
     """In decreasing lexicographic order."""
-    if len(prefix) == 27:
-        if left == 0:
-            yield prefix
-        return
-    step = WEIGHTS[len(prefix)]
-    for count in range(left // step, -1, -1):
-        yield from balanced_signatures(prefix + (count,), left - count * step)
+    found = []
+
+    def extend(prefix, left):
+        if len(prefix) == 27:
+            if left == 0:
+                found.append(prefix)
+            return
+        step = WEIGHTS[len(prefix)]
+        for count in range(left // step, -1, -1):
+            extend((*prefix, count), left - count * step)
+
+    extend((), 11)
+    return found
 
 
 class Classes:
@@ -92,10 +100,9 @@ class Classes:
 
     def all(self):
         if not self.found:
-            for s in balanced_signatures():
-                self.signatures += 1
-                if representative(s) == s:
-                    self.found.append(s)
+            signatures = balanced_signatures()
+            self.signatures = len(signatures)
+            self.found = [s for s in signatures if representative(s) == s]
             self.numbers = {s: number for number, s in enumerate(self.found)}
         return self.found
 

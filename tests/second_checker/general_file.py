@@ -11,7 +11,8 @@ class Record:
     """A general-record: its problem, and what it claims."""
 
     def __init__(self, node):
-        self.problem = general_problem(node["GENERAL"][0])
+        self.notation, = node["GENERAL"]
+        self.problem = general_problem(self.notation)
         self.kind, (self.claim,) = next((kind, node[kind]) for kind in node if "record" in kind)
         self.minimal = self.kind == "rank-record"
         if self.minimal:

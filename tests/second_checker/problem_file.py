@@ -83,8 +83,9 @@ class File:
     """The only record of a problem file is the file."""
 
     def __init__(self, node):
-        named = [parse_feature(name) for count, name in
-                 multiplicities(node["problem"][0]["NOTATION"][0]) for _ in range(count)]
+        self.notation, = node["problem"][0]["NOTATION"]
+        named = [parse_feature(name) for count, name in multiplicities(self.notation)
+                 for _ in range(count)]
         made = [parse_feature(step["FEATURE"][0]) if step["FEATURE"] else (None, named[0][1])
                 for step in node["reduce"]]
         self.features, self.views = [feature for feature, _ in named], named[0][1]

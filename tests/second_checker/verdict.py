@@ -1,0 +1,35 @@
+"""What this checker finds of a file."""
+
+import classification
+import general_file
+import problem_file
+import templates
+from grammar import Fault, Parser, Refused, parse
+
+KINDS = {"classification": classification, "problem": problem_file, "problems": general_file,
+         "bounds": templates}
+
+
+class OtherKind(Exception):
+    """A kind of file that this checker does not read."""
+
+
+def verdict(data, every=1):
+    """(the file, its records that hold, why each other one is refused), of one of each `every`
+    records. None for the file if it does not conform: then nothing holds, and one reason says why."""
+    try:
+        parser = Parser(data)
+        if parser.words[:2] == ["plcert", "2"] and parser.words[2] in ("degrees", "solutions", "at-most"):
+            raise OtherKind(parser.words[2])
+        node = parse(parser)
+        file = KINDS[node["words"][2]].File(node)
+    except Fault as fault:
+        return None, [], [str(fault)]
+    held, refused = [], []
+    for number, record in enumerate(file.records[::every]):
+        try:
+            file.check(record)
+            held.append(record)
+        except Refused as why:
+            refused.append(f"record {number * every + 1}: {why}")
+    return file, held, refused
