@@ -47,9 +47,9 @@ void require_checked(const std::string& content, const Json& item, const fs::pat
                                  " is about: run plcheck --json again");
 }
 
-/// Adds the digests of the records in a file of the folder that plcheck accepted.
+/// Adds the records in a file of the folder that plcheck accepted.
 void add_accepted(const Json& item, const fs::path& folder, const fs::path& report,
-                  std::map<std::size_t, std::string>& digests) {
+                  std::map<std::size_t, AcceptedRecord>& accepted) {
     if (item.at("kind") != "degrees" || item.at("degrees").empty()) return;
     const fs::path path = folder / fs::path(item.at("file").get<std::string>()).filename();
     const std::string content = read(path);
@@ -57,7 +57,7 @@ void add_accepted(const Json& item, const fs::path& folder, const fs::path& repo
     const std::map<std::size_t, std::string> records = records_of(content);
     for (const Json& degree : item.at("degrees")) {
         const auto number = degree.at("class").get<std::size_t>();
-        digests[number] = sha256(records.at(number));
+        accepted[number] = {sha256(records.at(number)), degree.at("certified_at_least").get<int>()};
     }
 }
 
@@ -79,7 +79,7 @@ Checked::Checked(const fs::path& report, const fs::path& folder) {
         const Json json = Json::parse(text);
         refused_something_ = status_of(json, report) != 0;
         for (const Json& item : json.at("files"))
-            add_accepted(item, folder, report, digests_);
+            add_accepted(item, folder, report, accepted_);
     } catch (const Json::exception&) {
         throw std::runtime_error(report.string() +
                                  " is no report of plcheck --json on degrees: write one with "
@@ -91,9 +91,10 @@ Checked::Checked(const fs::path& report, const fs::path& folder) {
     }
 }
 
-bool Checked::accepts(const ClassResult& result) const {
-    const auto found = digests_.find(result.run.number);
-    return found != digests_.end() && found->second == sha256(result.record);
+int Checked::certified(const ClassResult& result) const {
+    const auto found = accepted_.find(result.run.number);
+    const bool this_one = found != accepted_.end() && found->second.digest == sha256(result.record);
+    return this_one ? found->second.solutions : 0;
 }
 
 } // namespace plprove

@@ -8,6 +8,12 @@
 
 namespace plprove {
 
+/// A record that plcheck accepted.
+struct AcceptedRecord {
+    std::string digest;
+    int solutions = 0; ///< that it certifies
+};
+
 class Checked {
 public:
     /// Reads a report, as `plcheck --json degrees.plc` prints it, on files of certificates in
@@ -18,12 +24,12 @@ public:
     /// Whether plcheck refused something that is in the report.
     bool refused_something() const { return refused_something_; }
 
-    /// Whether plcheck accepted this very certificate.
-    bool accepts(const ClassResult& result) const;
+    /// How many solutions plcheck certified from this very certificate; 0 if it did not accept it.
+    int certified(const ClassResult& result) const;
 
 private:
     bool refused_something_ = false;
-    std::map<std::size_t, std::string> digests_; ///< of the records that were accepted
+    std::map<std::size_t, AcceptedRecord> accepted_; ///< by class
 };
 
 } // namespace plprove

@@ -50,7 +50,7 @@ private:
 
 bool selects(const Selection& selection, const ClassResult& result) {
     if (result.record.empty()) return false;
-    if (selection.checked) return selection.checked->accepts(result);
+    if (selection.checked) return selection.checked->certified(result) > 0;
     return selection.below == 0 || (result.run.complete && result.run.degree < selection.below) ||
            selection.also.contains(result.run.number);
 }
@@ -87,8 +87,7 @@ Collected collect(const SweepFolder& folder, const Selection& selection, std::si
         if (result->run.degree == 0) continue;
         ++collected.classes;
         collected.exact += result->run.complete;
-        const bool accepted = selection.checked && selection.checked->accepts(*result);
-        csv += csv_line(*result, accepted ? result->run.degree : 0);
+        csv += csv_line(*result, selection.checked ? selection.checked->certified(*result) : 0);
         if (!selects(selection, *result)) continue;
         ++collected.certificates;
         collected.solutions += static_cast<std::uint64_t>(result->run.degree);

@@ -4,11 +4,14 @@
 #include "tests/support/program.h"
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <doctest/doctest.h>
 #include <map>
 #include <regex>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -166,6 +169,28 @@ TEST_CASE("a rank that gets SIGTERM ends the others, rank 0 reports it, and the 
     const Outcome rest = run(shell(by_ranks(2), sweep_of(sweep)));
     CHECK(contains(rest.out, "; " + std::to_string(on_file) + " were on file\n"));
     one.check_same(sweep);
+}
+
+TEST_CASE("a sweep goes on after mpirun got SIGTERM, as from a batch system, or Ctrl-C") {
+    const SweepByOne one;
+    for (const int signal : {SIGTERM, SIGINT}) {
+        CAPTURE(signal);
+        const fs::path sweep = one.folder / std::to_string(signal);
+        Arguments ranks{"-n", "3", PLPROVE_FAKE_ENGINE};
+        for (const std::string& argument : sweep_of(sweep, {"--threads", "1"}))
+            ranks.push_back(argument);
+        const pid_t mpirun = start_program( // each rank stays at its third class
+            MPIRUN, "/", ranks, [] { ::setenv("PLC_FAKE_ENGINE_STOP", "3", 1); });
+        constexpr std::size_t before = 6;
+        for (int i = 0; i < 60'000 && finished(sweep).size() < before; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ::kill(mpirun, signal);
+        wait_for(mpirun);
+        CHECK(finished(sweep).size() == before);
+        const Outcome rest = run(shell(by_ranks(3), sweep_of(sweep)));
+        CHECK(contains(rest.out, "; 6 were on file\n"));
+        one.check_same(sweep);
+    }
 }
 
 TEST_CASE("what rank 0 refuses is said once; that, or what any rank cannot write, ends all") {

@@ -117,6 +117,13 @@ TEST_CASE("a number of a run line that nothing else repeats is guarded by the li
     }
 }
 
+TEST_CASE("a file of version 1.6 is named and left out, and --retry computes its class again") {
+    SmallSweep sweep;
+    sweep.replace("\"record\":\"[0-9a-f]*\"",
+                  "\"certificate\":5,\"edges\":5,\"trace_exponent\":-11");
+    sweep.check_damaged();
+}
+
 TEST_CASE("numbers that no run can have are damage, which any sweep mends") {
     const SmallSweep sweep;
     const std::pair<std::string, std::string> changes[] = {
