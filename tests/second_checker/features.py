@@ -1,20 +1,20 @@
 """Sections 1 and 4: the 27 features, signatures, label classes, obstructions."""
 
+import re
 from collections import namedtuple
 from itertools import permutations
 from operator import itemgetter
 
-from general import parse
-from grammar import Fault
+from general import Problem, parse
+from grammar import PAGE, Fault
 
 # `point` is the set of views that see the point, None for a free line; `lines` has one such set for
 # each pin, or for the free line.
 Feature = namedtuple("Feature", "point lines")
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
-TABLE = ("Pabcdefg/Pabcdefg/Pabcdefg Pabcdef/Pabcdef/Pabcdef Pabcde/Pabcde/Pabcde "
-         "Pabcd/Pabcd/Pabcd Pabc/Pabc/Pabc Pab/Pab/Pab Pa/Pa/Pa P/P/P a/Pa/Pa Pa/a/Pa Pa/Pa/a a/a/a "
-         "a/P/Pa a/Pa/P P/a/Pa Pa/a/P P/Pa/a Pa/P/a -/P/P P/-/P P/P/- P/a/a a/P/a a/a/P Pab/b/a "
-         "b/Pab/a b/a/Pab").split()
+# Of the table of section 1, whose columns are pairs of an index and a feature.
+TABLE = [name for _, name in sorted((int(index), name) for index, name in re.findall(
+    r"\| (\d+) \| `(\S+)`", PAGE.read_text()))]
 PAIRS = ((0, 1), (0, 2), (1, 2))
 
 
@@ -38,11 +38,15 @@ def index_of(feature):
     return next((i for i, f in enumerate(FEATURES) if unnamed(f) == unnamed(feature)), None)
 
 
+def problem_of(feature, views=3):
+    """The problem that is this feature alone."""
+    return Problem([(feature.point, dict(zip(LETTERS, feature.lines)))], views)
+
+
 def weight(feature):
     """Degrees of freedom in the images less those in space."""
-    points = feature.point or ()
-    images = 2 * len(points) + sum(1 if v in points else 2 for line in feature.lines for v in line)
-    return images - (4 if feature.point is None else 3 + 2 * len(feature.lines))
+    space, seen = problem_of(feature).dimensions()
+    return seen - space
 
 
 def relabeled(feature, order):

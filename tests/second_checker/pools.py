@@ -4,8 +4,8 @@ from functools import cache, cached_property
 from math import gcd
 
 from algebra import apply, cross, determinant, dot, eliminate, quaternion_matrix
-from features import LETTERS
-from general import Problem, jacobian
+from features import problem_of
+from general import jacobian
 from grammar import Fault, chunks, require
 
 
@@ -44,8 +44,7 @@ class Pool:
     def rows(self, number):
         """Section 3: (rows of a feature: own columns, camera columns; how many are own)."""
         feature, point, pins = self.features[number]
-        problem = Problem([(feature.point, dict(zip(LETTERS, feature.lines)))],
-                          len(self.cameras) + 1)
+        problem = problem_of(feature, len(self.cameras) + 1)
         rows, width = jacobian(problem, self.cameras, sum(pins, point))
         return rows, width - (11 if len(self.cameras) == 2 else 5)
 
