@@ -105,12 +105,11 @@ void correct(File& file, const checker::Complaint& complaint) {
     static const std::regex computed("the (?:minor|excess) is ([1-9][0-9]*)");
     std::smatch number;
     if (!std::regex_search(complaint.reason, number, computed)) return;
-    const bool problem =
-        file[0].back() == "problem"; // it has one record, refused where reading ends
-    const auto claim =
-        std::find_if(at(file, problem ? 0 : complaint.line - 1), file.end(), [](const auto& words) {
-            return words[0] == "minimal" || words[0] == "minor" || words[0] == "excess";
-        });
+    // The only record of a problem is refused where reading ends.
+    const std::size_t start = file[0].back() == "problem" ? 0 : complaint.line - 1;
+    const auto claim = std::find_if(at(file, start), file.end(), [](const auto& words) {
+        return words[0] == "minimal" || words[0] == "minor" || words[0] == "excess";
+    });
     if (claim != file.end()) claim->back() = number[1];
 }
 
@@ -129,8 +128,8 @@ public:
             const Base& other = bases[random.below(bases.size())];
             const auto mutant = mutation::mutant(base.text, other.text, tried, random);
             if (!mutant) continue;
-            const std::string text =
-                random.below(2) == 0 ? mutant->text : mended(base, mutant->text);
+            const bool as_it_is = kind == "degrees" || random.below(2) == 0;
+            const std::string text = as_it_is ? mutant->text : mended(base, mutant->text);
             if (text == base.text) continue;
             try_one(kind, base, mutant->mutator, text);
             ++done;
