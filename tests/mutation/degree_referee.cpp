@@ -176,20 +176,26 @@ plprove::QuaternionCameras cameras(const Point& z) {
     return plprove::standard_chart().cameras(point);
 }
 
-/// The record of this class, without comments; lines that go on in others are one.
-File record_of(const std::string& text, std::size_t number) {
-    File record;
-    bool goes_on = false, wanted = false;
+/// The lines of a file without comments; lines that go on in others are one.
+File whole_lines(const std::string& text) {
+    File lines;
+    bool goes_on = false;
     for (const Words& words : split(text)) {
         if (words[0].starts_with('#')) continue;
-        if (!goes_on && words[0] == "degree")
-            wanted = words.size() > 1 && words[1] == std::to_string(number);
-        if (wanted && !goes_on) record.emplace_back();
-        if (wanted) record.back().insert(record.back().end(), words.begin(), words.end());
-        goes_on = words.size() > 1 && words.back() == "\\";
-        if (wanted && goes_on) record.back().pop_back();
+        if (!goes_on) lines.emplace_back();
+        Words& line = lines.back();
+        line.insert(line.end(), words.begin(), words.end());
+        goes_on = line.back() == "\\";
+        if (goes_on) line.pop_back();
     }
-    return record;
+    return lines;
+}
+
+/// The record of this class in a file that conforms; empty if there is none.
+File record_of(const std::string& text, std::size_t number) {
+    for (const File& record : records(whole_lines(text)))
+        if (class_of(record) == number) return record;
+    return {};
 }
 
 /// Why the record does not show this number of different solutions of the class with this number.
