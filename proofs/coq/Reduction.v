@@ -199,10 +199,12 @@ apply: (local_killed hD pf fc (hC v)) => [/negbTE nf _|/negbTE nf j jp|].
 Qed.
 End Killed.
 
-Lemma minimal_reducible A cs : is_problem A -> minimal F A -> forgets A cs ->
-  (sumn [seq cost fc.1 fc.2 | fc <- zip A cs] <= sumn [seq dim3 f | f <- A])%N -> reducible F A cs.
+Lemma minimal_lifting A cs : is_problem A -> minimal F A -> size cs = size A ->
+  all (fun fc => feasible fc.1 fc.2) (zip A cs) ->
+  (sumn [seq cost fc.1 fc.2 | fc <- zip A cs] <= sumn [seq dim3 f | f <- A])%N ->
+    lifting F (parameters A) A cs.
 Proof.
-move=> pA /minimalP[_ un] fo le; split=> //; have /and3P[/eqP sz fs _] := fo.
+move=> pA /minimalP[_ un] sz fs le.
 apply: (@unmoved_ind _ _ _ (to (parameters A)) _ _ (@den_neq0 _) (@fractionE _) (@to0 _) char0
   (lifted (parameters A) A cs)).
   by rewrite size_lifted // leq_add2l.
@@ -223,6 +225,10 @@ have h2 f o v j : (11 <= o)%N -> (o + dim3 f <= parameters A)%N -> free f = fals
   by move=> o11 room nf jp; case: (generic_line char0 o11 room nf v jp).
 exact: (scene_killed hD hC h1 h2 (leqnn 11) (leqnn _) pA sz fs kk kl).
 Qed.
+
+Lemma minimal_reducible A cs : is_problem A -> minimal F A -> forgets A cs ->
+  (sumn [seq cost fc.1 fc.2 | fc <- zip A cs] <= sumn [seq dim3 f | f <- A])%N -> reducible F A cs.
+Proof. by move=> pA mA fo le; split=> //; case/and3P: (fo) => /eqP sz fs _; exact: minimal_lifting. Qed.
 
 Lemma find_reduction A : is_problem A -> ~~ all final A -> exists2 cs, forgets A cs &
   (sumn [seq cost fc.1 fc.2 | fc <- zip A cs] <= sumn [seq dim3 f | f <- A])%N.
