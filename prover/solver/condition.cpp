@@ -1,8 +1,10 @@
 #include "prover/solver/condition.h"
 
+#include "prover/solver/decompositions.h"
 #include "prover/three_views/images.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <functional>
 #include <limits>
 
@@ -31,10 +33,9 @@ MatrixXd jacobian(const std::function<VectorXd(const VectorXd&)>& f, Index argum
 /// The largest change of the cameras for a change of the images of length 1, where the equations
 /// stay zero.
 double largest_change(const MatrixXd& by_cameras, const MatrixXd& by_images) {
-    const Eigen::FullPivLU<MatrixXd> decomposition(by_cameras);
-    if (!decomposition.isInvertible()) return std::numeric_limits<double>::infinity();
-    const MatrixXd change = decomposition.solve(by_images);
-    return Eigen::JacobiSVD<MatrixXd>(change).singularValues()[0];
+    constexpr double rounding = 1e-15;
+    const auto change = least_squares<double>(by_cameras, by_images, rounding);
+    return change ? change->operatorNorm() : std::numeric_limits<double>::infinity();
 }
 
 Matrix3d turned(const Matrix3d& R, const Vector3d& by) {

@@ -1,8 +1,9 @@
 #include "prover/solver/five_points.h"
 
 #include "prover/solver/bilinear.h"
+#include "prover/solver/decompositions.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 namespace plprove {
 
@@ -108,28 +109,25 @@ Eigen::Matrix<double, 10, 20> cubics(const NullSpace& space) {
 /// A basis of the matrices E with y^T E x = 0 for all pairs; nothing where it has more than four.
 std::optional<NullSpace> null_space(const std::array<Vector3d, 5>& first,
                                     const std::array<Vector3d, 5>& second) {
-    Eigen::Matrix<double, 9, 5> conditions;
+    Eigen::MatrixXd conditions(9, 5);
     for (std::size_t k = 0; k < 5; ++k) {
         const Matrix3d product = second[k].normalized() * first[k].normalized().transpose();
         conditions.col(static_cast<int>(k)) = product.reshaped();
     }
-    Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 9, 5>> decomposition(conditions);
-    decomposition.setThreshold(1e-10);
-    if (decomposition.rank() < 5) return std::nullopt;
-    const Eigen::Matrix<double, 9, 9> orthogonal = decomposition.householderQ();
+    const auto matrices = complement(conditions, 1e-10);
+    if (!matrices) return std::nullopt;
     NullSpace space;
     for (int k = 0; k < 4; ++k)
-        space[static_cast<std::size_t>(k)] = orthogonal.col(5 + k).reshaped(3, 3);
+        space[static_cast<std::size_t>(k)] = matrices->col(k).reshaped(3, 3);
     return space;
 }
 
 /// The matrix of multiplication by x; nothing where the cubes are no combinations of the basis.
-std::optional<Eigen::Matrix<double, 10, 10>> multiplication(const NullSpace& space) {
+std::optional<Eigen::MatrixXd> multiplication(const NullSpace& space) {
     const Eigen::Matrix<double, 10, 20> rows = cubics(space);
-    const Eigen::PartialPivLU<Eigen::Matrix<double, 10, 10>> cubes(rows.leftCols<10>());
-    const Eigen::Matrix<double, 10, 10> reduced = cubes.solve(rows.rightCols<10>());
+    const Eigen::MatrixXd reduced = quotient<double>(rows.leftCols<10>(), rows.rightCols<10>());
     if (!reduced.allFinite()) return std::nullopt;
-    Eigen::Matrix<double, 10, 10> action = Eigen::Matrix<double, 10, 10>::Zero();
+    Eigen::MatrixXd action = Eigen::MatrixXd::Zero(10, 10);
     for (int i = 0; i < 10; ++i) {
         const int product = products[linear][static_cast<std::size_t>(basis + i)];
         if (product < basis)
@@ -252,12 +250,11 @@ std::vector<ComplexPose> five_point_poses(const std::array<Vector3d, 5>& first,
     if (!space) return poses;
     const auto action = multiplication(*space);
     if (!action) return poses;
-    const Eigen::EigenSolver<Eigen::Matrix<double, 10, 10>> solver(*action);
-    if (solver.info() != Eigen::Success) return poses;
-    const auto vectors = solver.eigenvectors();
+    const auto found = eigensystem<double>(*action);
+    if (!found) return poses;
     for (int k = 0; k < 10; ++k) {
-        const Eigen::Vector4cd coefficients = vectors.col(k).tail<4>();
-        const double imaginary = solver.eigenvalues()[k].imag();
+        const Eigen::Vector4cd coefficients = found->vectors.col(k).tail<4>();
+        const double imaginary = found->values[k].imag();
         if (coefficients.norm() == 0 || imaginary < 0) continue; // the conjugate of another one
         if (imaginary == 0) {
             const Matrix3d E = polished<double>(*space, coefficients.real());

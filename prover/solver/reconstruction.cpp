@@ -1,9 +1,11 @@
 #include "prover/solver/reconstruction.h"
 
 #include "prover/solver/bilinear.h"
+#include "prover/solver/decompositions.h"
 #include "prover/solver/poses.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 
 namespace plprove {
@@ -46,12 +48,11 @@ struct PointEquations {
     /// The point nearest to all conditions; nothing where they leave it open.
     std::optional<Vector<S>> solve() const {
         if (a.size() < 3) return std::nullopt;
-        Eigen::ColPivHouseholderQR<Rows<S>> decomposition(matrix());
-        decomposition.setThreshold(rounding);
-        if (decomposition.rank() < 3) return std::nullopt;
         const Eigen::Map<const Eigen::Matrix<S, Eigen::Dynamic, 1>> right(
             b.data(), static_cast<Eigen::Index>(b.size()));
-        return Vector<S>(decomposition.solve(right));
+        const auto point = least_squares<S>(matrix(), right, rounding);
+        if (!point) return std::nullopt;
+        return Vector<S>(point->col(0));
     }
 };
 

@@ -1,12 +1,11 @@
 #include "prover/solver/registration_template.h"
 
+#include "prover/solver/decompositions.h"
 #include "prover/solver/rotation.h"
 #include "prover/solver/templates/values.h"
 #include "prover/three_views/random.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 
 namespace plprove {
@@ -157,7 +156,7 @@ std::size_t RegistrationTemplate::interpolation(const BiDegree& degree) {
             values(static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(k)) =
                 value(monomials[k], samples_[s]);
     degrees_.push_back(degree);
-    interpolations_.push_back(values.completeOrthogonalDecomposition().pseudoInverse());
+    interpolations_.push_back(pseudo_inverse(values));
     return degrees_.size() - 1;
 }
 
@@ -224,22 +223,19 @@ RegistrationTemplate::product_values(const std::vector<double>& function,
 
 template <class Scalar>
 std::vector<Matrix3cd> RegistrationTemplate::solve(const KnownScene<Scalar>& scene) const {
-    using Solver = std::conditional_t<std::is_same_v<Scalar, double>, Eigen::EigenSolver<MatrixXd>,
-                                      Eigen::ComplexEigenSolver<MatrixXcd>>;
     const Matrix<Scalar> basis = null_space<Scalar>(scene);
     const Matrix<Scalar> action =
-        product_values(h_, basis).householderQr().solve(product_values(g_, basis));
+        quotient<Scalar>(product_values(h_, basis), product_values(g_, basis));
     if (!action.allFinite()) return {};
-    const Solver solver(action);
-    if (solver.info() != Eigen::Success) return {};
-    const MatrixXcd values = basis.template cast<Complex>() * solver.eigenvectors();
+    const auto found = eigensystem<Scalar>(action);
+    if (!found) return {};
+    const MatrixXcd values = basis.template cast<Complex>() * found->vectors;
     std::vector<Matrix3cd> rotations;
     for (Eigen::Index k = 0; k < values.cols(); ++k) {
-        const bool second_of_pair =
-            std::is_same_v<Scalar, double> && solver.eigenvalues()[k].imag() < 0;
+        const bool second_of_pair = std::is_same_v<Scalar, double> && found->values[k].imag() < 0;
         if (second_of_pair) continue;
-        const Matrix3cd found = rotation(values.col(k));
-        if (found.allFinite()) rotations.push_back(found);
+        const Matrix3cd R = rotation(values.col(k));
+        if (R.allFinite()) rotations.push_back(R);
     }
     return rotations;
 }
