@@ -84,8 +84,8 @@ mpz_class determinants(const Schur& a, const Schur& b, int n) {
     return sum;
 }
 
-/// Those of a problem of Theorem T, the ones with most pins first; none of another problem.
-std::vector<FeatureType> features_of(const Problem& problem) {
+/// The types of the features of a problem of Theorem T, the ones with most pins first; none of another problem.
+std::vector<FeatureType> feature_types_of(const Problem& problem) {
     if (!problem.cameras->all_matrices || !all_views_see_all(problem) || surplus(problem) != 0)
         return {};
     std::vector<FeatureType> types;
@@ -118,13 +118,13 @@ mpz_class invariants(const std::vector<FeatureType>& types, int n) {
 } // namespace
 
 std::optional<mpz_class> invariants(const Problem& problem, int n) {
-    const std::vector<FeatureType> types = features_of(problem);
+    const std::vector<FeatureType> types = feature_types_of(problem);
     if (types.empty()) return std::nullopt;
     return invariants(types, n);
 }
 
 std::optional<std::size_t> degree_by_invariants(const Problem& problem) {
-    const std::vector<FeatureType> types = features_of(problem);
+    const std::vector<FeatureType> types = feature_types_of(problem);
     if (types.empty() || !general_arrangements_are_stable(problem)) return std::nullopt;
     std::vector<mpz_class> values;
     for (int n = 0; n <= std::popcount(problem.views); ++n)

@@ -16,7 +16,7 @@ struct ProvedRow {
     std::string_view theorem{};
 };
 
-static constexpr ProvedRow rows[] = {
+static constexpr ProvedRow proved_rows[] = {
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},
@@ -103,7 +103,7 @@ static Problem problem_of(const ProvedRow& row) {
 std::optional<ProvedDegree> proved_degree(const Problem& problem) {
     static const ByProblem<ProvedDegree> all = [] {
         ByProblem<ProvedDegree> degrees;
-        for (const ProvedRow& row : rows) {
+        for (const ProvedRow& row : proved_rows) {
             ProvedDegree& degree = degrees[problem_of(row)];
             if (degree.at_most > 0) throw std::logic_error("two rows are about one problem");
             degree = {row.at_most, row.theorem};

@@ -1,11 +1,6 @@
 #include "checker/report/report.h"
 
 namespace checker {
-/// A number of things, one or more: `1 record`, `2 records`.
-static std::string counted(std::size_t number, std::string_view thing) {
-    return say(number, ' ', thing, number == 1 ? "" : "s");
-}
-
 /// How many of these hold, and how many are refused.
 static std::string held(std::size_t number, std::string_view thing, std::size_t refused) {
     return say(counted(number, thing), number == 1 ? " holds, " : " hold, ", refused, " refused");

@@ -69,11 +69,6 @@ static void withhold_verdicts(Report& report) {
         claim.verdict = withheld;
 }
 
-/// A number of things, one or more: `1 record`, `2 records`.
-static std::string counted(std::size_t number, std::string_view thing) {
-    return say(number, ' ', thing, number == 1 ? "" : "s");
-}
-
 /// What files prove: each problem, class and family once, however many records are about it.
 struct Proofs {
     bool classification = false;

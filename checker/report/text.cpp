@@ -3,8 +3,7 @@
 #include <iomanip>
 
 namespace checker {
-/// A number of things, one or more: `1 record`, `2 records`.
-static std::string counted(std::size_t number, std::string_view thing) {
+std::string counted(std::size_t number, std::string_view thing) {
     return say(number, ' ', thing, number == 1 ? "" : "s");
 }
 
