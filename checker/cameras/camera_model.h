@@ -1,6 +1,6 @@
-// Kinds of cameras. A kind is a file beside this one, and its name in kinds.cpp: the file says
+// Kinds of cameras. A kind is a file beside this one, NAME.cpp, which defines NAME_cameras: it says
 // how a record places such a camera, how it moves, and what the coordinates of a solution mean.
-// Nothing else of the checker knows what a camera is.
+// Nothing else of the checker knows what a camera is (docs/cameras.md).
 #pragma once
 
 #include "checker/algebra/dual.h"

@@ -1,51 +1,35 @@
 // Calibrated cameras: a quaternion and a translation, up to similarities of space.
-#include "prover/cameras/camera_model.h"
-#include "prover/geometry/dual.h"
+#include "prover/cameras/camera_map.h"
 #include "prover/geometry/quaternion.h"
 
 namespace plprove {
 
 namespace {
 
-/// [R | t] of a quaternion and t.
-template <class T>
-CameraMatrix<T> matrix(const T* numbers) {
-    const auto rotation =
-        quaternion_matrix(std::array{numbers[0], numbers[1], numbers[2], numbers[3]});
-    CameraMatrix<T> result;
-    for (std::size_t i = 0; i < 3; ++i)
-        result[i] = {rotation[i][0], rotation[i][1], rotation[i][2], numbers[4 + i]};
-    return result;
-}
-
 using Complex = CameraModel::Complex;
 
-CameraMatrix<Complex> derivative(const Complex* numbers, const Complex* direction) {
-    std::array<Dual<Complex>, 7> moving;
-    for (std::size_t i = 0; i < moving.size(); ++i)
-        moving[i] = {numbers[i], direction[i]};
-    const CameraMatrix<Dual<Complex>> camera = matrix(moving.data());
-    CameraMatrix<Complex> result;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            result[i][j] = camera[i][j].slope;
-    return result;
-}
+/// [R | t] of a quaternion and t.
+struct QuaternionAndTranslation {
+    static constexpr int numbers = 7;
 
-/// The quaternion; t of the second camera, too.
-std::vector<std::array<int, 2>> scaled_runs(bool second) {
-    if (second) return {{0, 4}, {4, 3}};
-    return {{0, 4}};
-}
+    template <class T>
+    static CameraMatrix<T> matrix(const T* n) {
+        const auto rotation = quaternion_matrix(std::array{n[0], n[1], n[2], n[3]});
+        CameraMatrix<T> result;
+        for (std::size_t i = 0; i < 3; ++i)
+            result[i] = {rotation[i][0], rotation[i][1], rotation[i][2], n[4 + i]};
+        return result;
+    }
+};
 
-/// Turns as [w]x R at w = 0. Of the second camera, the first coordinate of the translation is kept.
+/// Turns as [w]x R does at w = 0. Of the second camera, the first coordinate of the translation is
+/// kept.
 template <class T>
-MovingCamera<T> placed(const Coordinates& numbers, bool second) {
-    const auto rotation =
-        quaternion_matrix(std::array{T(numbers[0]), T(numbers[1]), T(numbers[2]), T(numbers[3])});
-    MovingCamera<T> camera;
-    for (std::size_t i = 0; i < 3; ++i)
-        camera.matrix[i] = {rotation[i][0], rotation[i][1], rotation[i][2], T(numbers[4 + i])};
+MovingCamera<T> placed(const CameraModel&, const Coordinates& numbers, bool second) {
+    std::array<T, QuaternionAndTranslation::numbers> values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = T(numbers[i]);
+    MovingCamera<T> camera{QuaternionAndTranslation::matrix(values.data()), {}};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
         CameraMatrix<T> turn{};
@@ -63,20 +47,37 @@ MovingCamera<T> placed(const Coordinates& numbers, bool second) {
     return camera;
 }
 
+/// The matrix is quadratic in the quaternion, so t is multiplied by the square of its factor.
+void normalise(Complex* numbers, bool second, Complex& depths) {
+    const Complex scale = 1.0 / numbers[0];
+    for (int i = 0; i < 4; ++i)
+        numbers[i] *= scale;
+    if (second) depths = scale * scale * numbers[4];
+    const Complex scale_of_t = scale * scale / depths;
+    for (int i = 4; i < 7; ++i)
+        numbers[i] *= scale_of_t;
+}
+
+bool is_camera(const Complex* numbers) {
+    return !is_nearly_null(std::span(numbers, 4));
+}
+
+constexpr std::array quaternion{ScaledRun{0, 4}};
+constexpr std::array quaternion_and_translation{ScaledRun{0, 4}, ScaledRun{4, 3}};
+
 } // namespace
 
-const CameraModel calibrated_cameras{.name = "calibrated",
-                                     .prefix = "",
-                                     .numbers = 7,
-                                     .unknowns = 6,
-                                     .motions_of_space = 7,
-                                     .keeps_planes = false,
-                                     .keeps_lines = false,
-                                     .start_of_second = {},
-                                     .over_integers = placed<std::int64_t>,
-                                     .modulo_q = placed<Modular>,
-                                     .scaled_runs = scaled_runs,
-                                     .matrix = matrix<Complex>,
-                                     .derivative = derivative};
+constinit const CameraModel calibrated_cameras =
+    with_map<QuaternionAndTranslation>({.name = "calibrated",
+                                        .prefix = "",
+                                        .unknowns = 6,
+                                        .motions_of_space = 7,
+                                        .scaled = quaternion,
+                                        .scaled_in_second = quaternion_and_translation,
+                                        .normalise = normalise,
+                                        .is_camera = is_camera,
+                                        .tracked = TrackedForm::quaternion,
+                                        .over_integers = placed<std::int64_t>,
+                                        .modulo_q = placed<Modular>});
 
 } // namespace plprove

@@ -1,60 +1,54 @@
 // Projective cameras: any matrix, up to scale and to projective transformations of space.
-#include "prover/cameras/camera_model.h"
+#include "prover/cameras/camera_map.h"
 
 namespace plprove {
 
 namespace {
 
-/// Row by row.
-template <class T>
-CameraMatrix<T> matrix(const T* numbers) {
-    CameraMatrix<T> result;
-    for (std::size_t i = 0; i < 12; ++i)
-        result[i / 4][i % 4] = numbers[i];
-    return result;
-}
-
 using Complex = CameraModel::Complex;
 
-CameraMatrix<Complex> derivative(const Complex*, const Complex* direction) {
-    return matrix(direction);
-}
+/// The matrix, row by row.
+struct Entries {
+    static constexpr int numbers = 12;
 
-/// All numbers; of the second camera, whose first row is fixed, the others.
-std::vector<std::array<int, 2>> scaled_runs(bool second) {
-    if (second) return {{4, 8}};
-    return {{0, 12}};
-}
-
-/// All entries move, but the first five of the second camera and the first of the others.
-template <class T>
-MovingCamera<T> placed(const Coordinates& numbers, bool second) {
-    std::array<T, 12> entries;
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        entries[i] = T(numbers[i]);
-    MovingCamera<T> camera{matrix(entries.data()), {}};
-    for (std::size_t i = second ? 5 : 1; i < 12; ++i) {
-        CameraMatrix<T> entry{};
-        entry[i / 4][i % 4] = T(1);
-        camera.derivative.push_back(entry);
+    template <class T>
+    static CameraMatrix<T> matrix(const T* n) {
+        return {{{n[0], n[1], n[2], n[3]}, {n[4], n[5], n[6], n[7]}, {n[8], n[9], n[10], n[11]}}};
     }
-    return camera;
+};
+
+constexpr std::array<std::int64_t, 4> first_row{0, 0, 0, 1};
+constexpr std::array all_entries{ScaledRun{0, 12}};
+constexpr std::array other_rows{ScaledRun{4, 8}};
+
+/// Depths are multiplied with the second and third row of the second camera, but not its last
+/// column.
+void normalise(Complex* numbers, bool second, Complex& depths) {
+    if (second) {
+        depths = 1.0 / numbers[4];
+        for (const int entry : {4, 5, 6, 8, 9, 10})
+            numbers[entry] *= depths;
+        return;
+    }
+    for (const int last : {3, 7, 11})
+        numbers[last] /= depths;
+    const Complex first = numbers[0];
+    for (int i = 0; i < 12; ++i)
+        numbers[i] /= first;
 }
 
 } // namespace
 
-const CameraModel projective_cameras{.name = "projective",
-                                     .prefix = "projective:",
-                                     .numbers = 12,
-                                     .unknowns = 11,
-                                     .motions_of_space = 15,
-                                     .keeps_planes = true,
-                                     .keeps_lines = true,
-                                     .start_of_second = {0, 0, 0, 1},
-                                     .over_integers = placed<std::int64_t>,
-                                     .modulo_q = placed<Modular>,
-                                     .scaled_runs = scaled_runs,
-                                     .matrix = matrix<Complex>,
-                                     .derivative = derivative};
+constinit const CameraModel projective_cameras =
+    with_map<Entries>({.name = "projective",
+                       .prefix = "projective:",
+                       .unknowns = 11,
+                       .motions_of_space = 15,
+                       .all_matrices = true,
+                       .start_of_second = first_row,
+                       .scaled = all_entries,
+                       .scaled_in_second = other_rows,
+                       .normalise = normalise,
+                       .tracked = TrackedForm::entries});
 
 } // namespace plprove

@@ -68,10 +68,11 @@ Answer solve_and_certify_two_views(const SolveRequest& request, const Solver& so
                                    const ConsistentImages& consistent, const Deliver& deliver,
                                    SolveReport& report) {
     Answer answer = solver.solve(rounded(report.images, consistent), request.options);
-    std::vector<many_views::QuaternionCamera> cameras;
+    std::vector<std::vector<many_views::Complex>> cameras;
     for (const Solution& solution : answer.solutions) {
         const auto& [R, t] = solution.cameras[1];
-        cameras.push_back({quaternion(R), {t[0], t[1], t[2]}});
+        const auto [a, b, c, d] = quaternion(R);
+        cameras.push_back({a, b, c, d, t[0], t[1], t[2]});
     }
     const FivePointImages images = five_point_images(solver.plan(), consistent);
     const many_views::SolutionsRecord record =

@@ -20,18 +20,15 @@ struct CameraWithDerivatives {
 };
 
 /// Affine coordinates of the cameras 2, 3, ...: of each run of numbers that count up to a common
-/// factor (CameraModel::scaled_runs), in an affine space that misses 0. Motions and scalings of
-/// space leave no freedom.
+/// factor, in an affine space that misses 0. Motions and scalings of space leave no freedom.
 class CameraChart {
 public:
     CameraChart(const CameraModel& model, int views, Random& random);
 
-    /// The one of certs/FORMAT.md, section 14: quaternions begin with 1, matrices too, and so does
-    /// t of camera 2, or its second row.
+    /// The one of certs/FORMAT.md, section 14: that of normalised cameras.
     static CameraChart standard(const CameraModel& model, int views);
 
-    /// The numbers that make a camera, a quaternion and t, or the matrix row by row:
-    /// origin + basis · coordinates.
+    /// The numbers that make a camera: origin + basis · coordinates.
     struct Chart {
         Eigen::VectorXcd origin;
         Eigen::MatrixXcd basis;

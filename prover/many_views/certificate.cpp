@@ -24,36 +24,28 @@ bool is_real(const Point& point) {
     return has_near_coordinates(point, Point(point.conjugate()), 2 * small_imaginary_part);
 }
 
+/// Coordinates in the standard chart, where `numbers` make a camera in any other one. What the
+/// scale of space has to do with it, CameraModel::normalise says.
+Eigen::VectorXcd normalised(const CameraModel& model, Eigen::VectorXcd numbers, bool second,
+                            Complex& depths) {
+    model.normalise(numbers.data(), second, depths);
+    const std::vector<int> coordinates = model.coordinates(second);
+    return numbers(coordinates);
+}
+
 /// The same cameras and places in the standard chart.
 Point in_standard_chart(const System& system, const Point& point) {
-    const bool calibrated = system.problem().cameras == &calibrated_cameras;
+    const CameraChart& chart = system.chart();
     Point result(point.size());
-    Complex depth_factor = 1; // of all translations: fixes the scale of space
-    for (std::size_t view = 1; view < static_cast<std::size_t>(system.chart().views()); ++view) {
-        const Index first = system.depths() + system.chart().offset(view);
-        const Index size = system.chart().coordinates(view);
-        Eigen::VectorXcd numbers = system.chart().numbers(view, point.segment(first, size));
-        if (calibrated) {
-            // The matrix is quadratic in the quaternion.
-            const Complex scale = 1.0 / numbers[0];
-            numbers.head<4>() *= scale;
-            if (view == 1) depth_factor = scale * scale * numbers[4];
-            numbers.tail<3>() *= scale * scale / depth_factor;
-            result.segment(first, 3) = numbers.segment(1, 3);
-            result.segment(first + 3, size - 3) = numbers.tail(size - 3);
-        } else if (view == 1) {
-            // The rows but the first are multiplied, and depths with them; not the last column.
-            depth_factor = 1.0 / numbers[4];
-            for (const Index row : {Index{4}, Index{8}})
-                numbers.segment(row, 3) *= depth_factor;
-            result.segment(first, size) = numbers.tail(size);
-        } else {
-            for (const Index last : {Index{3}, Index{7}, Index{11}})
-                numbers[last] /= depth_factor;
-            result.segment(first, size) = numbers.tail(size) / numbers[0];
-        }
+    Complex depths = 1;
+    for (std::size_t view = 1; view < static_cast<std::size_t>(chart.views()); ++view) {
+        const Index first = system.depths() + chart.offset(view);
+        const Index size = chart.coordinates(view);
+        const Point coordinates = point.segment(first, size);
+        result.segment(first, size) = normalised(
+            *system.problem().cameras, chart.numbers(view, coordinates), view == 1, depths);
     }
-    result.head(system.depths()) = point.head(system.depths()) * depth_factor;
+    result.head(system.depths()) = point.head(system.depths()) * depths;
     return result;
 }
 
@@ -111,11 +103,12 @@ Eigen::Vector3cd vector(const Vector<Complex>& x) {
 
 /// The point of the standard chart with this second camera. The depth d of a point is such that
 /// the camera sees it where the second view does: M x + d t = s y.
-Point second_camera_with_depths(const Images<Complex>& images, const QuaternionCamera& camera) {
-    const auto chart = CameraChart::standard(calibrated_cameras, 2);
-    const auto& [q, t] = camera;
-    Eigen::VectorXcd coordinates(5);
-    coordinates << q[1] / q[0], q[2] / q[0], q[3] / q[0], t[1] / t[0], t[2] / t[0];
+Point second_camera_with_depths(const CameraModel& model, const Images<Complex>& images,
+                                const std::vector<Complex>& numbers) {
+    const auto chart = CameraChart::standard(model, 2);
+    Complex unused = 1;
+    const Point coordinates = normalised(
+        model, Eigen::Map<const Point>(numbers.data(), std::ssize(numbers)), true, unused);
     const Camera matrix = chart.camera(1, coordinates).camera;
     const std::size_t count = images[0].points.size();
     Point point(static_cast<Index>(count) + coordinates.size());
@@ -202,7 +195,7 @@ SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t 
         const Care care = way == 0 ? Care::usual : Care::careful;
         for (const auto& end :
              follow_all(found.system, found.images, to, found.points, care, threads))
-            if (end && !found.system.has_null_quaternion(*end))
+            if (end && found.system.has_cameras(*end))
                 arrivals.add(in_standard_chart(found.system, *end));
         in_vain = arrivals.size() > before ? 0 : in_vain + 1;
     }
@@ -210,11 +203,11 @@ SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t 
 }
 
 SolutionsRecord certify(const Problem& points, const IntegerImages& integers, int digits,
-                        std::span<const QuaternionCamera> cameras) {
+                        std::span<const std::vector<Complex>> second_cameras) {
     IntegerSystem system(points, integers, std::pow(10.0, digits));
     Arrivals arrivals(system);
-    for (const QuaternionCamera& camera : cameras)
-        arrivals.add(second_camera_with_depths(system.images(), camera));
+    for (const std::vector<Complex>& numbers : second_cameras)
+        arrivals.add(second_camera_with_depths(*points.cameras, system.images(), numbers));
     return {points, integers, arrivals.written()};
 }
 

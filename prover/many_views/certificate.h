@@ -6,9 +6,9 @@
 #include "prover/many_views/monodromy.h"
 #include "prover/monodromy/starting_values.h"
 
-#include <array>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace plprove::many_views {
 
@@ -27,17 +27,12 @@ struct SolutionsRecord {
 /// and each pair once. The same result for the same seed, whatever the number of threads.
 SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t seed, int threads);
 
-/// A calibrated camera: a quaternion, not of the norm 0, and t of its matrix, times any number.
-struct QuaternionCamera {
-    std::array<Complex, 4> quaternion;
-    std::array<Complex, 3> t;
-};
-
-/// The record that these images of points in two views have these solutions: approximate second
-/// cameras, whose quaternions and t do not begin with 0. The largest coordinates of the image
-/// vectors have `digits` digits. Leaves out what Newton's method does not confirm.
+/// The record that these images of points in two views have these solutions: the numbers of
+/// approximate second cameras, whose scaled runs do not begin with 0 (CameraModel). The largest
+/// coordinates of the image vectors have `digits` digits. Leaves out what Newton's method does not
+/// confirm.
 SolutionsRecord certify(const Problem& points, const IntegerImages& integers, int digits,
-                        std::span<const QuaternionCamera> cameras);
+                        std::span<const std::vector<Complex>> second_cameras);
 
 /// The file of these records. Throws FormatLimit if the format does not allow it.
 std::string write_solutions(std::span<const SolutionsRecord> records);

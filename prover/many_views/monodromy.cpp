@@ -48,7 +48,7 @@ public:
     std::vector<bool> refused(int, const std::vector<Point>& points, bool) const {
         std::vector<bool> result;
         for (const Point& point : points)
-            result.push_back(system_.has_null_quaternion(point));
+            result.push_back(!system_.has_cameras(point));
         return result;
     }
     static std::optional<Point> companion(const Point&) { return std::nullopt; }

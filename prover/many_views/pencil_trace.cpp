@@ -112,7 +112,7 @@ private:
                 found =
                     follow_on(found, [&](const auto& from) { return leg(between, time, from); });
             for (std::optional<Point>& end : found)
-                if (end && system_.has_null_quaternion(*end)) end.reset();
+                if (end && !system_.has_cameras(*end)) end.reset();
             return found;
         });
     }

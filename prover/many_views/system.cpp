@@ -134,17 +134,15 @@ void System::evaluate_row(Index row, const Incidence<Moving>& equation,
             (line * by_coordinate[k] * place).value();
 }
 
-bool System::has_null_quaternion(const Point& point) const {
-    constexpr double small = 1e-8;
-    if (problem_.cameras != &calibrated_cameras) return false;
+bool System::has_cameras(const Point& point) const {
+    const auto is_camera = problem_.cameras->is_camera;
+    if (is_camera == nullptr) return true;
     for (std::size_t view = 1; view < static_cast<std::size_t>(chart_.views()); ++view) {
-        const Eigen::Index first = depths_ + chart_.offset(view);
-        const Eigen::VectorXcd coordinates = point.segment(first, chart_.coordinates(view));
-        const Eigen::Vector4cd quaternion = chart_.numbers(view, coordinates).head<4>();
-        const Complex norm = quaternion.transpose() * quaternion;
-        if (std::abs(norm) < small * quaternion.squaredNorm()) return true;
+        const Index first = depths_ + chart_.offset(view);
+        const Point coordinates = point.segment(first, chart_.coordinates(view));
+        if (!is_camera(chart_.numbers(view, coordinates).data())) return false;
     }
-    return false;
+    return true;
 }
 
 SolvedImages System::random_scene(Random& random) const {

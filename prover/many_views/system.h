@@ -35,9 +35,9 @@ public:
 
     void evaluate(const Images<Moving>& images, const Point& point, Evaluation& result) const;
 
-    /// Whether the norm of a camera's quaternion is zero, nearly: its matrix has rank 1 then, so
-    /// the point solves the equations, but is no camera. Paths jump to such points.
-    bool has_null_quaternion(const Point& point) const;
+    /// Whether the numbers of all views make cameras (CameraModel::is_camera). Paths jump to points
+    /// that solve the equations, but have none.
+    bool has_cameras(const Point& point) const;
 
     /// Images of a random scene in random cameras.
     SolvedImages random_scene(Random& random) const;

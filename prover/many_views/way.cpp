@@ -20,7 +20,8 @@ bool is_zero(const Polynomial& polynomial) {
 
 Way::Way(const System& system, const Images<Complex>& from, const Images<Complex>& to) {
     const Problem& problem = system.problem();
-    way_.calibrated = problem.cameras == &calibrated_cameras;
+    way_.form = problem.cameras->tracked;
+    if (way_.form == TrackedForm::polynomials) add_entries(*problem.cameras);
     way_.depths = static_cast<int>(system.depths());
     way_.unknowns = static_cast<int>(system.unknowns());
     for (std::size_t view = 1; view < from.size(); ++view)
@@ -38,6 +39,31 @@ Way::Way(const System& system, const Images<Complex>& from, const Images<Complex
     way_.camera = cameras_.data();
     way_.places = static_cast<int>(places_.size());
     way_.place = places_.data();
+}
+
+/// The entries of the camera matrix that are not 0, each with its derivatives.
+void Way::add_entries(const CameraModel& model) {
+    std::vector<NumberPolynomial> numbers;
+    for (int k = 0; k < model.numbers; ++k)
+        numbers.push_back(NumberPolynomial::number(k));
+    const auto matrix = model.polynomials(numbers.data());
+    const auto add = [&](int entry, int number, const NumberPolynomial& polynomial) {
+        std::vector<TrackedMonomial>& monomials = monomials_.emplace_back();
+        for (const auto& [factors, coefficient] : polynomials_.emplace_back(polynomial).terms)
+            monomials.push_back({static_cast<double>(coefficient), static_cast<int>(factors.size()),
+                                 factors.data()});
+        if (!monomials.empty())
+            entries_.push_back(
+                {entry, number, static_cast<int>(monomials.size()), monomials.data()});
+    };
+    for (std::size_t i = 0; i < 12; ++i) {
+        const NumberPolynomial& entry = matrix[i / 4][i % 4];
+        add(static_cast<int>(i), -1, entry);
+        for (int k = 0; k < model.numbers; ++k)
+            add(static_cast<int>(i), k, entry.derivative(k));
+    }
+    way_.entries = static_cast<int>(entries_.size());
+    way_.entry = entries_.data();
 }
 
 void Way::add_camera(const System& system, std::size_t view) {

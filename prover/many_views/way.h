@@ -21,16 +21,20 @@ public:
 private:
     using Coefficients = std::vector<std::array<double, 2>>;
 
+    void add_entries(const CameraModel& model);
     void add_camera(const System& system, std::size_t view);
     TrackedPolynomial add(const Polynomial& polynomial);
     int place_of(const Incidence<Polynomial>& equation);
 
     TrackedWay way_;
+    std::vector<TrackedEntry> entries_;
     std::vector<TrackedCamera> cameras_;
     std::vector<TrackedPlace> places_;
     std::vector<std::pair<Vector<Polynomial>, std::vector<Polynomial>>> known_places_;
     // What the plain arrays point to: the elements of a deque stay where they are.
     std::deque<Coefficients> coefficients_;
+    std::deque<NumberPolynomial> polynomials_;
+    std::deque<std::vector<TrackedMonomial>> monomials_;
     std::deque<std::vector<TrackedEquation>> equations_;
     std::deque<std::vector<TrackedBasisEntry>> bases_;
     std::deque<std::vector<int>> unknowns_;

@@ -50,15 +50,15 @@ public:
         // Lines among the generators are worth a search only where all cameras move: there are
         // up to 4,096 choices of moving views.
         const int most_lines = moving == part.views ? 2 : 0;
-        if (cameras.keeps_planes) {
+        if (cameras.all_matrices) {
             CameraMotion plane{MotionKind::plane, 0, moving, seen_by(part, moving), {}};
             consider_with_lines(part, plane, 0, most_lines);
         }
         for (const int centre : part.points) {
             CameraMotion star{MotionKind::star, centre, moving, {}, {}};
-            if (cameras.keeps_lines) star.points = seen_by(part, moving);
+            if (cameras.all_matrices) star.points = seen_by(part, moving);
             std::erase(star.points, centre);
-            consider_with_lines(part, star, 0, cameras.keeps_lines ? most_lines : 0);
+            consider_with_lines(part, star, 0, cameras.all_matrices ? most_lines : 0);
         }
     }
 

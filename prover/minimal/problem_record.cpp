@@ -112,7 +112,7 @@ struct Explain {
         if (motion.kind == MotionKind::plane)
             return "looks the same when cameras move and keep the images of a plane";
         const std::string point = " point " + std::to_string(motion.centre + 1);
-        return !problem.cameras->keeps_lines
+        return !problem.cameras->all_matrices
                    ? "looks the same when cameras slide along their rays to" + point
                    : "looks the same when cameras move and keep the images of all lines through" +
                          point;

@@ -123,7 +123,7 @@ Freedom freedom(const CameraModel& model, const CameraMotion& motion, int rank, 
         if (resting == 0) return {3, 4};
         return {3, resting == 1 ? 1 : 0};
     }
-    const int camera = model.keeps_lines ? 4 - rank : 1;
+    const int camera = model.all_matrices ? 4 - rank : 1;
     return {camera, resting == 0 ? camera : 0};
 }
 
@@ -193,9 +193,9 @@ std::optional<int> motions(const Problem& problem, const Subproblem& part,
                            const CameraMotion& motion) {
     if (motion.kind == MotionKind::none) return 0;
     const CameraModel& cameras = *problem.cameras;
-    if (!cameras.keeps_planes && motion.kind == MotionKind::plane) return std::nullopt;
+    if (!cameras.all_matrices && motion.kind == MotionKind::plane) return std::nullopt;
     const Span span = spanned_by(problem, part, motion);
-    if (span.rank() > (cameras.keeps_lines ? 3 : 0)) return std::nullopt;
+    if (span.rank() > (cameras.all_matrices ? 3 : 0)) return std::nullopt;
     const std::vector<int> costly = costly_lines(problem, part, motion, span);
     if (!keeps_points(problem, part, motion, span, costly)) return std::nullopt;
     const int resting = std::popcount(part.views & ~motion.moving);
@@ -203,7 +203,7 @@ std::optional<int> motions(const Problem& problem, const Subproblem& part,
     int result = free.camera * std::popcount(motion.moving) - free.space;
     for (const int number : costly) {
         const Line& line = problem.lines[static_cast<std::size_t>(number)];
-        const bool pivots = motion.kind == MotionKind::plane || !cameras.keeps_lines ||
+        const bool pivots = motion.kind == MotionKind::plane || !cameras.all_matrices ||
                             span.rank() == 3 || span.meets(line);
         const int views = std::popcount(line.seen & part.views);
         result -= (pivots ? 1 : 2) * std::max(0, views - 2);

@@ -295,7 +295,7 @@ Features parse_features(std::string_view text) {
 }
 
 const CameraModel& cameras_of(std::string_view text) {
-    for (const CameraModel* model : camera_models)
+    for (const CameraModel* model : camera_models())
         if (!model->prefix.empty() && text.starts_with(model->prefix)) return *model;
     return calibrated_cameras;
 }

@@ -62,6 +62,19 @@ inline void evaluate(const TrackedCamera& camera, const Number* point, Number* n
     }
 }
 
+/// An entry of the camera matrix, or a derivative of one.
+inline Number evaluate(const TrackedEntry& entry, const Number* numbers) {
+    Number sum = zero();
+    for (int m = 0; m < entry.size; ++m) {
+        const TrackedMonomial& monomial = entry.monomials[m];
+        Number product{Real::of(monomial.factor), Real::of(0)};
+        for (int i = 0; i < monomial.size; ++i)
+            product = product * numbers[monomial.numbers[i]];
+        sum = sum + product;
+    }
+    return sum;
+}
+
 /// What an equation is of a camera's numbers: its value, the derivatives by these and by the depth,
 /// and, if wanted, the derivative by time.
 struct Terms {
@@ -94,7 +107,7 @@ inline Number dot4(const Number* a, const Number* b) {
 }
 
 template <bool Moving>
-void calibrated_terms(const Number* numbers, const Pair* l, const Place& place, Terms& terms) {
+void quaternion_terms(const Number* numbers, const Pair* l, const Place& place, Terms& terms) {
     const Pair* x = place.x;
     const Number* q = numbers;
     const Number* t = numbers + 4;
@@ -120,7 +133,7 @@ void calibrated_terms(const Number* numbers, const Pair* l, const Place& place, 
 }
 
 template <bool Moving>
-void projective_terms(const Number* numbers, const Pair* l, const Place& place, Terms& terms) {
+void entry_terms(const Number* numbers, const Pair* l, const Place& place, Terms& terms) {
     terms.value = terms.speed = terms.by_depth = zero();
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 4; ++j) {
@@ -136,19 +149,48 @@ void projective_terms(const Number* numbers, const Pair* l, const Place& place, 
         }
 }
 
+/// The cameras of any other kind: from the entries of the matrix and their derivatives.
+template <bool Moving>
+void polynomial_terms(const TrackedWay& way, const Number* entries, const Pair* l,
+                      const Place& place, Terms& terms) {
+    terms.value = terms.speed = terms.by_depth = zero();
+    for (int k = 0; k < most_camera_numbers; ++k)
+        terms.by_number[k] = zero();
+    for (int e = 0; e < way.entries; ++e) {
+        const TrackedEntry& tracked = way.entry[e];
+        const Pair& row = l[tracked.entry / 4];
+        const Pair& column = place.x[tracked.entry % 4];
+        const Number product = row.value * column.value;
+        if (tracked.number >= 0) {
+            Number& slope = terms.by_number[tracked.number];
+            slope = add(slope, product, entries[e]);
+            continue;
+        }
+        terms.value = add(terms.value, product, entries[e]);
+        if (tracked.entry % 4 == 3) terms.by_depth = add(terms.by_depth, row.value, entries[e]);
+        if constexpr (Moving)
+            terms.speed = add(terms.speed, add(row.speed * column.value, row.value, column.speed),
+                              entries[e]);
+    }
+}
+
 /// Sets a row: derivatives by the camera's coordinates, by the depths, the value, and, if wanted,
 /// the derivative by time.
 template <bool Moving>
 void set_row(const TrackedWay& way, const TrackedCamera& camera, const Number* numbers,
-             const TrackedEquation& equation, const Place* places, Real time, Number* row) {
+             const Number* entries, const TrackedEquation& equation, const Place* places, Real time,
+             Number* row) {
     const TrackedPlace& tracked = way.place[equation.place];
     const Pair l[3] = {evaluate(equation.l[0], time), evaluate(equation.l[1], time),
                        evaluate(equation.l[2], time)};
     Terms terms;
-    if (way.calibrated)
-        calibrated_terms<Moving>(numbers, l, places[equation.place], terms);
+    const Place& place = places[equation.place];
+    if (way.form == TrackedForm::quaternion)
+        quaternion_terms<Moving>(numbers, l, place, terms);
+    else if (way.form == TrackedForm::entries)
+        entry_terms<Moving>(numbers, l, place, terms);
     else
-        projective_terms<Moving>(numbers, l, places[equation.place], terms);
+        polynomial_terms<Moving>(way, entries, l, place, terms);
     const int value = camera.coordinates + way.depths;
     for (int k = 0; k < value; ++k)
         row[k] = zero();

@@ -14,7 +14,7 @@ std::size_t workspace_size(const TrackedWay& way) {
     const int points = 10; // three with their speeds, and what a step needs
     const int numbers_of_place = 8;
     return static_cast<std::size_t>(points * way.unknowns + numbers_of_place * way.places +
-                                    rows_size(way) + rows_of_depths);
+                                    way.entries + rows_size(way) + rows_of_depths);
 }
 
 TrackFunction* fastest_tracker() {

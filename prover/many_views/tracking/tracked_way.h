@@ -1,6 +1,7 @@
 // The camera equations of images on a straight way, in plain arrays for the inner loops.
 #pragma once
 
+#include "prover/cameras/tracked_form.h"
 #include "prover/tracking/track_settings.h"
 
 #include <cstddef>
@@ -34,8 +35,21 @@ struct TrackedBasisEntry {
     double factor[2] = {};
 };
 
-/// The numbers of a camera: its quaternion and t, or the entries of its matrix row by row.
-inline constexpr int most_camera_numbers = 12;
+/// A product of numbers that make the camera, with a factor.
+struct TrackedMonomial {
+    double factor = 0;
+    int size = 0;
+    const int* numbers = nullptr;
+};
+
+/// An entry of the camera matrix, counted row by row, or its derivative by a number: a sum of
+/// monomials.
+struct TrackedEntry {
+    int entry = 0;
+    int number = -1; ///< none
+    int size = 0;
+    const TrackedMonomial* monomials = nullptr;
+};
 
 /// A camera in its chart (cameras.h), and the equations of its view.
 struct TrackedCamera {
@@ -50,7 +64,9 @@ struct TrackedCamera {
 
 /// The unknowns are the depths, then the coordinates of the cameras.
 struct TrackedWay {
-    bool calibrated = true;
+    TrackedForm form = TrackedForm::polynomials;
+    int entries = 0; ///< of the form `polynomials`: those of the matrix, and their derivatives
+    const TrackedEntry* entry = nullptr;
     int depths = 0;
     int unknowns = 0;
     int cameras = 0; ///< without that of view 1

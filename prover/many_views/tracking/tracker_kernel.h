@@ -19,7 +19,8 @@ public:
         : way_(way), next_(reinterpret_cast<Number*>(workspace)), step_point_(take(way.unknowns)),
           correction_(take(way.unknowns)), step_speed_(take(way.unknowns)),
           places_(reinterpret_cast<Place*>(take(8 * way.places))), inverse_(take(way.unknowns)),
-          rows_(take(rows_size(way))), depth_rows_(take(way.depths * (way.depths + 2))) {}
+          entries_(take(way.entries)), rows_(take(rows_size(way))),
+          depth_rows_(take(way.depths * (way.depths + 2))) {}
 
     struct History {
         explicit History(EquationsOnWay& system) {
@@ -78,8 +79,11 @@ private:
         for_each_camera([&](const TrackedCamera& camera, const Rows& rows) {
             Number numbers[most_camera_numbers];
             evaluate(camera, step_point_, numbers);
+            for (int e = 0; e < way_.entries; ++e)
+                entries_[e] = evaluate(way_.entry[e], numbers);
             for (int e = 0; e < camera.equations; ++e)
-                set_row<Moving>(way_, camera, numbers, camera.equation[e], places_, time, rows[e]);
+                set_row<Moving>(way_, camera, numbers, entries_, camera.equation[e], places_, time,
+                                rows[e]);
         });
     }
 
@@ -114,7 +118,7 @@ private:
     Number* next_; // of the workspace
     Number *step_point_, *correction_, *step_speed_;
     Place* places_;
-    Number *inverse_, *rows_, *depth_rows_;
+    Number *inverse_, *entries_, *rows_, *depth_rows_;
 };
 
 } // namespace

@@ -1,0 +1,17 @@
+# camera_kinds(PROGRAM SOURCES [FILE...]): sets SOURCES to the sources of the kinds of cameras of PROGRAM, checker or
+# prover: those in its folder cameras/ and the further FILEs, and a list of all. NAME.cpp defines NAME_cameras.
+function(camera_kinds program sources)
+  file(GLOB files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${program}/cameras/*.cpp)
+  list(APPEND files ${ARGN})
+  set(names "")
+  foreach(file ${files})
+    get_filename_component(name ${file} NAME_WE)
+    list(APPEND names ${name}_cameras)
+  endforeach()
+  list(JOIN names ", " KINDS)
+  list(JOIN names ", &" ADDRESSES)
+  set(ADDRESSES "&${ADDRESSES}")
+  set(list ${CMAKE_CURRENT_BINARY_DIR}/${program}_camera_kinds.cpp)
+  configure_file(${CMAKE_SOURCE_DIR}/${program}/cameras/kinds.cpp.in ${list} @ONLY)
+  set(${sources} ${files} ${list} PARENT_SCOPE)
+endfunction()
