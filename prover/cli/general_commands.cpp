@@ -5,6 +5,7 @@
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <vector>
@@ -42,11 +43,11 @@ std::vector<ProblemRecord> certify_all(const std::vector<Problem>& problems) {
 
 } // namespace
 
-Family family_named(const std::string& name) {
-    return name == "plmp" ? Family::plmp : Family::projective;
+const Family& family_named(const std::string& name) {
+    return **std::ranges::find(listed_families, name, &Family::name);
 }
 
-std::vector<ProblemRecord> certify_family(Family family) {
+std::vector<ProblemRecord> certify_family(const Family& family) {
     return certify_all(family_problems(family));
 }
 
@@ -58,7 +59,9 @@ std::vector<ProblemRecord> certify_listed(const std::string& path) {
 }
 
 CLI::Option* add_family_option(CLI::App& app, std::string& family, const std::string& help) {
-    const std::vector<std::string> names(std::begin(family_names), std::end(family_names));
+    std::vector<std::string> names;
+    for (const Family* known : listed_families)
+        names.emplace_back(known->name);
     return app.add_option("--family", family, help)->type_name("NAME")->check(CLI::IsMember(names));
 }
 

@@ -6,14 +6,11 @@
 
 namespace plprove {
 
-/// The names of the families, for options.
-inline constexpr const char* family_names[] = {"plmp", "projective"};
-
-/// The family with this name, which must be one of family_names.
-Family family_named(const std::string& name);
+/// The family with this name, which add_family_option allows.
+const Family& family_named(const std::string& name);
 
 /// Certificates of all problems of the family; shows progress on a terminal.
-std::vector<ProblemRecord> certify_family(Family family);
+std::vector<ProblemRecord> certify_family(const Family& family);
 
 /// Certificates of the problems in a file, or in standard input for the name "-": one a line, as
 /// parse_general_spec and parse_problem read it; empty lines and lines that begin with # mean

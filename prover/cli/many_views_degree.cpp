@@ -100,7 +100,7 @@ int propose_upper_bound(const Problem& problem, const many_views::Powers& powers
                         std::uint64_t seed, const std::string& path, const Deliver& deliver) {
     require_minimal(problem);
     require_complete_visibility(problem);
-    if (problem.cameras == &calibrated_cameras)
+    if (!problem.cameras->all_matrices)
         throw BadInput("--at-most is for projective cameras: write `projective:` in front of the "
                        "problem");
     const auto record = many_views::propose_upper_bound(problem, powers, seed);

@@ -92,7 +92,7 @@ struct CertifyRequest {
 
 std::string certificate_text(const CertifyRequest& request) {
     if (!request.family.empty()) {
-        const Family family = family_named(request.family);
+        const Family& family = family_named(request.family);
         return write(certify_family(family), family);
     }
     if (!request.list.empty()) return write(certify_listed(request.list));
@@ -112,8 +112,10 @@ struct ShowRequest {
 
 void show(const ShowRequest& request, const Deliver& deliver) {
     if (parse_general_spec(request.spec))
-        throw BadInput("problems with shared lines, with more than three views or for projective "
-                       "cameras are not drawn: `plprove problem` says what is known of them");
+        throw BadInput(
+            "problems with shared lines, with more than three views or with cameras that "
+            "are not calibrated are not drawn: `plprove problem` says what is known of "
+            "them");
     const Features problem = parse_spec(request.spec);
     Highlight highlight = Highlight::nothing;
     if (!request.highlight.empty()) {

@@ -43,6 +43,6 @@ ProblemRecord certify(const Problem& problem);
 /// The file with these certificates; as an archive of a family, if one is named. Throws FormatLimit
 /// if the format does not allow it.
 std::string write(std::span<const ProblemRecord> certificates);
-std::string write(std::span<const ProblemRecord> certificates, Family family);
+std::string write(std::span<const ProblemRecord> certificates, const Family& family);
 
 } // namespace plprove

@@ -180,9 +180,9 @@ std::string write(std::span<const ProblemRecord> certificates) {
     return problems_file(certificates, {});
 }
 
-std::string write(std::span<const ProblemRecord> certificates, Family family) {
+std::string write(std::span<const ProblemRecord> certificates, const Family& family) {
     CertificateText text;
-    text.line(family == Family::plmp ? "family plmp" : "family projective");
+    text.line("family", std::string(family.name));
     return problems_file(certificates, std::move(text));
 }
 

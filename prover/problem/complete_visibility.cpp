@@ -9,14 +9,6 @@ namespace plprove {
 
 namespace {
 
-/// The bounds of proofs/families.md, Theorem 1.
-constexpr int most_views_of(Family family) {
-    return family == Family::plmp ? 6 : 9;
-}
-constexpr int most_points_of(Family family) {
-    return family == Family::plmp ? 5 : 8;
-}
-
 Problem problem_of(const Skeleton& any_order, int free_lines, const CameraModel& model, int views) {
     const Skeleton skeleton = in_order_of_lines(any_order);
     const ViewSet all = all_views(views);
@@ -65,15 +57,14 @@ void add_balanced(const Skeleton& skeleton, const CameraModel& model, int views,
 
 } // namespace
 
-std::vector<Problem> family_problems(Family family) {
-    const CameraModel& model = family == Family::plmp ? calibrated_cameras : projective_cameras;
-    const std::vector<std::vector<Skeleton>> by_points = skeletons(most_points_of(family));
+std::vector<Problem> family_problems(const Family& family) {
+    const std::vector<std::vector<Skeleton>> by_points = skeletons(family.most_points);
     std::vector<Problem> problems;
-    for (int views = 2; views <= most_views_of(family); ++views)
+    for (int views = 2; views <= family.most_views; ++views)
         for (const std::vector<Skeleton>& same_size : by_points)
             for (const Skeleton& skeleton : same_size)
                 if (skeleton.points() < 7 || views <= 3)
-                    add_balanced(skeleton, model, views, problems);
+                    add_balanced(skeleton, *family.cameras, views, problems);
     return problems;
 }
 

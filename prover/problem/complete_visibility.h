@@ -10,11 +10,24 @@
 
 namespace plprove {
 
-enum class Family : std::uint8_t { plmp, projective };
+/// All balanced problems for a kind of cameras. That these bounds leave none out is a theorem:
+/// proofs/families.md, Theorem 1.
+struct Family {
+    std::string_view name;
+    const CameraModel* cameras = nullptr;
+    int most_views = 0;
+    int most_points = 0;
+
+    static const Family plmp, projective;
+};
+
+inline constexpr Family Family::plmp{"plmp", &calibrated_cameras, 6, 5};
+inline constexpr Family Family::projective{"projective", &projective_cameras, 9, 8};
+inline constexpr std::array listed_families{&Family::plmp, &Family::projective};
 
 /// The family's problems as certs/FORMAT.md, section 13, defines them: one of each class of
 /// isomorphic problems, by ascending numbers of views, of points, and of lines without points.
-std::vector<Problem> family_problems(Family family);
+std::vector<Problem> family_problems(const Family& family);
 
 /// The numbers in a problem's name: with `alpha`, `3002_1` in PLMP.
 struct PlmpNumbers {

@@ -47,11 +47,12 @@ real 0 2 3 1 2
 
 } // namespace
 
-TEST_CASE("the list of kinds has those of the checker and the new one") {
+TEST_CASE("the list of kinds has those of the checker and the new ones") {
     std::vector<std::string_view> names;
     for (const CameraModel* model : camera_models())
         names.push_back(model->name);
-    CHECK(names == std::vector<std::string_view>{"calibrated", "projective", "translating"});
+    CHECK(names ==
+          std::vector<std::string_view>{"calibrated", "projective", "level", "translating"});
 }
 
 TEST_CASE("problems of a new kind are decided") {

@@ -1,4 +1,4 @@
-// The trace test of 1021_1, the problem in six views (prover/many_views/pencil_trace.h): whether
+// The trace test of 1021_1, the problem in six views (tests/families/pencil_trace.h): whether
 // monodromy has found all solutions. Takes some twenty minutes of two cores.
 //
 // Usage: six_views_trace [SEED] [WAYS] [MOST]
@@ -7,8 +7,8 @@
 // moves. The status is 0 if no path is lost and the sum is linear, a thousand times as exactly as
 // a missing solution would let it.
 #include "prover/many_views/monodromy.h"
-#include "prover/many_views/pencil_trace.h"
 #include "prover/problem/notation.h"
+#include "tests/families/pencil_trace.h"
 
 #include <algorithm>
 #include <cstdlib>

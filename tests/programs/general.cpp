@@ -30,7 +30,7 @@ TEST_CASE("problems in general: verdict, JSON and certificate") {
     CHECK(contains(run(plprove + " problem 'projective: 8*P/P'").out, "verdict     unbalanced"));
     const Outcome drawn = run(plprove + " show 'projective: 7*P/P'");
     CHECK(drawn.status == 2);
-    CHECK(contains(drawn.err, "for projective cameras are not drawn"));
+    CHECK(contains(drawn.err, "with cameras that are not calibrated are not drawn"));
 }
 
 TEST_CASE(

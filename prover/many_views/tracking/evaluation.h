@@ -106,92 +106,102 @@ inline Number dot4(const Number* a, const Number* b) {
     return add(add(add(a[0] * b[0], a[1], b[1]), a[2], b[2]), a[3], b[3]);
 }
 
-template <bool Moving>
-void quaternion_terms(const Number* numbers, const Pair* l, const Place& place, Terms& terms) {
-    const Pair* x = place.x;
-    const Number* q = numbers;
-    const Number* t = numbers + 4;
-    Number products[3][3], half[4];
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            products[i][j] = l[i].value * x[j].value;
-    RotationForm(products).apply(q, half);
-    terms.by_depth = add(add(l[0].value * t[0], l[1].value, t[1]), l[2].value, t[2]);
-    terms.value = add(dot4(half, q), terms.by_depth, x[3].value);
-    for (int j = 0; j < 4; ++j)
-        terms.by_number[j] = twice(half[j]);
-    for (int i = 0; i < 3; ++i)
-        terms.by_number[4 + i] = l[i].value * x[3].value;
-    if constexpr (Moving) {
+/// Cameras whose numbers are a quaternion and a translation.
+struct QuaternionForm {
+    const Number* numbers;
+
+    template <bool Moving>
+    void set(const Pair* l, const Place& place, Terms& terms) const {
+        const Pair* x = place.x;
+        const Number* q = numbers;
+        const Number* t = numbers + 4;
+        Number products[3][3], half[4];
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
-                products[i][j] = add(l[i].speed * x[j].value, l[i].value, x[j].speed);
+                products[i][j] = l[i].value * x[j].value;
         RotationForm(products).apply(q, half);
-        const Number by_depth = add(add(l[0].speed * t[0], l[1].speed, t[1]), l[2].speed, t[2]);
-        terms.speed = add(add(dot4(half, q), by_depth, x[3].value), terms.by_depth, x[3].speed);
+        terms.by_depth = add(add(l[0].value * t[0], l[1].value, t[1]), l[2].value, t[2]);
+        terms.value = add(dot4(half, q), terms.by_depth, x[3].value);
+        for (int j = 0; j < 4; ++j)
+            terms.by_number[j] = twice(half[j]);
+        for (int i = 0; i < 3; ++i)
+            terms.by_number[4 + i] = l[i].value * x[3].value;
+        if constexpr (Moving) {
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j)
+                    products[i][j] = add(l[i].speed * x[j].value, l[i].value, x[j].speed);
+            RotationForm(products).apply(q, half);
+            const Number by_depth = add(add(l[0].speed * t[0], l[1].speed, t[1]), l[2].speed, t[2]);
+            terms.speed = add(add(dot4(half, q), by_depth, x[3].value), terms.by_depth, x[3].speed);
+        }
     }
-}
+};
 
-template <bool Moving>
-void entry_terms(const Number* numbers, const Pair* l, const Place& place, Terms& terms) {
-    terms.value = terms.speed = terms.by_depth = zero();
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 4; ++j) {
-            const Pair& x = place.x[j];
-            const Number entry = numbers[4 * i + j];
-            const Number product = l[i].value * x.value;
-            terms.by_number[4 * i + j] = product;
-            terms.value = add(terms.value, product, entry);
-            if (j == 3) terms.by_depth = add(terms.by_depth, l[i].value, entry);
+/// Cameras whose numbers are the entries of the matrix, row by row.
+struct EntryForm {
+    const Number* numbers;
+
+    template <bool Moving>
+    void set(const Pair* l, const Place& place, Terms& terms) const {
+        terms.value = terms.by_depth = zero();
+        if constexpr (Moving) terms.speed = zero();
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 4; ++j) {
+                const Pair& x = place.x[j];
+                const Number entry = numbers[4 * i + j];
+                const Number product = l[i].value * x.value;
+                terms.by_number[4 * i + j] = product;
+                terms.value = add(terms.value, product, entry);
+                if (j == 3) terms.by_depth = add(terms.by_depth, l[i].value, entry);
+                if constexpr (Moving)
+                    terms.speed =
+                        add(terms.speed, add(l[i].speed * x.value, l[i].value, x.speed), entry);
+            }
+    }
+};
+
+/// Cameras of any kind: from the entries of the matrix, and their derivatives by its numbers.
+struct PolynomialForm {
+    const TrackedWay& way;
+    const Number* entries;
+
+    template <bool Moving>
+    void set(const Pair* l, const Place& place, Terms& terms) const {
+        terms.value = terms.by_depth = zero();
+        if constexpr (Moving) terms.speed = zero();
+        for (Number& slope : terms.by_number)
+            slope = zero();
+        for (int e = 0; e < way.entries; ++e) {
+            const TrackedEntry& tracked = way.entry[e];
+            const Pair& row = l[tracked.entry / 4];
+            const Pair& column = place.x[tracked.entry % 4];
+            const Number product = row.value * column.value;
+            if (tracked.number >= 0) {
+                Number& slope = terms.by_number[tracked.number];
+                slope = add(slope, product, entries[e]);
+                continue;
+            }
+            terms.value = add(terms.value, product, entries[e]);
+            if (tracked.entry % 4 == 3) terms.by_depth = add(terms.by_depth, row.value, entries[e]);
             if constexpr (Moving)
                 terms.speed =
-                    add(terms.speed, add(l[i].speed * x.value, l[i].value, x.speed), entry);
+                    add(terms.speed, add(row.speed * column.value, row.value, column.speed),
+                        entries[e]);
         }
-}
-
-/// The cameras of any other kind: from the entries of the matrix and their derivatives.
-template <bool Moving>
-void polynomial_terms(const TrackedWay& way, const Number* entries, const Pair* l,
-                      const Place& place, Terms& terms) {
-    terms.value = terms.speed = terms.by_depth = zero();
-    for (int k = 0; k < most_camera_numbers; ++k)
-        terms.by_number[k] = zero();
-    for (int e = 0; e < way.entries; ++e) {
-        const TrackedEntry& tracked = way.entry[e];
-        const Pair& row = l[tracked.entry / 4];
-        const Pair& column = place.x[tracked.entry % 4];
-        const Number product = row.value * column.value;
-        if (tracked.number >= 0) {
-            Number& slope = terms.by_number[tracked.number];
-            slope = add(slope, product, entries[e]);
-            continue;
-        }
-        terms.value = add(terms.value, product, entries[e]);
-        if (tracked.entry % 4 == 3) terms.by_depth = add(terms.by_depth, row.value, entries[e]);
-        if constexpr (Moving)
-            terms.speed = add(terms.speed, add(row.speed * column.value, row.value, column.speed),
-                              entries[e]);
     }
-}
+};
 
 /// Sets a row: derivatives by the camera's coordinates, by the depths, the value, and, if wanted,
 /// the derivative by time.
-template <bool Moving>
-void set_row(const TrackedWay& way, const TrackedCamera& camera, const Number* numbers,
-             const Number* entries, const TrackedEquation& equation, const Place* places, Real time,
-             Number* row) {
-    const TrackedPlace& tracked = way.place[equation.place];
+template <bool Moving, class Form>
+void set_row(const TrackedCamera& camera, const Form& form, int depths,
+             const TrackedEquation& equation, const TrackedPlace& tracked, const Place& place,
+             Real time, Number* row) {
     const Pair l[3] = {evaluate(equation.l[0], time), evaluate(equation.l[1], time),
                        evaluate(equation.l[2], time)};
     Terms terms;
-    const Place& place = places[equation.place];
-    if (way.form == TrackedForm::quaternion)
-        quaternion_terms<Moving>(numbers, l, place, terms);
-    else if (way.form == TrackedForm::entries)
-        entry_terms<Moving>(numbers, l, place, terms);
-    else
-        polynomial_terms<Moving>(way, entries, l, place, terms);
-    const int value = camera.coordinates + way.depths;
+    form.template set<Moving>(l, place, terms);
+    const int value = camera.coordinates + depths;
     for (int k = 0; k < value; ++k)
         row[k] = zero();
     for (int i = 0; i < camera.basis_entries; ++i) {
@@ -203,7 +213,10 @@ void set_row(const TrackedWay& way, const TrackedCamera& camera, const Number* n
         row[camera.coordinates + tracked.unknowns[k]] =
             evaluate(tracked.factors[k], time).value * terms.by_depth;
     row[value] = terms.value;
-    row[value + 1] = terms.speed;
+    if constexpr (Moving)
+        row[value + 1] = terms.speed;
+    else
+        row[value + 1] = zero();
 }
 
 } // namespace

@@ -79,12 +79,25 @@ private:
         for_each_camera([&](const TrackedCamera& camera, const Rows& rows) {
             Number numbers[most_camera_numbers];
             evaluate(camera, step_point_, numbers);
-            for (int e = 0; e < way_.entries; ++e)
-                entries_[e] = evaluate(way_.entry[e], numbers);
-            for (int e = 0; e < camera.equations; ++e)
-                set_row<Moving>(way_, camera, numbers, entries_, camera.equation[e], places_, time,
-                                rows[e]);
+            if (way_.form == TrackedForm::quaternion) {
+                set_rows<Moving>(camera, QuaternionForm{numbers}, time, rows);
+            } else if (way_.form == TrackedForm::entries) {
+                set_rows<Moving>(camera, EntryForm{numbers}, time, rows);
+            } else {
+                for (int e = 0; e < way_.entries; ++e)
+                    entries_[e] = evaluate(way_.entry[e], numbers);
+                set_rows<Moving>(camera, PolynomialForm{way_, entries_}, time, rows);
+            }
         });
+    }
+
+    template <bool Moving, class Form>
+    void set_rows(const TrackedCamera& camera, const Form& form, Real time, const Rows& rows) {
+        for (int e = 0; e < camera.equations; ++e) {
+            const TrackedEquation& equation = camera.equation[e];
+            set_row<Moving>(camera, form, way_.depths, equation, way_.place[equation.place],
+                            places_[equation.place], time, rows[e]);
+        }
     }
 
     /// Solves for the correction, and for the speed.

@@ -1,6 +1,6 @@
 // The pencil of the trace test in six views, on some of the solutions. The whole test, on all of
 // them, is tests/families/six_views_trace.cpp.
-#include "prover/many_views/pencil_trace.h"
+#include "tests/families/pencil_trace.h"
 
 #include "prover/many_views/monodromy.h"
 #include "prover/many_views/path.h"

@@ -1,4 +1,4 @@
-#include "prover/many_views/pencil_trace.h"
+#include "tests/families/pencil_trace.h"
 
 #include "prover/many_views/distinct.h"
 #include "prover/many_views/path.h"

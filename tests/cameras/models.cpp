@@ -1,0 +1,105 @@
+// Laws of all kinds of cameras of the prover, and that the path tracker finds the same solutions
+// whichever way it evaluates a camera.
+#include "prover/cameras/camera_model.h"
+#include "prover/many_views/monodromy.h"
+#include "prover/problem/notation.h"
+
+#include <doctest/doctest.h>
+#include <random>
+
+using namespace plprove;
+
+namespace {
+
+using Complex = CameraModel::Complex;
+using Numbers = std::vector<Complex>;
+
+Numbers random_camera(const CameraModel& model, bool second, std::mt19937& engine) {
+    std::uniform_real_distribution<double> real(-1, 1);
+    Numbers numbers;
+    for (int i = 0; i < model.numbers; ++i)
+        numbers.emplace_back(real(engine), real(engine));
+    if (second) std::ranges::copy(model.start_of_second, numbers.begin());
+    return numbers;
+}
+
+/// The distance of two matrices, where the first is multiplied so that one entry agrees.
+double distance_up_to_scale(const CameraMatrix<Complex>& a, const CameraMatrix<Complex>& b) {
+    const Complex scale = b[1][1] / a[1][1];
+    double result = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            result = std::max(result, std::abs(scale * a[i][j] - b[i][j]));
+    return result;
+}
+
+/// The camera that sees as this one does when all depths are divided by `depths`.
+CameraMatrix<Complex> nearer(CameraMatrix<Complex> camera, const Complex& depths) {
+    for (auto& row : camera)
+        row[3] /= depths;
+    return camera;
+}
+
+} // namespace
+
+TEST_CASE("the list of kinds has those of the prover and the new one") {
+    std::vector<std::string_view> names;
+    for (const CameraModel* model : camera_models())
+        names.push_back(model->name);
+    CHECK(names == std::vector<std::string_view>{"calibrated", "projective", "level"});
+}
+
+TEST_CASE("a camera has as many coordinates as unknowns, the second one less by the motions") {
+    for (const CameraModel* model : camera_models()) {
+        CAPTURE(model->name);
+        CHECK(std::ssize(model->coordinates(false)) == model->unknowns);
+        CHECK(std::ssize(model->coordinates(true)) == model->dimension(2));
+    }
+}
+
+TEST_CASE("a normalised camera is the same up to a factor and the scale of space") {
+    std::mt19937 engine(1);
+    for (const CameraModel* model : camera_models()) {
+        CAPTURE(model->name);
+        Complex depths = 0;
+        for (const bool second : {true, false}) {
+            Numbers numbers = random_camera(*model, second, engine);
+            const auto before = model->matrix(numbers.data());
+            model->normalise(numbers.data(), second, depths);
+            CHECK(distance_up_to_scale(model->matrix(numbers.data()), nearer(before, depths)) <
+                  1e-9);
+            for (const ScaledRun& run : model->scaled_runs(second))
+                CHECK(std::abs(numbers[static_cast<std::size_t>(run.first)] - 1.0) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("numbers of no camera are told") {
+    for (const CameraModel* model : camera_models()) {
+        if (model->is_camera == nullptr) continue;
+        CAPTURE(model->name);
+        std::mt19937 engine(2);
+        Numbers numbers = random_camera(*model, false, engine);
+        CHECK(model->is_camera(numbers.data()));
+        std::fill(numbers.begin(), numbers.begin() + model->scaled[0].count, Complex(0));
+        numbers[0] = 1;
+        numbers[1] = Complex(0, 1); // 1 + i i = 0
+        CHECK(!model->is_camera(numbers.data()));
+    }
+}
+
+TEST_CASE("monodromy finds the same with the polynomials of the matrix as in a faster way") {
+    for (const auto& [text, solutions] :
+         {std::pair("5*P/P", 20), std::pair("P/P/P + Pabcde/Pabcde/Pabcde", 64),
+          std::pair("projective: 7*P/P", 3)}) {
+        CAPTURE(text);
+        Problem problem = parse_problem(text);
+        CameraModel slower = *problem.cameras;
+        CHECK(slower.tracked != TrackedForm::polynomials);
+        slower.tracked = TrackedForm::polynomials;
+        problem.cameras = &slower;
+        many_views::MonodromySettings settings;
+        settings.edges = settings.edges_of_few = 5;
+        CHECK(many_views::run_monodromy(problem, 1, settings).solutions == solutions);
+    }
+}
