@@ -1,17 +1,21 @@
-# camera_kinds(PROGRAM SOURCES [FILE...]): sets SOURCES to the sources of the kinds of cameras of PROGRAM, checker or
-# prover: those in its folder cameras/ and the further FILEs, and a list of all. NAME.cpp defines NAME_cameras.
+# camera_kinds(PROGRAM SOURCES [FILE...]): the kinds of cameras of PROGRAM, checker or prover, are the files in its
+# folder cameras/; NAME.cpp defines NAME_cameras. Sets SOURCES to these and a list of them; or, for a program that is
+# linked with PROGRAM and has further kinds, to the FILEs of these and a list of all.
 function(camera_kinds program sources)
-  file(GLOB files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${program}/cameras/*.cpp)
-  list(APPEND files ${ARGN})
+  set(folder ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../${program}/cameras)
+  file(GLOB own CONFIGURE_DEPENDS ${folder}/*.cpp)
   set(names "")
-  foreach(file ${files})
+  foreach(file ${own} ${ARGN})
     get_filename_component(name ${file} NAME_WE)
     list(APPEND names ${name}_cameras)
   endforeach()
   list(JOIN names ", " KINDS)
   list(JOIN names ", &" ADDRESSES)
-  set(ADDRESSES "&${ADDRESSES}")
   set(list ${CMAKE_CURRENT_BINARY_DIR}/${program}_camera_kinds.cpp)
-  configure_file(${CMAKE_SOURCE_DIR}/${program}/cameras/kinds.cpp.in ${list} @ONLY)
-  set(${sources} ${files} ${list} PARENT_SCOPE)
+  configure_file(${folder}/kinds.cpp.in ${list} @ONLY)
+  if(ARGC GREATER 2)
+    set(${sources} ${ARGN} ${list} PARENT_SCOPE)
+  else()
+    set(${sources} ${own} ${list} PARENT_SCOPE)
+  endif()
 endfunction()

@@ -8,6 +8,7 @@
 #include "prover/cameras/tracked_form.h"
 #include "prover/geometry/modular.h"
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <span>
