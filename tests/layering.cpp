@@ -93,7 +93,8 @@ std::string folder_of(const fs::path& path) {
 }
 
 bool is_source(const fs::path& path) {
-    return path.extension() == ".cpp" || path.extension() == ".h";
+    const std::string ending = path.extension().string();
+    return ending == ".cpp" || ending == ".h" || ending == ".in";
 }
 
 std::size_t lines_in(const fs::path& file) {
