@@ -31,9 +31,10 @@ static FileContent replay_certificates(const Classification& classes, std::strin
     if (kind == "problems") return replay_problems(reader, execution);
     if (kind == "solutions") return replay_solutions(reader, execution);
     if (kind == "at-most") return replay_at_most(reader, execution);
+    if (kind == "model") return replay_model(reader, execution);
     throw Malformed{
         {1, say("found `", printable(kind, 40), "`, expected `classification`, ",
-                "`problem`, `problems`, `solutions`, `at-most`, `degrees` or `bounds`")}};
+                "`problem`, `problems`, `solutions`, `at-most`, `degrees`, `bounds` or `model`")}};
 }
 
 static FileContent replay_content(const Classification& classes, std::string_view bytes,

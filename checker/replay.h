@@ -8,6 +8,7 @@
 #include "checker/general_degrees/solutions_file.h"
 #include "checker/minimal/classification_file.h"
 #include "checker/minimal/problem_file.h"
+#include "checker/model/model_file.h"
 
 #include <variant>
 
@@ -19,7 +20,7 @@ struct Unreadable {
 
 /// What a file proves. Malformed: it does not conform to FORMAT.md, and proves nothing.
 using FileContent = std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile,
-                                 ProblemsFile, SolutionsFile, AtMostFile, Unreadable>;
+                                 ProblemsFile, SolutionsFile, AtMostFile, ModelFile, Unreadable>;
 
 struct ReplayedFile {
     std::string name{};   // printable

@@ -1,6 +1,9 @@
 #include "checker/command/expected.h"
 
+#include "checker/model/program.h"
 #include "checker/problem/notation.h"
+
+#include <fstream>
 
 namespace checker {
 std::optional<std::size_t> parse_number(std::string_view digits) {
@@ -69,6 +72,21 @@ static Expectation family_of(const ExpectedWords& words) {
     return WholeFamily{std::string(*words.family)};
 }
 
+/// What is expected of the model in a file.
+static Expectation model_of(const ExpectedWords& words) {
+    const std::string file(*words.problem);
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream)
+        throw WrongUsage{
+            say("--expect ", printable(file, 200), ": the file of the model cannot be read")};
+    if (words.verdict && *words.verdict != "minimal")
+        throw WrongUsage{"of a model one can expect --verdict minimal, or --degree N"};
+    ExpectedModel expected{.file = printable(file, 4096), .text = lines_of_model(text)};
+    if (words.degree) expected.degree = parse_degree(*words.degree);
+    return expected;
+}
+
 Expectation expectation_of(const ExpectedWords& words) {
     if (words.family) return family_of(words);
     if (words.classification) {
@@ -84,6 +102,7 @@ Expectation expectation_of(const ExpectedWords& words) {
     }
     if (!words.verdict && !words.degree)
         throw WrongUsage{"say what to expect of the problem: add --verdict minimal, or --degree N"};
+    if (words.problem->ends_with(".model")) return model_of(words);
     ExpectedProblem expected = parse_expected(*words.problem);
     if (words.verdict) expected.verdict = checked_verdict(*words.verdict);
     if (words.degree) expected.degree = parse_degree(*words.degree);

@@ -1,21 +1,23 @@
 #include "checker/conclusion/expectation.h"
 
 namespace checker {
-static std::string in_words(const ExpectedDegree& degree) {
-    return say("has ", degree.exactly ? "exactly " : "at least ", degree.solutions,
-               " camera solutions");
+static std::string in_words(const ExpectedDegree& degree, std::string_view solutions) {
+    return say("has ", degree.exactly ? "exactly " : "at least ", degree.solutions, ' ', solutions);
 }
 
 std::string in_words(const ExpectedProblem& expected) {
     std::string text = expected.notation;
     if (!expected.verdict.empty()) text += " is " + expected.verdict;
     if (!expected.verdict.empty() && expected.degree) text += ", and";
-    if (expected.degree) text += ' ' + in_words(*expected.degree);
+    if (expected.degree) text += ' ' + in_words(*expected.degree, "camera solutions");
     return text;
 }
 
 std::string in_words(const Expectation& expectation) {
     if (const auto* problem = std::get_if<ExpectedProblem>(&expectation)) return in_words(*problem);
+    if (const auto* model = std::get_if<ExpectedModel>(&expectation))
+        return model->degree ? say(model->file, ' ', in_words(*model->degree, "solutions"))
+                             : say(model->file, " is minimal");
     if (const auto* family = std::get_if<WholeFamily>(&expectation))
         return "the family " + family->name;
     const bool whole = std::holds_alternative<WholeClassification>(expectation);

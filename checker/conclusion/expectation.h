@@ -27,8 +27,16 @@ struct WholeFamily {
     std::string name{}; // `plmp` or `projective`
 };
 
+/// That a model is minimal, and perhaps its degree.
+struct ExpectedModel {
+    std::string file{}; // printable
+    std::string text{}; // its lines as certificates have them
+    std::optional<ExpectedDegree> degree{};
+};
+
 /// What is expected; nothing in particular by default.
-using Expectation = std::variant<std::monostate, ExpectedProblem, WholeClassification, WholeFamily>;
+using Expectation =
+    std::variant<std::monostate, ExpectedProblem, WholeClassification, WholeFamily, ExpectedModel>;
 
 /// The verdicts that one can expect. All but `not-minimal` are those of FORMAT.md, section 7; a
 /// minimal problem is camera-minimal, too. `not-minimal` is any verdict but `minimal`.

@@ -1,6 +1,7 @@
 #include "checker/conclusion/findings.h"
 
 #include "checker/conclusion/in_general.h"
+#include "checker/conclusion/models.h"
 
 namespace checker {
 const Refusals& refusals_of(const ReplayedFile& file) {
@@ -32,6 +33,7 @@ struct HasRecords {
     bool operator()(const SolutionsFile& file) const { return !file.counts.empty(); }
     bool operator()(const ProblemsFile& file) const { return !file.verdicts.empty(); }
     bool operator()(const AtMostFile& file) const { return !file.bounds.empty(); }
+    bool operator()(const ModelFile& file) const { return file.records > 0; }
     template <class Other> bool operator()(const Other&) const { return true; }
 };
 
@@ -63,6 +65,8 @@ Findings find(const Classification& classes, std::vector<ReplayedFile> files) {
     Findings findings{.files = std::move(files)};
     findings.objections.resize(findings.files.size());
     object_to_empty_files(findings);
+    for (const auto& [file, reason] : contradictions_of_models(findings.files))
+        findings.objections[file].push_back("bounds contradict each other: " + reason);
     findings.verdicts = verdicts_of(classes, findings);
     return findings;
 }

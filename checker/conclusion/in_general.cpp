@@ -19,12 +19,10 @@ template <class Kind> static std::vector<const ReplayedFile*> files_of(const Fin
     return files;
 }
 
-std::optional<ProvedInGeneral> prove_in_general(const Findings& findings,
-                                                const Problem& problem) {
+std::optional<ProvedInGeneral> prove_in_general(const Findings& findings, const Problem& problem) {
     ByProblem<std::optional<ProvedInGeneral>> proved;
     for (const ReplayedFile* file : files_of<ProblemsFile>(findings))
-        for (const ProblemVerdict& verdict :
-             std::get<ProblemsFile>(file->content).verdicts) {
+        for (const ProblemVerdict& verdict : std::get<ProblemsFile>(file->content).verdicts) {
             std::optional<ProvedInGeneral>& first = proved[verdict.problem];
             if (!first) first = ProvedInGeneral{verdict.minimal, file->name};
         }
@@ -88,8 +86,7 @@ static std::optional<BoundedInGeneral> least_bound(const ByProblem<BoundedInGene
     return least;
 }
 
-std::optional<BoundedInGeneral> bound_in_general(const Findings& findings,
-                                                 const Problem& problem) {
+std::optional<BoundedInGeneral> bound_in_general(const Findings& findings, const Problem& problem) {
     return least_bound(bounds_in_general(findings), problem);
 }
 

@@ -31,6 +31,9 @@ public:
     /// Whether this is the next word.
     bool comes(std::string_view word) const { return rest_.substr(0, rest_.find(' ')) == word; }
 
+    /// Whether the next word begins with a digit.
+    bool comes_digit() const { return !rest_.empty() && rest_[0] >= '0' && rest_[0] <= '9'; }
+
     /// Takes the next word; empty if the line has none.
     std::string_view word() {
         const std::string_view next = cut(rest_);

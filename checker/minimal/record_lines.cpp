@@ -1,8 +1,7 @@
 #include "checker/minimal/record_lines.h"
 
 namespace checker {
-/// Takes a minor and the end of its line.
-static Residue read_minor(Reader& reader) {
+Residue read_minor(Reader& reader) {
     const Residue minor{static_cast<std::uint64_t>(reader.integer(1, modulus - 1))};
     reader.end_line();
     return minor;

@@ -8,6 +8,9 @@ namespace checker {
 /// Takes strictly ascending numbers, up to the word `columns` or the end of the line.
 Numbers read_ascending(Reader& reader, int largest);
 
+/// Takes a minor, which is not 0, and the end of its line.
+Residue read_minor(Reader& reader);
+
 /// Takes what follows the pool of a record of section 5. Throws Malformed.
 MinorClaim read_minor_in_pool(Reader& reader, bool full_rank);
 

@@ -82,6 +82,15 @@ static std::string in_words(const AtMostFile& file) {
     return text + in_words(file.bounds);
 }
 
+static std::string in_words(const ModelFile& file) {
+    std::string text = held(file.records, "record", file.refusals.count);
+    if (file.at_least > 0) text += say(": at least ", counted(file.at_least, "solution"));
+    if (file.at_most)
+        text += say(file.at_least > 0 ? ", at most " : ": at most ",
+                    counted(*file.at_most, "solution"));
+    return say("model ", file.name, ": ", text);
+}
+
 std::string finding(const ReplayedFile& file) {
     const auto what = [](const auto& content) { return in_words(content); };
     return say(file.name, ": ", std::visit(what, file.content), '\n');

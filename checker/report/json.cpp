@@ -112,6 +112,13 @@ static std::string members(const AtMostFile& file) {
     return ", \"upper_bounds\": " + array_of(items);
 }
 
+static std::string members(const ModelFile& file) {
+    return say(", \"model\": ", json_string(file.name),
+               ", \"claimed\": ", file.claimed == 0 ? "null" : say(file.claimed),
+               ", \"certified_at_least\": ", file.at_least,
+               ", \"certified_at_most\": ", file.at_most ? say(*file.at_most) : "null");
+}
+
 static std::string item(const ReplayedFile& file, const std::vector<std::string>& objections) {
     const auto own = [](const auto& content) { return members(content); };
     return say("{\"file\": ", json_string(file.name), ", \"kind\": ", json_string(kind_of(file)),

@@ -2,13 +2,14 @@
 
 #include "checker/conclusion/in_general.h"
 #include "checker/conclusion/known_degree.h"
+#include "checker/conclusion/models.h"
 #include "checker/problem/notation.h"
 
 namespace checker {
 std::string_view kind_of(const ReplayedFile& file) {
-    constexpr std::array<std::string_view, 9> kinds{"",          "classification", "problem",
-                                                    "degrees",   "bounds",         "problems",
-                                                    "solutions", "at-most",        ""};
+    constexpr std::array<std::string_view, 10> kinds{
+        "",         "classification", "problem", "degrees", "bounds",
+        "problems", "solutions",      "at-most", "model",   ""};
     static_assert(kinds.size() == std::variant_size_v<FileContent>);
     return kinds[file.content.index()];
 }
@@ -152,6 +153,10 @@ static std::string statement_of(const Report& report, const Proofs& proofs) {
         say("the exact degrees of ", report.exact.size(), " label classes"));
     const std::size_t types = report.findings.registrations.size();
     add(types, "1 template", say(types, " templates"));
+    const auto models = models_of(report.findings);
+    if (!models.empty())
+        add(models.size(), in_words(models.begin()->second),
+            say("what ", models.size(), " models have of solutions"));
     std::string text;
     for (const std::string& part : parts)
         text += (text.empty() ? "" : "; ") + part;
@@ -172,6 +177,8 @@ static std::string_view argument_for(const ReplayedFile& file) {
         return "each record has a minor that is not 0, or conditions on images: proofs/families.md";
     if (std::holds_alternative<SolutionsFile>(file.content))
         return "each solution has a box of its own that holds one zero: proofs/families.md";
+    if (std::holds_alternative<ModelFile>(file.content))
+        return "solutions modulo q that lift, and multiples that leave a basis: proofs/models.md";
     return "forms that vanish at all solutions leave few dimensions: proofs/fixed_forms.md";
 }
 
@@ -231,6 +238,8 @@ Report summarize(const Classification& classes, std::vector<ReplayedFile> files,
         report.judgement = judge(classes, findings, *problem);
     } else if (const auto* family = std::get_if<WholeFamily>(&expectation)) {
         report.judgement = judge(findings, *family);
+    } else if (const auto* model = std::get_if<ExpectedModel>(&expectation)) {
+        report.judgement = judge(findings, *model);
     } else if (std::holds_alternative<WholeClassification>(expectation)) {
         report.judgement = judge(classes, findings, WholeClassification{});
     } else {

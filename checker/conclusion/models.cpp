@@ -1,0 +1,80 @@
+#include "checker/conclusion/models.h"
+
+namespace checker {
+static void add(ProvedModel& model, const ModelFile& file, const std::string& name) {
+    model.name = file.name;
+    model.claimed = file.claimed;
+    model.at_least = std::max(model.at_least, file.at_least);
+    if (file.at_most)
+        model.at_most = std::min(model.at_most.value_or(*file.at_most), *file.at_most);
+    if (std::ranges::find(model.files, name) == model.files.end()) model.files.push_back(name);
+}
+
+std::map<std::string, ProvedModel> models_of(const Findings& findings) {
+    std::map<std::string, ProvedModel> models;
+    for (std::size_t i = 0; i < findings.files.size(); ++i)
+        if (const auto* file = std::get_if<ModelFile>(&findings.files[i].content))
+            if (findings.counts(i)) add(models[file->text], *file, findings.files[i].name);
+    return models;
+}
+
+Contradictions contradictions_of_models(const std::vector<ReplayedFile>& files) {
+    std::map<std::string, ProvedModel> models;
+    for (const ReplayedFile& file : files)
+        if (const auto* content = std::get_if<ModelFile>(&file.content))
+            add(models[content->text], *content, file.name);
+    Contradictions found;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const auto* content = std::get_if<ModelFile>(&files[i].content);
+        if (!content) continue;
+        const ProvedModel& model = models[content->text];
+        if (model.at_most && *model.at_most < model.at_least)
+            found.emplace(i, say("the model ", model.name, " has at least ", model.at_least,
+                                 " solutions, and at most ", *model.at_most));
+    }
+    return found;
+}
+
+std::string in_words(const ProvedModel& model) {
+    const auto solutions = [](std::size_t n) {
+        return say(n, n == 1 ? " solution" : " solutions");
+    };
+    if (model.exact()) return say(model.name, " has exactly ", solutions(model.at_least));
+    if (!model.minimal()) return say(model.name, " has at most ", solutions(*model.at_most));
+    std::string text = say(model.name, " is minimal, with at least ", solutions(model.at_least));
+    return model.at_most ? say(text, " and at most ", *model.at_most) : text;
+}
+
+/// What the files miss of what is expected; empty if nothing.
+static std::string missing(const ProvedModel& model, const ExpectedModel& expected) {
+    if (!model.minimal()) return "no fibre holds, so it is not proved minimal";
+    if (!expected.degree) return {};
+    const auto& [exactly, solutions] = *expected.degree;
+    if (model.at_least < solutions)
+        return say("a fibre proves at least ", model.at_least, " solutions only");
+    if (!exactly) return {};
+    if (!model.at_most) return "no elimination bounds its solutions from above";
+    if (*model.at_most > solutions)
+        return say("eliminations prove at most ", *model.at_most, " solutions only");
+    return model.exact() && model.at_least == solutions
+               ? ""
+               : say("it has at least ", model.at_least, " solutions");
+}
+
+Judgement judge(const Findings& findings, const ExpectedModel& expected) {
+    Judgement judgement{.statement = in_words(Expectation{expected})};
+    const auto models = models_of(findings);
+    const auto found = models.find(expected.text);
+    if (found == models.end()) {
+        judgement.statement += say(": no file is about this model; add what plprove model ",
+                                   expected.file, " -o FILE writes");
+        return judgement;
+    }
+    const std::string gap = missing(found->second, expected);
+    judgement.verified = gap.empty();
+    judgement.files = found->second.files;
+    if (!gap.empty()) judgement.statement += ": " + gap;
+    judgement.why.push_back(in_words(found->second) + ": proofs/models.md");
+    return judgement;
+}
+} // namespace checker

@@ -1,0 +1,29 @@
+// What the files of a run prove of models (FORMAT.md, section 16).
+#pragma once
+
+#include "checker/conclusion/judgement.h"
+
+namespace checker {
+/// What all files of a model prove together.
+struct ProvedModel {
+    std::string name{};
+    std::size_t claimed = 0; // by its source; 0 if nothing is claimed
+    std::size_t at_least = 0;
+    std::optional<std::size_t> at_most{};
+    std::vector<std::string> files{};
+
+    bool minimal() const { return at_least > 0; }
+    bool exact() const { return minimal() && at_most == at_least; }
+};
+
+/// Of each model that a file which counts is about, by its text.
+std::map<std::string, ProvedModel> models_of(const Findings& findings);
+
+/// Files of a model whose bounds contradict each other.
+Contradictions contradictions_of_models(const std::vector<ReplayedFile>& files);
+
+/// The model as a statement: `p3p has exactly 8 solutions`.
+std::string in_words(const ProvedModel& model);
+
+Judgement judge(const Findings& findings, const ExpectedModel& expected);
+} // namespace checker

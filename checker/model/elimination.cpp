@@ -1,0 +1,236 @@
+#include "checker/model/elimination.h"
+
+#include "checker/minimal/record_lines.h"
+
+#include <set>
+
+namespace checker {
+using Residues = SparsePolynomials<Residue>;
+using Rationals = SparsePolynomials<mpq_class>;
+
+static constexpr std::size_t most_columns = 4000;
+
+/// Takes integers from 1 to 999,999 that ascend, at least one, up to the end of the line.
+static Numbers read_ascending(Reader& reader) {
+    Numbers numbers;
+    do
+        numbers.push_back(reader.small_integer(numbers.empty() ? 1 : numbers.back() + 1, 999'999));
+    while (!reader.at_end());
+    reader.end_line();
+    return numbers;
+}
+
+static bool is_known(const Declared& declared, std::string_view name) {
+    return std::ranges::any_of(declared.names, [&](const auto& own) { return own.first == name; });
+}
+
+/// Takes the groups: different names of unknowns, and of `let` statements outside of loops.
+static std::vector<Elimination::Group> read_groups(Reader& reader, const Layout& layout) {
+    std::vector<Elimination::Group> groups;
+    std::set<std::string> names;
+    while (groups.empty() || reader.comes("degree")) {
+        reader.take("degree");
+        Elimination::Group group{.degree = reader.small_integer(1, 20)};
+        reader.take("in");
+        do {
+            group.names.emplace_back(reader.word());
+            const std::string& name = group.names.back();
+            if (!layout.values.contains(name) || is_known(layout.data, name) ||
+                !names.insert(name).second)
+                reader.fail(name, "another unknown, or name of a `let` statement");
+        } while (!reader.at_end());
+        reader.end_line();
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+Elimination read_elimination(Reader& reader, const Layout& layout) {
+    Elimination result;
+    reader.take("elimination $ data");
+    result.data = read_residues(reader, layout.data.scalars);
+    reader.end_line();
+    result.groups = read_groups(reader, layout);
+    reader.take("basis");
+    result.basis = read_ascending(reader);
+    int last = 0; // equation
+    while (result.rows.empty() || reader.comes("rows")) {
+        reader.take("rows");
+        last = reader.small_integer(last + 1, 999'999);
+        result.rows.push_back({static_cast<std::size_t>(last) - 1, read_ascending(reader)});
+    }
+    reader.take("minor");
+    result.minor = read_minor(reader);
+    return result;
+}
+
+/// Throws Refused if a relation of the model is no identity.
+static void require_relations(const Program& program, const Layout& layout,
+                              const Residues::Spend& spend) {
+    if (layout.relations == 0) return;
+    Rationals ring(1, spend);
+    Given<Rationals> given;
+    std::size_t next = 0;
+    for (const Declared* declared : {&layout.data, &layout.unknowns})
+        for (const auto& [name, size] : declared->names)
+            for (std::size_t i = 0; i < size; ++i)
+                given[name].push_back(ring.variable(next++, 0));
+    const Outcome<Rationals> outcome = Machine<Rationals>(ring, given).run(program);
+    for (std::size_t i = 0; i < outcome.relations.size(); ++i)
+        if (!outcome.relations[i].terms.empty())
+            throw Refused("relation ", i + 1, " does not hold for all data and unknowns");
+}
+
+/// The values of names: data, variables, and unknowns that are none.
+static Given<Residues> values_for(const Residues& ring, const Layout& layout,
+                                  const Elimination& elimination) {
+    Given<Residues> given;
+    std::size_t next = 0;
+    for (const auto& [name, size] : layout.data.names)
+        for (std::size_t i = 0; i < size; ++i)
+            given[name].push_back(ring.value(elimination.data[next++]));
+    for (const auto& [name, size] : layout.unknowns.names)
+        given[name].assign(size, ring.foreign());
+    next = 0;
+    for (std::size_t g = 0; g < elimination.groups.size(); ++g)
+        for (const std::string& name : elimination.groups[g].names) {
+            given[name].clear();
+            for (std::size_t i = 0; i < layout.values.at(name); ++i)
+                given[name].push_back(ring.variable(next++, g));
+        }
+    return given;
+}
+
+/// Throws Refused if the variables do not determine what counts.
+static void require_determined(const Layout& layout, const Elimination& elimination,
+                               const Outcome<Residues>& outcome) {
+    bool determined = true;
+    for (const Fraction<Residues::Element>& scalar : outcome.counted) {
+        determined &= !scalar.numerator.is_foreign;
+        for (const auto& [divisor, power] : scalar.denominator)
+            determined &= !outcome.divisors[divisor].is_foreign;
+    }
+    for (const auto& [name, size] : layout.unknowns.names) {
+        const auto has = [&](const auto& group) {
+            return std::ranges::count(group.names, name) > 0;
+        };
+        determined &= layout.counted > 0 || std::ranges::any_of(elimination.groups, has);
+    }
+    if (!determined) throw Refused("what counts is not given by the variables");
+}
+
+/// All monomials within the degrees of the groups, in ascending lexicographic order; and how large
+/// their degrees are.
+struct Columns {
+    std::vector<Powers> monomials{};
+    std::vector<std::vector<int>> degrees{};
+};
+
+static Columns columns_of(const Layout& layout, const Elimination& elimination) {
+    Columns columns{{{}}, {std::vector<int>(elimination.groups.size())}};
+    std::size_t variable = 0;
+    for (std::size_t g = 0; g < elimination.groups.size(); ++g) {
+        std::size_t size = 0;
+        for (const std::string& name : elimination.groups[g].names)
+            size += layout.values.at(name);
+        for (const std::size_t end = variable + size; variable < end; ++variable) {
+            Columns longer;
+            for (std::size_t i = 0; i < columns.monomials.size(); ++i)
+                for (int power = 0; columns.degrees[i][g] + power <= elimination.groups[g].degree;
+                     ++power) {
+                    longer.monomials.push_back(columns.monomials[i]);
+                    longer.monomials.back().push_back(static_cast<std::uint8_t>(power));
+                    longer.degrees.push_back(columns.degrees[i]);
+                    longer.degrees.back()[g] += power;
+                    if (longer.monomials.size() > most_columns)
+                        throw Refused("there are more than ", most_columns, " columns");
+                }
+            columns = std::move(longer);
+        }
+    }
+    return columns;
+}
+
+static Powers trimmed(Powers powers) {
+    while (!powers.empty() && powers.back() == 0)
+        powers.pop_back();
+    return powers;
+}
+
+/// Throws Refused if the degrees, and one more, are not within those of the groups.
+static void require_within(const std::vector<int>& degrees, int more,
+                           const Elimination& elimination, std::string_view what) {
+    for (std::size_t g = 0; g < degrees.size(); ++g)
+        if (degrees[g] + more > elimination.groups[g].degree)
+            throw Refused(what, " has a larger degree than that of group ", g + 1);
+}
+
+/// The number of a monomial from 1, as an index.
+static std::size_t place_in(const Columns& columns, int number) {
+    if (static_cast<std::size_t>(number) > columns.monomials.size())
+        throw Refused("there is no monomial ", number);
+    return static_cast<std::size_t>(number) - 1;
+}
+
+/// The columns that are not in the basis, by their monomials, numbered in their order.
+static std::map<Powers, std::size_t> columns_beside_basis(const Columns& columns,
+                                                          const Elimination& elimination) {
+    std::vector<bool> in_basis(columns.monomials.size());
+    for (const int number : elimination.basis) {
+        const std::size_t place = place_in(columns, number);
+        require_within(columns.degrees[place], 1, elimination, "a monomial of the basis");
+        in_basis[place] = true;
+    }
+    std::map<Powers, std::size_t> numbers;
+    for (std::size_t i = 0; i < columns.monomials.size(); ++i)
+        if (!in_basis[i]) numbers.emplace(trimmed(columns.monomials[i]), numbers.size());
+    return numbers;
+}
+
+/// The equations, and those of relations after them.
+static std::vector<Residues::Element> equations_of(Outcome<Residues>& outcome) {
+    std::vector<Residues::Element> all = std::move(outcome.equations);
+    std::ranges::move(outcome.relations, std::back_inserter(all));
+    return all;
+}
+
+std::size_t check_elimination(const Program& program, const Layout& layout,
+                              const Elimination& elimination, const Residues::Spend& spend) {
+    require_relations(program, layout, spend);
+    Residues ring(elimination.groups.size(), spend);
+    const Given<Residues> given = values_for(ring, layout, elimination);
+    Outcome<Residues> outcome = Machine<Residues>(ring, given).run(program);
+    require_determined(layout, elimination, outcome);
+    const std::vector<Residues::Element> equations = equations_of(outcome);
+    const Columns columns = columns_of(layout, elimination);
+    const auto numbers = columns_beside_basis(columns, elimination);
+    const std::uint64_t size = numbers.size();
+    spend(size * size * size / 3);
+    SquareMatrix matrix(numbers.size());
+    std::size_t row = 0;
+    for (const auto& [equation, monomials] : elimination.rows) {
+        if (equation >= equations.size()) throw Refused("there is no equation ", equation + 1);
+        const Residues::Element& own = equations[equation];
+        if (own.is_foreign)
+            throw Refused("equation ", equation + 1, " has an unknown that is no variable");
+        for (const int number : monomials) {
+            const std::size_t place = place_in(columns, number);
+            std::vector<int> degrees = columns.degrees[place];
+            for (std::size_t g = 0; own.degrees && g < degrees.size(); ++g)
+                degrees[g] += (*own.degrees)[g];
+            require_within(degrees, 0, elimination, say("a multiple of equation ", equation + 1));
+            if (row == numbers.size()) throw Refused("there are more rows than columns");
+            for (const auto& [powers, coefficient] : own.terms) {
+                const Powers shifted = trimmed(product_of(powers, columns.monomials[place]));
+                if (const auto column = numbers.find(shifted); column != numbers.end())
+                    matrix[row][column->second] = coefficient;
+            }
+            ++row;
+        }
+    }
+    if (row < numbers.size()) throw Refused("there are fewer rows than columns");
+    if (determinant(std::move(matrix)) != elimination.minor)
+        throw Refused("the determinant is not the minor");
+    return elimination.basis.size();
+}
+} // namespace checker

@@ -1,0 +1,165 @@
+#include "checker/model/fibre.h"
+
+namespace checker {
+std::vector<Residue> read_residues(Reader& reader, std::size_t count) {
+    std::vector<Residue> residues;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto value = reader.integer(0, static_cast<std::int64_t>(modulus) - 1);
+        residues.push_back({static_cast<std::uint64_t>(value)});
+    }
+    return residues;
+}
+
+static std::vector<Residue> read_line(Reader& reader, std::string_view word, std::size_t count) {
+    reader.take(word);
+    std::vector<Residue> residues = read_residues(reader, count);
+    reader.end_line();
+    return residues;
+}
+
+static Numbers read_numbers(Reader& reader, std::size_t count) {
+    Numbers numbers;
+    for (std::size_t i = 0; i < count; ++i)
+        numbers.push_back(reader.small_integer(-999'999, 999'999));
+    return numbers;
+}
+
+Fibre read_fibre(Reader& reader, const Layout& layout) {
+    Fibre fibre;
+    reader.take("fibre");
+    const auto degree = static_cast<std::size_t>(reader.integer(1, 10'000));
+    reader.end_line();
+    fibre.data = read_line(reader, "data", layout.data.scalars);
+    fibre.lower = read_line(reader, "polynomial", degree);
+    for (std::size_t i = 0; i < layout.unknowns.scalars; ++i)
+        fibre.unknowns.push_back(read_line(reader, "unknown", degree));
+    reader.take("separated by");
+    fibre.separated_by = read_numbers(reader, layout.unknowns.scalars);
+    reader.end_line();
+    fibre.distinct = degree;
+    if (layout.counted > 0) {
+        reader.take("distinct");
+        fibre.distinct = static_cast<std::size_t>(reader.integer(1, static_cast<int>(degree)));
+        reader.take("by");
+        fibre.distinct_by = read_numbers(reader, layout.counted);
+        reader.end_line();
+    }
+    return fibre;
+}
+
+std::uint64_t effort_of(const Layout& layout, const Fibre& fibre) {
+    const std::uint64_t unknowns = layout.unknowns.scalars, degree = fibre.lower.size();
+    const std::uint64_t products = layout.multiplications * (2 * unknowns + 1) +
+                                   unknowns * unknowns * unknowns +
+                                   (layout.counted > 0 ? degree + layout.counted : 0);
+    return 1 + products * degree * degree / 100'000;
+}
+
+static Polynomial derivative(const Polynomial& g) {
+    Polynomial result;
+    for (std::size_t i = 1; i < g.size(); ++i)
+        result.push_back(Residue::of(i) * g[i]);
+    return result;
+}
+
+static Polynomial combination_of(const Extension& extension, const Numbers& numbers,
+                                 const std::vector<Polynomial>& values) {
+    Polynomial sum = extension.constant({});
+    for (std::size_t i = 0; i < values.size(); ++i)
+        sum =
+            sum_of(std::move(sum),
+                   extension.multiply(extension.constant(in_ring<Residue>(numbers[i])), values[i]));
+    return sum;
+}
+
+/// The variable t modulo g.
+static Polynomial variable(const Extension& extension) {
+    Polynomial t = extension.constant({});
+    if (t.size() == 1) return {-extension.modulus_polynomial()[0]};
+    t[1] = {1};
+    return t;
+}
+
+/// The powers 1, x, x^2, ..., `count` of them, are linearly independent.
+static bool powers_are_independent(const Extension& extension, const Polynomial& x,
+                                   std::size_t count) {
+    std::vector<std::pair<std::size_t, Polynomial>> echelon; // its pivots, and rows
+    Polynomial power = extension.constant({1});
+    for (std::size_t k = 0; k < count; ++k) {
+        Polynomial row = power;
+        for (const auto& [pivot, other] : echelon) {
+            const Residue factor = row[pivot];
+            for (std::size_t i = 0; i < row.size() && factor != Residue{}; ++i)
+                row[i] = row[i] - factor * other[i];
+        }
+        const auto found = std::ranges::find_if(row, [](Residue c) { return c != Residue{}; });
+        if (found == row.end()) return false;
+        const Residue scale = found->inverse();
+        const auto pivot = static_cast<std::size_t>(found - row.begin());
+        for (Residue& coefficient : row)
+            coefficient = coefficient * scale;
+        echelon.emplace_back(pivot, std::move(row));
+        power = extension.multiply(power, x);
+    }
+    return true;
+}
+
+static Given<DualExtension> values_at(const DualExtension& ring, const Extension& extension,
+                                      const Layout& layout, const Fibre& fibre) {
+    Given<DualExtension> given;
+    std::size_t next = 0;
+    for (const auto& [name, size] : layout.data.names)
+        for (std::size_t i = 0; i < size; ++i)
+            given[name].push_back({extension.constant(fibre.data[next++]), {}});
+    next = 0;
+    for (const auto& [name, size] : layout.unknowns.names)
+        for (std::size_t i = 0; i < size; ++i, ++next)
+            given[name].push_back(ring.unknown(fibre.unknowns[next], next));
+    return given;
+}
+
+static void require_distinct(const Extension& extension, const Outcome<DualExtension>& outcome,
+                             const Fibre& fibre) {
+    std::vector<Polynomial> values;
+    for (const Fraction<DualExtension::Element>& scalar : outcome.counted) {
+        Polynomial value = scalar.numerator.value;
+        for (const auto& [divisor, power] : scalar.denominator)
+            for (int i = 0; i < power; ++i)
+                value =
+                    extension.multiply(value, *extension.inverse(outcome.divisors[divisor].value));
+        values.push_back(std::move(value));
+    }
+    const Polynomial tau = combination_of(extension, fibre.distinct_by, values);
+    if (!powers_are_independent(extension, tau, fibre.distinct))
+        throw Refused("the values that count are not proved to be ", fibre.distinct,
+                      " different ones");
+}
+
+std::size_t check_fibre(const Program& program, const Layout& layout, const Fibre& fibre) {
+    const std::size_t unknowns = layout.unknowns.scalars;
+    if (layout.equations != unknowns)
+        throw Refused("the model has ", layout.equations, " equations for ", unknowns,
+                      " unknowns: a fibre needs as many");
+    const Extension extension(fibre.lower);
+    const Polynomial g = extension.modulus_polynomial();
+    if (common_divisor(g, derivative(g)).size() != 1)
+        throw Refused("the polynomial has a multiple root");
+    if (combination_of(extension, fibre.separated_by, fibre.unknowns) != variable(extension))
+        throw Refused("the sum of `separated by` is not t");
+    DualExtension ring(extension);
+    const Given<DualExtension> given = values_at(ring, extension, layout, fibre);
+    const Outcome<DualExtension> outcome = Machine<DualExtension>(ring, given).run(program);
+    std::vector<std::vector<Polynomial>> jacobian;
+    for (std::size_t i = 0; i < unknowns; ++i) {
+        if (!is_zero(outcome.equations[i].value)) throw Refused("equation ", i + 1, " is not 0");
+        jacobian.push_back(outcome.equations[i].change);
+        jacobian.back().resize(unknowns, extension.constant({}));
+    }
+    for (std::size_t i = 0; i < outcome.conditions.size(); ++i)
+        if (!extension.inverse(outcome.conditions[i].value))
+            throw Refused("condition ", i + 1, " has a common factor with g");
+    if (!is_regular(extension, std::move(jacobian))) throw Refused("the Jacobian has no inverse");
+    if (layout.counted > 0) require_distinct(extension, outcome, fibre);
+    return fibre.distinct;
+}
+} // namespace checker

@@ -1,0 +1,229 @@
+// Files of models (FORMAT.md, section 16): what they prove, and what is refused for which reason if
+// anything is altered in them.
+#include "checker/model/model_file.h"
+#include "checker/conclusion/models.h"
+#include "checker/model/program.h"
+#include "tests/support/text.h"
+
+#include <doctest/doctest.h>
+
+using namespace checker;
+
+namespace {
+
+/// The square roots of a number: two.
+const std::string roots = R"(model square_root
+claimed 2
+data a
+unknown x
+equation x ^ 2 = a
+modulus 2305843009213693951
+fibre 2
+data 2
+polynomial 2305843009213693949 0
+unknown 0 1
+separated by 1
+elimination
+data 2
+degree 2 in x
+basis 1 2
+rows 1 1
+minor 1
+)";
+
+/// The same; what counts is the square of the root: one value. In s = x x it is s = a.
+const std::string squares = R"(model square
+data a
+unknown x
+let s = x * x
+equation s = a
+count s
+modulus 2305843009213693951
+fibre 2
+data 2
+polynomial 2305843009213693949 0
+unknown 0 1
+separated by 1
+distinct 1 by 1
+elimination
+data 2
+degree 1 in s
+basis 1
+rows 1 1
+minor 1
+)";
+
+/// Where a circle meets a line, with fractions, a loop, arrays and a relation: two points. The
+/// variables are u = (x, y), of degree 2; `relation` is never needed, but true.
+const std::string circle = R"(model circle
+data c : vector 2 , r , m
+unknown x , y
+let u = [ x , y ] / 1
+let zero = norm2 ( u ) - x ^ 2 - y ^ 2
+relation zero = 0
+for i in 1 .. 1
+equation norm2 ( u - c ) = r / 2
+end
+equation y / m = x [ 1 + 0 ]
+modulus 2305843009213693951
+)";
+
+ModelFile outcome(const std::string& text, std::uint64_t effort = usual_effort) {
+    Reader reader(text);
+    return replay_model(reader, {.effort = effort});
+}
+
+/// The first refusal, or what is malformed, after the number of its line.
+std::string fault(const std::string& text) {
+    try {
+        const ModelFile file = outcome(text);
+        REQUIRE(file.refusals.count > 0);
+        return say(file.refusals.first[0].line, ": ", file.refusals.first[0].reason);
+    } catch (const Malformed& malformed) {
+        return say(malformed.complaint.line, ": ", malformed.complaint.reason);
+    }
+}
+
+std::string brackets(int count, const std::string& bracket) {
+    std::string all;
+    for (int i = 0; i < count; ++i)
+        all += bracket;
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("a fibre bounds from below, an elimination from above") {
+    const ModelFile file = outcome(roots);
+    CHECK(file.name == "square_root");
+    CHECK(file.claimed == 2);
+    CHECK(file.at_least == 2);
+    CHECK(file.at_most == 2);
+    CHECK(file.records == 2);
+    CHECK(file.refusals.count == 0);
+    const ModelFile counted = outcome(squares);
+    CHECK(counted.at_least == 1);
+    CHECK(counted.at_most == 1);
+}
+
+TEST_CASE("what is altered in a fibre is refused, for its reason") {
+    const auto altered = [](const std::string& old, const std::string& by) {
+        return fault(with(roots, old, by));
+    };
+    CHECK(altered("unknown 0 1", "unknown 1 1") ==
+          "7: a fibre: the sum of `separated by` is not t");
+    CHECK(altered("\ndata 2", "\ndata 3") == "7: a fibre: equation 1 is not 0");
+    CHECK(altered("polynomial 2305843009213693949 0", "polynomial 0 0") ==
+          "7: a fibre: the polynomial has a multiple root");
+    CHECK(altered("polynomial 2305843009213693949 0", "polynomial 0 1") ==
+          "7: a fibre: equation 1 is not 0");
+    CHECK(altered("equation x ^ 2 = a\n", "equation x ^ 2 = a\nnonzero x - 1 , x * 0\n") ==
+          "8: a fibre: condition 2 has a common factor with g");
+    CHECK(altered("equation x ^ 2 = a", "equation ( x ^ 2 - a ) ^ 2 = 0") ==
+          "7: a fibre: the Jacobian has no inverse");
+    CHECK(altered("equation x ^ 2 = a\n", "equation x ^ 2 = a\nequation 0 = 0\n") ==
+          "8: a fibre: the model has 2 equations for 1 unknowns: a fibre needs as many");
+    CHECK(altered("equation x ^ 2 = a", "equation x ^ 2 = a / ( 1 - 1 )") ==
+          "7: a fibre: the model divides by the constant 0");
+    CHECK(fault(with(squares, "distinct 1 by 1", "distinct 2 by 1")) ==
+          "8: a fibre: the values that count are not proved to be 2 different ones");
+    CHECK(altered("polynomial 2305843009213693949", "polynomial 2305843009213693951") ==
+          "9: found `2305843009213693951`, expected an integer from 0 to 2305843009213693950");
+    CHECK(altered("unknown 0 1\n", "unknown 0\n") ==
+          "10: found nothing, expected an integer from 0 to 2305843009213693950");
+}
+
+TEST_CASE("what is altered in an elimination is refused, for its reason") {
+    const auto altered = [](const std::string& old, const std::string& by) {
+        return fault(with(roots, old, by));
+    };
+    const std::string start = "12: an elimination: ";
+    CHECK(altered("minor 1", "minor 2") == start + "the determinant is not the minor");
+    CHECK(altered("basis 1 2", "basis 1 3") ==
+          start + "a monomial of the basis has a larger degree than that of group 1");
+    CHECK(altered("basis 1 2", "basis 1 4") == start + "there is no monomial 4");
+    CHECK(altered("basis 1 2", "basis 1") == start + "there are fewer rows than columns");
+    CHECK(altered("rows 1 1", "rows 1 2") ==
+          start + "a multiple of equation 1 has a larger degree than that of group 1");
+    CHECK(altered("rows 1 1", "rows 2 1") == start + "there is no equation 2");
+    CHECK(altered("degree 2 in x\nbasis 1 2\nrows 1 1", "degree 3 in x\nbasis 1 2 3\nrows 1 1 2") ==
+          start + "there are more rows than columns");
+    CHECK(altered("degree 2 in x", "degree 2 in a") ==
+          "14: found `a`, expected another unknown, or name of a `let` statement");
+    // Degrees bound those for all data: what cancels counts.
+    CHECK(altered("equation x ^ 2 = a", "equation x ^ 2 + x ^ 3 - x ^ 3 = a") ==
+          start + "a multiple of equation 1 has a larger degree than that of group 1");
+    CHECK(fault(with(squares, "count s", "count s , x")) ==
+          "12: found nothing, expected an integer from -999999 to 999999");
+    CHECK(fault(with(with(squares, "count s", "count x"), "distinct 1", "distinct 2")) ==
+          "14: an elimination: what counts is not given by the variables");
+    CHECK(fault(with(squares, "count s", "relation s = x\ncount s")) ==
+          "15: an elimination: relation 1 does not hold for all data and unknowns");
+    CHECK(fault(with(squares, "equation s = a", "equation s + 0 * x = a")) ==
+          "14: an elimination: equation 1 has an unknown that is no variable");
+}
+
+TEST_CASE("a model that makes no sense is malformed, and the line is said") {
+    const auto model = [](const std::string& old, const std::string& by) {
+        return fault(with(circle, old, by));
+    };
+    CHECK(model("x [ 1 + 0 ]", "x [ 1 + 0 ]") == "10: a scalar has no items");
+    CHECK(model("y / m", "z / m") == "10: `z` has no meaning here");
+    CHECK(model("let zero", "let u") == "5: `u` has a meaning already");
+    CHECK(model("let zero", "let det") == "5: found `det`, expected a name");
+    CHECK(model("norm2 ( u ) - x ^ 2", "norm2 ( u , u ) - x ^ 2") ==
+          "5: there is no function `norm2` of 2 values");
+    CHECK(model("( u - c )", "( u - r )") == "8: sums need equal shapes");
+    CHECK(model("r / 2", "r / c") == "8: a divisor is a scalar");
+    CHECK(
+        model("= r / 2", "= u * u") ==
+        "8: a product needs a scalar, or a matrix and what it fits: use dot or cross for vectors");
+    CHECK(model("for i in 1 .. 1", "for i in 1 .. j") == "7: `j` is the name of no loop");
+    CHECK(model("for i in 1 .. 1", "for i in 1 .. 200000") ==
+          "8: more than 100,000 statements to execute");
+    CHECK(model("unknown x , y", "unknown x , y , w") == "10: a scalar has no items");
+    CHECK(model("c : vector 2", "c : vector 101") ==
+          "2: found `101`, expected an integer from 1 to 100");
+    CHECK(model("y / m = x [ 1 + 0 ]", "y / m = x )") ==
+          "10: found `)`, expected the end of the line");
+    CHECK(model("end\n", "") == "10: found `modulus`, expected `end`");
+    const std::string deep = "let d = " + brackets(200, "( ") + "1" + brackets(200, " )") + "\n";
+    CHECK(model("let zero", deep + "let zero") ==
+          "5: found `more`, expected at most 100 brackets in each other");
+    const std::string fine = with(circle, "x [ 1 + 0 ]", "x");
+    CHECK(fault(with(fine, "unknown x , y", "unknown x , y , w")) ==
+          "10: the model has 2 equations for 3 unknowns: it needs one for each");
+}
+
+TEST_CASE("files take an effort, and no more than they are given") {
+    CHECK(outcome(roots, 2).refusals.count == 0);
+    const ModelFile file = outcome(roots, 1);
+    REQUIRE(file.refusals.count == 1);
+    CHECK(file.refusals.first[0].reason.find("more effort than allowed") != std::string::npos);
+    CHECK(file.at_least == 0);
+}
+
+TEST_CASE("the text of a model has the same lines however it is written") {
+    const std::string text = "# comment\n\nmodel square_root # more\n claimed 2\ndata a\n"
+                             "unknown x\nequation ( x\n )^2=a";
+    CHECK(lines_of_model(text) ==
+          "model square_root\nclaimed 2\ndata a\nunknown x\nequation ( x ) ^ 2 = a\n");
+    CHECK(lines_of_model("let a=b[1..2]") == "let a = b [ 1 .. 2 ]\n");
+    CHECK(outcome(roots).text == lines_of_model(roots.substr(0, roots.find("modulus"))));
+}
+
+TEST_CASE("files of one model add up, and may not contradict each other") {
+    const auto replayed = [](const std::string& text) {
+        return ReplayedFile{.name = "file", .content = outcome(text)};
+    };
+    const std::string fibre = roots.substr(0, roots.find("elimination"));
+    const std::string elimination = with(
+        roots, roots.substr(roots.find("fibre"), roots.find("elimination") - roots.find("fibre")),
+        "");
+    CHECK(contradictions_of_models({replayed(fibre), replayed(elimination)}).empty());
+    ReplayedFile wrong = replayed(elimination);
+    std::get<ModelFile>(wrong.content).at_most = 1;
+    const auto found = contradictions_of_models({replayed(fibre), wrong});
+    CHECK(found.size() == 2);
+    CHECK(found.at(0) == "the model square_root has at least 2 solutions, and at most 1");
+}
