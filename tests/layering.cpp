@@ -27,6 +27,7 @@ const Folders minimal_tier{"file", "algebra", "cameras", "problem", "minimal"};
 /// all claims, and replay.h, which is in no folder.
 const std::map<std::string, Folders> other_claims{
     {"effort", {}},
+    {"model", {"effort"}},
     {"degrees", {"effort"}},
     {"bounds", {"effort", "degrees"}},
     {"counts", {}},
@@ -36,7 +37,7 @@ const std::map<std::string, Folders> other_claims{
     {"general_bounds", {"effort", "family", "general_degrees"}},
     {"conclusion",
      {"degrees", "bounds", "counts", "exactly", "family", "general_degrees", "general_bounds",
-      ""}}};
+      "model", ""}}};
 
 /// The folders of prover/, from the bottom to the top.
 const Folders layers{"system",    "format",       "geometry",  "cameras",     "problem",
