@@ -2,8 +2,6 @@
 
 #include "checker/minimal/record_lines.h"
 
-#include <set>
-
 namespace checker {
 using Residues = SparsePolynomials<Residue>;
 using Rationals = SparsePolynomials<mpq_class>;
@@ -24,25 +22,48 @@ static bool is_known(const Declared& declared, std::string_view name) {
     return std::ranges::any_of(declared.names, [&](const auto& own) { return own.first == name; });
 }
 
-/// Takes the groups: different names of unknowns, and of `let` statements outside of loops.
+static bool has(const Elimination::Group& group, const std::string& name) {
+    return std::ranges::count(group.names, name) > 0;
+}
+
+/// Takes the groups: of names of unknowns, and of `let` statements outside of loops.
 static std::vector<Elimination::Group> read_groups(Reader& reader, const Layout& layout) {
     std::vector<Elimination::Group> groups;
-    std::set<std::string> names;
     while (groups.empty() || reader.comes("degree")) {
         reader.take("degree");
         Elimination::Group group{.degree = reader.small_integer(1, 20)};
         reader.take("in");
         do {
-            group.names.emplace_back(reader.word());
-            const std::string& name = group.names.back();
-            if (!layout.values.contains(name) || is_known(layout.data, name) ||
-                !names.insert(name).second)
+            const std::string name(reader.word());
+            if (!layout.values.contains(name) || is_known(layout.data, name) || has(group, name))
                 reader.fail(name, "another unknown, or name of a `let` statement");
+            group.names.push_back(name);
         } while (!reader.at_end());
         reader.end_line();
         groups.push_back(std::move(group));
     }
     return groups;
+}
+
+/// The variables of an elimination: those of the names, as these come first.
+struct Variables {
+    std::vector<std::string> names{};
+    std::vector<std::vector<int>> degrees{}; // of each variable, by groups
+};
+
+static Variables variables_of(const Layout& layout, const Elimination& elimination) {
+    Variables variables;
+    for (const Elimination::Group& group : elimination.groups)
+        for (const std::string& name : group.names) {
+            if (std::ranges::count(variables.names, name) > 0) continue;
+            variables.names.push_back(name);
+            std::vector<int> degrees;
+            for (const Elimination::Group& other : elimination.groups)
+                degrees.push_back(has(other, name));
+            for (std::size_t i = 0; i < layout.values.at(name); ++i)
+                variables.degrees.push_back(degrees);
+        }
+    return variables;
 }
 
 Elimination read_elimination(Reader& reader, const Layout& layout) {
@@ -74,7 +95,7 @@ static void require_relations(const Program& program, const Layout& layout,
     for (const Declared* declared : {&layout.data, &layout.unknowns})
         for (const auto& [name, size] : declared->names)
             for (std::size_t i = 0; i < size; ++i)
-                given[name].push_back(ring.variable(next++, 0));
+                given[name].push_back(ring.variable(next++, {1}));
     const Outcome<Rationals> outcome = Machine<Rationals>(ring, given).run(program);
     for (std::size_t i = 0; i < outcome.relations.size(); ++i)
         if (!outcome.relations[i].terms.empty())
@@ -83,7 +104,7 @@ static void require_relations(const Program& program, const Layout& layout,
 
 /// The values of names: data, variables, and unknowns that are none.
 static Given<Residues> values_for(const Residues& ring, const Layout& layout,
-                                  const Elimination& elimination) {
+                                  const Elimination& elimination, const Variables& variables) {
     Given<Residues> given;
     std::size_t next = 0;
     for (const auto& [name, size] : layout.data.names)
@@ -92,17 +113,16 @@ static Given<Residues> values_for(const Residues& ring, const Layout& layout,
     for (const auto& [name, size] : layout.unknowns.names)
         given[name].assign(size, ring.foreign());
     next = 0;
-    for (std::size_t g = 0; g < elimination.groups.size(); ++g)
-        for (const std::string& name : elimination.groups[g].names) {
-            given[name].clear();
-            for (std::size_t i = 0; i < layout.values.at(name); ++i)
-                given[name].push_back(ring.variable(next++, g));
-        }
+    for (const std::string& name : variables.names) {
+        given[name].clear();
+        for (std::size_t i = 0; i < layout.values.at(name); ++i, ++next)
+            given[name].push_back(ring.variable(next, variables.degrees[next]));
+    }
     return given;
 }
 
 /// Throws Refused if the variables do not determine what counts.
-static void require_determined(const Layout& layout, const Elimination& elimination,
+static void require_determined(const Layout& layout, const Variables& variables,
                                const Outcome<Residues>& outcome) {
     bool determined = true;
     for (const Fraction<Residues::Element>& scalar : outcome.counted) {
@@ -110,12 +130,8 @@ static void require_determined(const Layout& layout, const Elimination& eliminat
         for (const auto& [divisor, power] : scalar.denominator)
             determined &= !outcome.divisors[divisor].is_foreign;
     }
-    for (const auto& [name, size] : layout.unknowns.names) {
-        const auto has = [&](const auto& group) {
-            return std::ranges::count(group.names, name) > 0;
-        };
-        determined &= layout.counted > 0 || std::ranges::any_of(elimination.groups, has);
-    }
+    for (const auto& [name, size] : layout.unknowns.names)
+        determined &= layout.counted > 0 || std::ranges::count(variables.names, name) > 0;
     if (!determined) throw Refused("what counts is not given by the variables");
 }
 
@@ -126,27 +142,35 @@ struct Columns {
     std::vector<std::vector<int>> degrees{};
 };
 
-static Columns columns_of(const Layout& layout, const Elimination& elimination) {
+/// Whether degrees are at most those of the groups.
+static bool is_within(const std::vector<int>& degrees, const Elimination& elimination) {
+    for (std::size_t g = 0; g < degrees.size(); ++g)
+        if (degrees[g] > elimination.groups[g].degree) return false;
+    return true;
+}
+
+static std::vector<int> sum_of(std::vector<int> a, const std::vector<int>& b) {
+    for (std::size_t g = 0; g < a.size(); ++g)
+        a[g] += b[g];
+    return a;
+}
+
+static Columns columns_of(const Elimination& elimination, const Variables& variables) {
     Columns columns{{{}}, {std::vector<int>(elimination.groups.size())}};
-    std::size_t variable = 0;
-    for (std::size_t g = 0; g < elimination.groups.size(); ++g) {
-        std::size_t size = 0;
-        for (const std::string& name : elimination.groups[g].names)
-            size += layout.values.at(name);
-        for (const std::size_t end = variable + size; variable < end; ++variable) {
-            Columns longer;
-            for (std::size_t i = 0; i < columns.monomials.size(); ++i)
-                for (int power = 0; columns.degrees[i][g] + power <= elimination.groups[g].degree;
-                     ++power) {
-                    longer.monomials.push_back(columns.monomials[i]);
-                    longer.monomials.back().push_back(static_cast<std::uint8_t>(power));
-                    longer.degrees.push_back(columns.degrees[i]);
-                    longer.degrees.back()[g] += power;
-                    if (longer.monomials.size() > most_columns)
-                        throw Refused("there are more than ", most_columns, " columns");
-                }
-            columns = std::move(longer);
+    for (const std::vector<int>& own : variables.degrees) {
+        Columns longer;
+        for (std::size_t i = 0; i < columns.monomials.size(); ++i) {
+            std::vector<int> degrees = columns.degrees[i];
+            for (std::uint8_t power = 0; is_within(degrees, elimination); ++power) {
+                longer.monomials.push_back(columns.monomials[i]);
+                longer.monomials.back().push_back(power);
+                longer.degrees.push_back(degrees);
+                if (longer.monomials.size() > most_columns)
+                    throw Refused("there are more than ", most_columns, " columns");
+                degrees = sum_of(std::move(degrees), own);
+            }
         }
+        columns = std::move(longer);
     }
     return columns;
 }
@@ -157,12 +181,11 @@ static Powers trimmed(Powers powers) {
     return powers;
 }
 
-/// Throws Refused if the degrees, and one more, are not within those of the groups.
-static void require_within(const std::vector<int>& degrees, int more,
-                           const Elimination& elimination, std::string_view what) {
-    for (std::size_t g = 0; g < degrees.size(); ++g)
-        if (degrees[g] + more > elimination.groups[g].degree)
-            throw Refused(what, " has a larger degree than that of group ", g + 1);
+/// Throws Refused if the degrees are not within those of the groups.
+static void require_within(const std::vector<int>& degrees, const Elimination& elimination,
+                           std::string_view what) {
+    if (!is_within(degrees, elimination))
+        throw Refused(what, " has a larger degree than that of a group");
 }
 
 /// The number of a monomial from 1, as an index.
@@ -178,7 +201,8 @@ static std::map<Powers, std::size_t> columns_beside_basis(const Columns& columns
     std::vector<bool> in_basis(columns.monomials.size());
     for (const int number : elimination.basis) {
         const std::size_t place = place_in(columns, number);
-        require_within(columns.degrees[place], 1, elimination, "a monomial of the basis");
+        const std::vector<int> one(elimination.groups.size(), 1);
+        require_within(sum_of(columns.degrees[place], one), elimination, "a monomial of the basis");
         in_basis[place] = true;
     }
     std::map<Powers, std::size_t> numbers;
@@ -198,11 +222,12 @@ std::size_t check_elimination(const Program& program, const Layout& layout,
                               const Elimination& elimination, const Residues::Spend& spend) {
     require_relations(program, layout, spend);
     Residues ring(elimination.groups.size(), spend);
-    const Given<Residues> given = values_for(ring, layout, elimination);
+    const Variables variables = variables_of(layout, elimination);
+    const Given<Residues> given = values_for(ring, layout, elimination, variables);
     Outcome<Residues> outcome = Machine<Residues>(ring, given).run(program);
-    require_determined(layout, elimination, outcome);
+    require_determined(layout, variables, outcome);
     const std::vector<Residues::Element> equations = equations_of(outcome);
-    const Columns columns = columns_of(layout, elimination);
+    const Columns columns = columns_of(elimination, variables);
     const auto numbers = columns_beside_basis(columns, elimination);
     const std::uint64_t size = numbers.size();
     spend(size * size * size / 3);
@@ -215,10 +240,9 @@ std::size_t check_elimination(const Program& program, const Layout& layout,
             throw Refused("equation ", equation + 1, " has an unknown that is no variable");
         for (const int number : monomials) {
             const std::size_t place = place_in(columns, number);
-            std::vector<int> degrees = columns.degrees[place];
-            for (std::size_t g = 0; own.degrees && g < degrees.size(); ++g)
-                degrees[g] += (*own.degrees)[g];
-            require_within(degrees, 0, elimination, say("a multiple of equation ", equation + 1));
+            if (own.degrees)
+                require_within(sum_of(columns.degrees[place], *own.degrees), elimination,
+                               say("a multiple of equation ", equation + 1));
             if (row == numbers.size()) throw Refused("there are more rows than columns");
             for (const auto& [powers, coefficient] : own.terms) {
                 const Powers shifted = trimmed(product_of(powers, columns.monomials[place]));

@@ -7,6 +7,7 @@
 
 namespace checker {
 struct Elimination {
+    /// The degree in the variables of some names is bounded.
     struct Group {
         int degree = 0;
         std::vector<std::string> names{};

@@ -42,10 +42,9 @@ public:
         return result;
     }
 
-    /// The variable of this number, in a group.
-    Element variable(std::size_t number, std::size_t group) const {
-        Element result{.degrees = std::vector<int>(groups_)};
-        if (group < groups_) (*result.degrees)[group] = 1;
+    /// The variable of this number, with its degree in each group.
+    Element variable(std::size_t number, std::vector<int> degrees) const {
+        Element result{.degrees = std::move(degrees)};
         Powers powers(number + 1);
         powers.back() = 1;
         result.terms[powers] = from(1);

@@ -140,11 +140,11 @@ TEST_CASE("what is altered in an elimination is refused, for its reason") {
     const std::string start = "12: an elimination: ";
     CHECK(altered("minor 1", "minor 2") == start + "the determinant is not the minor");
     CHECK(altered("basis 1 2", "basis 1 3") ==
-          start + "a monomial of the basis has a larger degree than that of group 1");
+          start + "a monomial of the basis has a larger degree than that of a group");
     CHECK(altered("basis 1 2", "basis 1 4") == start + "there is no monomial 4");
     CHECK(altered("basis 1 2", "basis 1") == start + "there are fewer rows than columns");
     CHECK(altered("rows 1 1", "rows 1 2") ==
-          start + "a multiple of equation 1 has a larger degree than that of group 1");
+          start + "a multiple of equation 1 has a larger degree than that of a group");
     CHECK(altered("rows 1 1", "rows 2 1") == start + "there is no equation 2");
     CHECK(altered("degree 2 in x\nbasis 1 2\nrows 1 1", "degree 3 in x\nbasis 1 2 3\nrows 1 1 2") ==
           start + "there are more rows than columns");
@@ -152,7 +152,7 @@ TEST_CASE("what is altered in an elimination is refused, for its reason") {
           "14: found `a`, expected another unknown, or name of a `let` statement");
     // Degrees bound those for all data: what cancels counts.
     CHECK(altered("equation x ^ 2 = a", "equation x ^ 2 + x ^ 3 - x ^ 3 = a") ==
-          start + "a multiple of equation 1 has a larger degree than that of group 1");
+          start + "a multiple of equation 1 has a larger degree than that of a group");
     CHECK(fault(with(squares, "count s", "count s , x")) ==
           "13: found nothing, expected an integer from -999999 to 999999");
     CHECK(fault(with(with(squares, "count s", "count x"), "distinct 1", "distinct 2")) ==
