@@ -7,6 +7,7 @@
 #include "prover/cli/catalogue_commands.h"
 #include "prover/cli/degree_commands.h"
 #include "prover/cli/degrees_command.h"
+#include "prover/cli/model_command.h"
 #include "prover/cli/problem_commands.h"
 #include "prover/cli/solve_command.h"
 #include "prover/format/version.h"
@@ -122,6 +123,7 @@ std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
             add_degree_command(program, deliver, compute),
             add_degrees_command(program, compute),
             add_collect_command(program),
+            add_model_command(program, deliver),
             add_solve_command(program, deliver),
             add_start_command(program, deliver),
             export_command(program)};

@@ -57,7 +57,8 @@ private:
             for (std::size_t i = 0; i < size; ++i) {
                 value.scalars.push_back(program_.operations.size());
                 program_.operations.push_back(
-                    {data ? Operation::Kind::datum : Operation::Kind::unknown, true, count++, 0});
+                    {data ? Operation::Kind::datum : Operation::Kind::unknown, true, count++, 0, 0,
+                     false});
             }
             (data ? program_.data_names : program_.unknown_names).push_back({variable.name, value});
             values_.push_back({variable.name, value});

@@ -1,6 +1,6 @@
 // Running a program over a ring. A ring has a type Scalar and functions
 //   constant(int), zero(), datum(i), unknown(i), sum(a, b), difference(a, b), product(a, b),
-//   quotient(a, b, varies): `varies` says whether the divisor has data or unknowns.
+//   quotient(a, b, operation): the operation says which `/` it is.
 // `zero()` is the 0 of certs/FORMAT.md, section 16, that has no degree; other rings take
 // constant(0).
 #pragma once
@@ -32,7 +32,7 @@ std::vector<bool> needed_operations(const Program& program, const std::vector<Sc
 
 /// The value of one operation from those before it.
 template <class Ring>
-typename Ring::Scalar value_of(const Program& program, const Operation& operation, Ring& ring,
+typename Ring::Scalar value_of(const Operation& operation, Ring& ring,
                                const std::vector<typename Ring::Scalar>& values) {
     using Kind = Operation::Kind;
     const auto left = [&]() -> const auto& {
@@ -61,7 +61,7 @@ typename Ring::Scalar value_of(const Program& program, const Operation& operatio
     case Kind::quotient:
         break;
     }
-    return ring.quotient(left(), right(), program.operations[operation.right].varies);
+    return ring.quotient(left(), right(), operation);
 }
 
 /// The values of the scalars in `wanted`, by their index in the program; others are as the ring's
@@ -75,8 +75,8 @@ evaluate(const Program& program, Ring& ring, const std::vector<ScalarIndex>& wan
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!needed[i]) continue;
         const auto place = given.find(i);
-        values[i] = place != given.end() ? place->second
-                                         : value_of(program, program.operations[i], ring, values);
+        values[i] =
+            place != given.end() ? place->second : value_of(program.operations[i], ring, values);
     }
     return values;
 }

@@ -46,7 +46,7 @@ public:
     Scalar product(const Scalar& a, const Scalar& b) const {
         return combined(field_->product(a.value, b.value), a, b.value, b, a.value);
     }
-    Scalar quotient(const Scalar& a, const Scalar& b, bool /*varies*/) const {
+    Scalar quotient(const Scalar& a, const Scalar& b, const Operation& /*which*/) const {
         const Element inverse = field_->inverse(b.value);
         const Element value = field_->product(a.value, inverse);
         const Element slope =

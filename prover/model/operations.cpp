@@ -51,14 +51,15 @@ void Operations::fail(const std::string& message) const {
 ScalarIndex Operations::constant(int value) {
     const auto [place, is_new] = constants_.try_emplace(value, program_->operations.size());
     if (is_new)
-        program_->operations.push_back({Kind::constant, false, static_cast<std::size_t>(value), 0});
+        program_->operations.push_back(
+            {Kind::constant, false, static_cast<std::size_t>(value), 0, 0, false});
     return place->second;
 }
 
 ScalarIndex Operations::zero() {
     constexpr int key_of_zero = -1;
     const auto [place, is_new] = constants_.try_emplace(key_of_zero, program_->operations.size());
-    if (is_new) program_->operations.push_back({Kind::zero, false, 0, 0});
+    if (is_new) program_->operations.push_back({Kind::zero, false, 0, 0, 0, false});
     return place->second;
 }
 
@@ -67,7 +68,8 @@ ScalarIndex Operations::add(Kind kind, ScalarIndex left, ScalarIndex right, Posi
     if (all.size() >= most_operations)
         throw ModelError(at,
                          "the model has more than 5,000,000 operations: state a smaller problem");
-    all.push_back({kind, all[left].varies || all[right].varies, left, right});
+    all.push_back(
+        {kind, all[left].varies || all[right].varies, left, right, divisions_, all[right].varies});
     return all.size() - 1;
 }
 
@@ -126,6 +128,7 @@ Array Operations::quotient(const Array& left, const Array& right, Position at) {
     at_ = at;
     require(is_scalar(right),
             "found " + describe_shape(right.shape) + " to the right of /: divide by a scalar");
+    ++divisions_;
     Array result{left.shape, {}};
     for (const ScalarIndex item : left.scalars)
         result.scalars.push_back(add(Kind::quotient, item, right.scalars[0], at));

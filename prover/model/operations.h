@@ -54,6 +54,7 @@ private:
 
     Program* program_;
     Position at_;
+    std::size_t divisions_ = 0; // so far
     std::map<int, ScalarIndex> constants_;
 };
 

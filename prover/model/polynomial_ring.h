@@ -23,7 +23,7 @@ public:
     static Polynomial sum(const Polynomial& a, const Polynomial& b) { return a + b; }
     static Polynomial difference(const Polynomial& a, const Polynomial& b) { return a - b; }
     static Polynomial product(const Polynomial& a, const Polynomial& b) { return a * b; }
-    Polynomial quotient(const Polynomial& a, const Polynomial& b, bool /*varies*/) {
+    Polynomial quotient(const Polynomial& a, const Polynomial& b, const Operation& /*which*/) {
         return a * inverse(b);
     }
 

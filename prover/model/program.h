@@ -31,6 +31,8 @@ struct Operation {
     bool varies = false;
     std::size_t left = 0;
     std::size_t right = 0;
+    std::size_t division = 0; ///< of a quotient: the number of the `/`, as they are executed
+    bool by_variable = false; ///< of a quotient: whether the divisor has data or unknowns
 };
 
 /// An array: its shape, and its scalars in lexicographic order of the indices.

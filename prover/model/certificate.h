@@ -1,0 +1,29 @@
+// What is known of a model, and the file that certifies it (certs/FORMAT.md, section 16).
+#pragma once
+
+#include "prover/model/elimination.h"
+#include "prover/model/fibre.h"
+
+#include <optional>
+#include <string>
+
+namespace plprove::model {
+
+/// A model, and what was found of it.
+struct Study {
+    Model model;
+    Program program;
+    std::optional<Fibre> fibre;
+    std::string no_fibre; ///< why there is no fibre, else empty
+    std::optional<Elimination> elimination;
+    std::string no_elimination; ///< why there is no elimination, else empty
+};
+
+/// Reads a model, and looks for a fibre and an elimination. Throws ModelError where the text is not
+/// well-formed, and BadInput if a relation does not hold.
+Study study(std::string_view text);
+
+/// The file with what was found. Throws FormatLimit if it is larger than the format allows.
+std::string write(const Study& study);
+
+} // namespace plprove::model
