@@ -81,7 +81,8 @@ private:
         if (statement.kind == Statement::Kind::proportional)
             return add_proportional(left, right, statement.at);
         const bool relation = statement.kind == Statement::Kind::relation;
-        if (relation) note_names(statement);
+        for (const Expression& side : statement.expressions)
+            if (relation) note_names(side, program_.related);
         const Array all = operations_.sum(Operation::Kind::difference, left, right, statement.at);
         for (const ScalarIndex scalar : all.scalars)
             (relation ? program_.relations : program_.equations).push_back({scalar, statement.at});
@@ -116,13 +117,15 @@ private:
     void add_list(const Statement& statement) {
         const bool count = statement.kind == Statement::Kind::count;
         program_.counts = program_.counts || count;
-        for (const Expression& expression : statement.expressions)
+        for (const Expression& expression : statement.expressions) {
+            if (count) note_names(expression, program_.counted_names);
             for (const ScalarIndex scalar : evaluate(expression).scalars) {
                 if (count)
                     program_.counted.push_back(scalar);
                 else
                     program_.conditions.push_back({scalar, expression.at});
             }
+        }
     }
 
     void run_loop(const Statement& statement) {
@@ -138,18 +141,12 @@ private:
         --depth_;
     }
 
-    /// Notes which names relations speak of.
-    void note_names(const Statement& statement) {
-        for (const Expression& expression : statement.expressions)
-            note_names(expression);
-    }
-
-    void note_names(const Expression& expression) {
-        auto& names = program_.related;
+    /// Adds the names in an expression to a list, each once.
+    static void note_names(const Expression& expression, std::vector<std::string>& names) {
         const bool known = std::ranges::find(names, expression.name) != names.end();
         if (expression.kind == Kind::name && !known) names.push_back(expression.name);
         for (const Expression& part : expression.parts)
-            note_names(part);
+            note_names(part, names);
     }
 
     int evaluate(const Index& index) const {

@@ -177,7 +177,9 @@ std::optional<Elimination> find_elimination(const Model& model, const Program& p
         names.push_back(grouping);
     }
     std::ranges::stable_sort(trials, {}, &Trial::columns);
-    if (trials.size() > limits.trials) trials.resize(limits.trials);
+    std::vector<std::size_t> tried(systems.size());
+    std::erase_if(trials,
+                  [&](const Trial& trial) { return ++tried[trial.system] > limits.trials; });
     std::optional<std::pair<Trial, Result>> best;
     for (const Trial& trial : trials) {
         const std::size_t smaller_than = best ? best->second.basis.size() : SIZE_MAX;

@@ -31,7 +31,7 @@ struct Elimination {
 /// How far to look for an elimination.
 struct EliminationLimits {
     std::size_t columns = 2500;
-    std::size_t trials = 300;
+    std::size_t trials = 60; ///< of one grouping of variables
 };
 
 /// The elimination with the smallest basis, and of those the one with the fewest columns, that the

@@ -30,6 +30,27 @@ std::vector<ScalarIndex> counted(const Program& program) {
     return result;
 }
 
+/// The names without those that data and the names before them determine.
+std::vector<std::string> independent(const Program& program,
+                                     const std::vector<std::string>& names) {
+    std::vector<std::string> result;
+    std::map<ScalarIndex, bool> given;
+    for (const std::string& name : names) {
+        if (!is_group_name(program, name)) continue;
+        const std::vector<ScalarIndex>& scalars = array_of(program, name).scalars;
+        const std::vector<bool> needed = needed_operations(program, scalars, given);
+        bool has_unknowns = false;
+        for (std::size_t i = 0; i < needed.size(); ++i)
+            has_unknowns = has_unknowns || (needed[i] && !given.contains(i) &&
+                                            program.operations[i].kind == Operation::Kind::unknown);
+        if (!has_unknowns) continue;
+        result.push_back(name);
+        for (const ScalarIndex scalar : scalars)
+            given.emplace(scalar, true);
+    }
+    return result;
+}
+
 void add_groupings(const std::vector<std::string>& names, std::set<Grouping>& known,
                    std::vector<Grouping>& all) {
     if (names.empty()) return;
@@ -98,17 +119,15 @@ std::vector<Grouping> groupings(const Program& program) {
     std::vector<std::string> unknowns;
     for (const Named& named : program.unknown_names)
         unknowns.push_back(named.name);
-    std::vector<std::string> related;
-    for (const std::string& name : program.related)
-        if (is_group_name(program, name)) related.push_back(name);
-    std::vector<std::string> both = unknowns;
-    for (const std::string& name : related)
-        if (std::ranges::find(both, name) == both.end()) both.push_back(name);
     std::vector<Grouping> all;
     std::set<Grouping> known;
-    add_groupings(related, known, all);
-    add_groupings(unknowns, known, all);
-    add_groupings(both, known, all);
+    for (const std::vector<std::string>* names :
+         {&program.counted_names, &program.related, &std::as_const(unknowns)}) {
+        add_groupings(independent(program, *names), known, all);
+        std::vector<std::string> with_unknowns = unknowns;
+        with_unknowns.insert(with_unknowns.end(), names->begin(), names->end());
+        add_groupings(independent(program, with_unknowns), known, all);
+    }
     return all;
 }
 

@@ -62,9 +62,10 @@ struct Program {
     std::vector<Located> equations;
     std::vector<Located> relations;
     std::vector<Located> conditions;
-    std::vector<ScalarIndex> counted; ///< by `count` statements
-    bool counts = false;              ///< whether there is a `count` statement
-    std::vector<std::string> related; ///< names of unknowns and lets in `relation` statements
+    std::vector<ScalarIndex> counted;       ///< by `count` statements
+    bool counts = false;                    ///< whether there is a `count` statement
+    std::vector<std::string> related;       ///< names in `relation` statements
+    std::vector<std::string> counted_names; ///< names in `count` statements
 };
 
 /// Compiles a model. Throws ModelError where shapes do not fit, or a limit of the format is
