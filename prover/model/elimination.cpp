@@ -30,12 +30,12 @@ void add_trials(const GroupedSystem& system, std::size_t number, std::size_t mos
     constexpr int largest_degree = 20;
     Degrees degrees(system.groups, 1);
     while (true) {
-        const std::size_t columns = system.count_monomials(degrees, most_columns);
-        const bool fits = columns <= most_columns;
+        const auto monomials = system.monomials(degrees, most_columns);
+        const bool fits = monomials.has_value();
         const bool useful = std::ranges::any_of(system.equations, [&](const GroupedEquation& e) {
             return at_most(e.degrees, degrees);
         });
-        if (fits && useful) trials.push_back({number, degrees, columns});
+        if (fits && useful) trials.push_back({number, degrees, monomials->size()});
         // The next degrees: the first that can grow does, those before it begin again.
         std::size_t g = 0;
         if (!fits) { // larger first degrees do not fit either
@@ -50,6 +50,12 @@ void add_trials(const GroupedSystem& system, std::size_t number, std::size_t mos
         ++degrees[g];
     }
 }
+
+/// How far to look for an elimination.
+struct EliminationLimits {
+    std::size_t columns;
+    std::size_t trials; ///< of one grouping of variables
+};
 
 class Matrix {
 public:
@@ -159,17 +165,14 @@ Elimination elimination_of(const GroupedSystem& system, const Grouping& grouping
     return elimination;
 }
 
-} // namespace
-
-std::optional<Elimination> find_elimination(const Model& model, const Program& program,
-                                            std::size_t target, const EliminationLimits& limits) {
-    constexpr std::uint64_t stream = 2;
-    RandomResidues random(model, stream);
-    const std::vector<Modular> data = random.residues(program.data);
+/// The best of some groupings, as find_elimination says.
+std::optional<Elimination> best_of(const Program& program, const std::vector<Grouping>& groupings,
+                                   const std::vector<Modular>& data, std::size_t target,
+                                   const EliminationLimits& limits) {
     std::vector<Grouping> names;
     std::vector<GroupedSystem> systems;
     std::vector<Trial> trials;
-    for (const Grouping& grouping : groupings(program)) {
+    for (const Grouping& grouping : groupings) {
         auto system = grouped_system(program, data, grouping);
         if (!system) continue;
         add_trials(*system, systems.size(), limits.columns, trials);
@@ -190,6 +193,26 @@ std::optional<Elimination> find_elimination(const Model& model, const Program& p
     if (!best) return std::nullopt;
     const auto& [trial, result] = *best;
     return elimination_of(systems[trial.system], names[trial.system], trial.degrees, result, data);
+}
+
+} // namespace
+
+std::optional<Elimination> find_elimination(const Model& model, const Program& program,
+                                            std::size_t target) {
+    constexpr std::uint64_t stream = 2;
+    RandomResidues random(model, stream);
+    const std::vector<Modular> data = random.residues(program.data);
+    constexpr EliminationLimits small{600, 60}, large{2500, 40};
+    std::optional<Elimination> best;
+    const auto improve = [&](const std::vector<Grouping>& groupings, const EliminationLimits& limits) {
+        if (best && best->basis.size() <= target) return;
+        auto found = best_of(program, groupings, data, target, limits);
+        if (found && (!best || found->basis.size() < best->basis.size())) best = std::move(found);
+    };
+    improve(groupings(program), small);
+    improve(overlapping_groupings(program), small);
+    improve(groupings(program), large);
+    return best;
 }
 
 } // namespace plprove::model

@@ -28,16 +28,9 @@ struct Elimination {
     Modular minor; ///< of all columns but the basis
 };
 
-/// How far to look for an elimination.
-struct EliminationLimits {
-    std::size_t columns = 2500;
-    std::size_t trials = 60; ///< of one grouping of variables
-};
-
-/// The elimination with the smallest basis, and of those the one with the fewest columns, that the
-/// limits allow; the search ends at a basis of `target` monomials. Nothing if none was found.
+/// The elimination with as small a basis as was found; the search ends at a basis of `target`
+/// monomials. Nothing if none was found.
 std::optional<Elimination> find_elimination(const Model& model, const Program& program,
-                                            std::size_t target,
-                                            const EliminationLimits& limits = {});
+                                            std::size_t target);
 
 } // namespace plprove::model

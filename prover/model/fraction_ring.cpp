@@ -37,9 +37,7 @@ Fraction FractionRing::unknown(std::size_t /*index*/) {
     return {{}, {}, {}, true};
 }
 
-Fraction FractionRing::variable(std::size_t index, std::size_t group) const {
-    Degrees degrees(groups_);
-    degrees[group] = 1;
+Fraction FractionRing::variable(std::size_t index, const Degrees& degrees) {
     return {Polynomial::variable(index), {}, degrees, false};
 }
 

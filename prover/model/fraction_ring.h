@@ -35,7 +35,7 @@ public:
     static Fraction zero() { return {}; }
     Fraction datum(std::size_t index) const;
     static Fraction unknown(std::size_t index);
-    Fraction variable(std::size_t index, std::size_t group) const;
+    static Fraction variable(std::size_t index, const Degrees& degrees);
     Fraction sum(const Fraction& a, const Fraction& b) const { return combined(a, b, false); }
     Fraction difference(const Fraction& a, const Fraction& b) const { return combined(a, b, true); }
     Fraction product(const Fraction& a, const Fraction& b) const;

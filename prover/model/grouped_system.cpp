@@ -1,11 +1,13 @@
 #include "prover/model/grouped_system.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace plprove::model {
 
 namespace {
+
+using Names = std::vector<std::string>;
 
 const Array& array_of(const Program& program, const std::string& name) {
     for (const auto* list : {&program.unknown_names, &program.lets})
@@ -31,9 +33,8 @@ std::vector<ScalarIndex> counted(const Program& program) {
 }
 
 /// The names without those that data and the names before them determine.
-std::vector<std::string> independent(const Program& program,
-                                     const std::vector<std::string>& names) {
-    std::vector<std::string> result;
+Names independent(const Program& program, const Names& names) {
+    Names result;
     std::map<ScalarIndex, bool> given;
     for (const std::string& name : names) {
         if (!is_group_name(program, name)) continue;
@@ -51,55 +52,50 @@ std::vector<std::string> independent(const Program& program,
     return result;
 }
 
-void add_groupings(const std::vector<std::string>& names, std::set<Grouping>& known,
-                   std::vector<Grouping>& all) {
-    if (names.empty()) return;
-    Grouping apart;
-    for (const std::string& name : names)
-        apart.push_back({name});
-    for (const Grouping& grouping : {Grouping{names}, apart})
-        if (known.insert(grouping).second) all.push_back(grouping);
+/// The lists of names whose scalars may be the variables.
+std::vector<Names> lists_of_names(const Program& program) {
+    Names unknowns;
+    for (const Named& named : program.unknown_names)
+        unknowns.push_back(named.name);
+    std::vector<Names> all;
+    for (const Names& names : {program.counted_names, program.related, unknowns}) {
+        Names with_unknowns = names;
+        with_unknowns.insert(with_unknowns.end(), unknowns.begin(), unknowns.end());
+        for (const Names& list : {names, with_unknowns}) {
+            Names found = independent(program, list);
+            if (!found.empty() && std::ranges::find(all, found) == all.end())
+                all.push_back(std::move(found));
+        }
+    }
+    return all;
 }
 
 } // namespace
 
 Degrees GroupedSystem::degrees_of(const Monomial& monomial) const {
     Degrees result(groups);
-    for (std::size_t v = 0; v < group_of.size(); ++v)
-        result[group_of[v]] += monomial.exponents[v];
+    for (std::size_t v = 0; v < units.size(); ++v)
+        for (std::size_t g = 0; g < groups && monomial.exponents[v] > 0; ++g)
+            result[g] += units[v][g] * monomial.exponents[v];
     return result;
-}
-
-std::size_t GroupedSystem::count_monomials(const Degrees& degrees, std::size_t most) const {
-    std::size_t count = 1;
-    for (std::size_t g = 0; g < groups; ++g) {
-        // Binomial coefficient (n + d choose d), n the number of variables.
-        const auto n = static_cast<std::size_t>(std::ranges::count(group_of, g));
-        std::size_t binomial = 1;
-        for (std::size_t i = 1; i <= static_cast<std::size_t>(degrees[g]); ++i) {
-            binomial = binomial * (n + i) / i;
-            if (binomial > most) return most + 1;
-        }
-        count *= binomial;
-        if (count > most) return most + 1;
-    }
-    return count;
 }
 
 std::optional<std::vector<Monomial>> GroupedSystem::monomials(const Degrees& degrees,
                                                               std::size_t most) const {
-    if (count_monomials(degrees, most) > most) return std::nullopt;
-    std::vector<Monomial> result{{}};
-    for (std::size_t v = 0; v < group_of.size(); ++v) {
-        std::vector<Monomial> longer;
-        for (Monomial monomial : result)
-            for (int left = degrees[group_of[v]] - degrees_of(monomial)[group_of[v]]; left >= 0;
-                 --left) {
-                longer.push_back(monomial);
+    std::vector<std::pair<Monomial, Degrees>> found{{{}, Degrees(groups)}};
+    for (std::size_t v = 0; v < units.size(); ++v) {
+        std::vector<std::pair<Monomial, Degrees>> longer;
+        for (auto [monomial, has] : found)
+            for (; at_most(has, degrees); has = sum_of(has, units[v])) {
+                longer.emplace_back(monomial, has);
                 ++monomial.exponents[v];
             }
-        result = std::move(longer);
+        found = std::move(longer);
+        if (found.size() > most) return std::nullopt;
     }
+    std::vector<Monomial> result;
+    for (const auto& item : found)
+        result.push_back(item.first);
     std::ranges::sort(result);
     return result;
 }
@@ -116,17 +112,38 @@ Degrees sum_of(const Degrees& a, const Degrees& b) {
 }
 
 std::vector<Grouping> groupings(const Program& program) {
-    std::vector<std::string> unknowns;
-    for (const Named& named : program.unknown_names)
-        unknowns.push_back(named.name);
     std::vector<Grouping> all;
-    std::set<Grouping> known;
-    for (const std::vector<std::string>* names :
-         {&program.counted_names, &program.related, &std::as_const(unknowns)}) {
-        add_groupings(independent(program, *names), known, all);
-        std::vector<std::string> with_unknowns = unknowns;
-        with_unknowns.insert(with_unknowns.end(), names->begin(), names->end());
-        add_groupings(independent(program, with_unknowns), known, all);
+    for (const Names& names : lists_of_names(program)) {
+        Grouping apart;
+        for (const std::string& name : names)
+            apart.push_back({name});
+        for (const Grouping& grouping : {Grouping{names}, apart})
+            if (std::ranges::find(all, grouping) == all.end()) all.push_back(grouping);
+    }
+    return all;
+}
+
+std::vector<Grouping> overlapping_groupings(const Program& program) {
+    constexpr std::size_t most_names = 5;
+    std::vector<Grouping> all;
+    for (const Names& names : lists_of_names(program)) {
+        if (names.size() < 2 || names.size() > most_names) continue;
+        // Each name is in the first group, in the second or in both: a digit of `choice`.
+        std::size_t choices = 1;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            choices *= 3;
+        for (std::size_t choice = 0; choice < choices; ++choice) {
+            Grouping grouping(2);
+            std::size_t digits = choice;
+            for (const std::string& name : names) {
+                if (digits % 3 != 1) grouping[0].push_back(name);
+                if (digits % 3 != 0) grouping[1].push_back(name);
+                digits /= 3;
+            }
+            const bool apart = grouping[0].size() + grouping[1].size() == names.size();
+            if (grouping[0] > grouping[1] || grouping[0].empty() || apart) continue;
+            if (std::ranges::find(all, grouping) == all.end()) all.push_back(grouping);
+        }
     }
     return all;
 }
@@ -137,13 +154,21 @@ std::optional<GroupedSystem> grouped_system(const Program& program, std::span<co
     system.groups = grouping.size();
     FractionRing ring(data, grouping.size());
     std::map<ScalarIndex, Fraction> variables;
+    std::map<std::string, std::size_t> first; // the number of the first variable of a name
     for (std::size_t group = 0; group < grouping.size(); ++group)
-        for (const std::string& name : grouping[group])
-            for (const ScalarIndex scalar : array_of(program, name).scalars) {
-                if (system.group_of.size() == most_variables) return std::nullopt;
-                variables.emplace(scalar, ring.variable(system.group_of.size(), group));
-                system.group_of.push_back(group);
-            }
+        for (const std::string& name : grouping[group]) {
+            const std::vector<ScalarIndex>& scalars = array_of(program, name).scalars;
+            const auto [place, is_new] = first.try_emplace(name, system.units.size());
+            if (is_new) system.units.resize(system.units.size() + scalars.size(), Degrees(grouping.size()));
+            for (std::size_t i = 0; i < scalars.size(); ++i)
+                system.units[place->second + i][group] = 1;
+        }
+    if (system.units.size() > most_variables) return std::nullopt;
+    for (const auto& [name, place] : first) {
+        const std::vector<ScalarIndex>& scalars = array_of(program, name).scalars;
+        for (std::size_t i = 0; i < scalars.size(); ++i)
+            variables.emplace(scalars[i], FractionRing::variable(place + i, system.units[place + i]));
+    }
     std::vector<ScalarIndex> equations = scalars_of(program.equations);
     for (const ScalarIndex scalar : scalars_of(program.relations))
         equations.push_back(scalar);

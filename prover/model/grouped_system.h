@@ -6,7 +6,7 @@
 
 namespace plprove::model {
 
-/// The names of each group.
+/// The names of each group. A name may be in several.
 using Grouping = std::vector<std::vector<std::string>>;
 
 /// An equation that speaks of variables alone.
@@ -17,7 +17,7 @@ struct GroupedEquation {
 };
 
 struct GroupedSystem {
-    std::vector<std::size_t> group_of; ///< of each variable
+    std::vector<Degrees> units; ///< of each variable: 1 in the groups that have it, else 0
     std::size_t groups = 0;
     std::vector<GroupedEquation> equations;
 
@@ -25,15 +25,15 @@ struct GroupedSystem {
     /// All monomials up to these degrees in ascending lexicographic order; nothing if they are more
     /// than `most`.
     std::optional<std::vector<Monomial>> monomials(const Degrees& degrees, std::size_t most) const;
-    /// How many there are, as long as that is at most `most`.
-    std::size_t count_monomials(const Degrees& degrees, std::size_t most) const;
 };
 
 bool at_most(const Degrees& a, const Degrees& b);
 Degrees sum_of(const Degrees& a, const Degrees& b);
 
-/// The groupings worth trying.
+/// The groupings worth trying: without names in several groups, and with two groups that have
+/// some in common.
 std::vector<Grouping> groupings(const Program& program);
+std::vector<Grouping> overlapping_groupings(const Program& program);
 
 /// The equations of the model with these data. Nothing if a value that counts has unknowns that are
 /// no variables, or if there are too many variables.
