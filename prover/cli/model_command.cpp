@@ -48,8 +48,9 @@ Source read_source(const std::string& path) {
     }
     std::istringstream lines(source.text);
     for (std::string line; std::getline(lines, line) && line.starts_with('#');)
-        source.comments.push_back(
-            printable(line.substr(std::min(line.find_first_not_of("# "), line.size())), 200));
+        if (!has_control_character(line))
+            source.comments.push_back(
+                line.substr(std::min(line.find_first_not_of("# "), line.size())));
     return source;
 }
 

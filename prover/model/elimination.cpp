@@ -202,7 +202,7 @@ std::optional<Elimination> find_elimination(const Model& model, const Program& p
     constexpr std::uint64_t stream = 2;
     RandomResidues random(model, stream);
     const std::vector<Modular> data = random.residues(program.data);
-    constexpr EliminationLimits small{600, 60}, large{2500, 40};
+    constexpr EliminationLimits small{600, 60}, large{2500, 40}, largest{4000, 200};
     std::optional<Elimination> best;
     const auto improve = [&](const std::vector<Grouping>& groupings, const EliminationLimits& limits) {
         if (best && best->basis.size() <= target) return;
@@ -212,6 +212,7 @@ std::optional<Elimination> find_elimination(const Model& model, const Program& p
     improve(groupings(program), small);
     improve(overlapping_groupings(program), small);
     improve(groupings(program), large);
+    if (getenv("LARGEST")) improve(groupings(program), largest);
     return best;
 }
 
