@@ -204,7 +204,8 @@ std::optional<Elimination> find_elimination(const Model& model, const Program& p
     const std::vector<Modular> data = random.residues(program.data);
     constexpr EliminationLimits small{600, 60}, large{2500, 40}, largest{4000, 200};
     std::optional<Elimination> best;
-    const auto improve = [&](const std::vector<Grouping>& groupings, const EliminationLimits& limits) {
+    const auto improve = [&](const std::vector<Grouping>& groupings,
+                             const EliminationLimits& limits) {
         if (best && best->basis.size() <= target) return;
         auto found = best_of(program, groupings, data, target, limits);
         if (found && (!best || found->basis.size() < best->basis.size())) best = std::move(found);

@@ -114,14 +114,18 @@ bool keep_regular(const Program& program, std::span<const Modular> data, Solutio
 }
 
 /// How many of the powers 1, x, x^2, ... are independent modulo g.
-std::size_t independent_powers(const Algebra& algebra, const Univariate& x) {
+std::size_t independent_powers(const Algebra& algebra, const Univariate& x,
+                               RandomResidues& random) {
     const std::size_t degree = algebra.polynomial().degree();
     nmod_berlekamp_massey_t massey;
     nmod_berlekamp_massey_init(massey, modulus);
     Univariate power = algebra.constant(1);
+    const std::vector<Modular> function = random.residues(degree); // linear
     for (std::size_t i = 0; i < 2 * degree; ++i) {
-        // The coefficient of the highest power is a linear function that no ideal annihilates.
-        nmod_berlekamp_massey_add_point(massey, power.coefficient(degree - 1).value());
+        Modular value;
+        for (std::size_t k = 0; k < degree; ++k)
+            value = value + function[k] * power.coefficient(k);
+        nmod_berlekamp_massey_add_point(massey, value.value());
         power = algebra.product(power, x);
     }
     nmod_berlekamp_massey_reduce(massey);
@@ -148,7 +152,7 @@ void count_distinct(const Program& program, RandomResidues& random, Fibre& fibre
     for (std::size_t i = 0; i < program.counted.size(); ++i)
         sum = Algebra::sum(sum, algebra.product(algebra.constant(fibre.counted_form[i]),
                                                 values[program.counted[i]].value));
-    fibre.distinct = independent_powers(algebra, sum);
+    fibre.distinct = independent_powers(algebra, sum, random);
 }
 
 /// One way to find the solutions.

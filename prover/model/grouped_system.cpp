@@ -159,7 +159,8 @@ std::optional<GroupedSystem> grouped_system(const Program& program, std::span<co
         for (const std::string& name : grouping[group]) {
             const std::vector<ScalarIndex>& scalars = array_of(program, name).scalars;
             const auto [place, is_new] = first.try_emplace(name, system.units.size());
-            if (is_new) system.units.resize(system.units.size() + scalars.size(), Degrees(grouping.size()));
+            if (is_new)
+                system.units.resize(system.units.size() + scalars.size(), Degrees(grouping.size()));
             for (std::size_t i = 0; i < scalars.size(); ++i)
                 system.units[place->second + i][group] = 1;
         }
@@ -167,7 +168,8 @@ std::optional<GroupedSystem> grouped_system(const Program& program, std::span<co
     for (const auto& [name, place] : first) {
         const std::vector<ScalarIndex>& scalars = array_of(program, name).scalars;
         for (std::size_t i = 0; i < scalars.size(); ++i)
-            variables.emplace(scalars[i], FractionRing::variable(place + i, system.units[place + i]));
+            variables.emplace(scalars[i],
+                              FractionRing::variable(place + i, system.units[place + i]));
     }
     std::vector<ScalarIndex> equations = scalars_of(program.equations);
     for (const ScalarIndex scalar : scalars_of(program.relations))

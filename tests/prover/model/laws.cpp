@@ -1,0 +1,124 @@
+// Numbers of solutions that are known: Bezout's theorem, famous systems, and the models of the
+// literature.
+#include "prover/model/certificate.h"
+
+#include <array>
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace plprove::model;
+
+std::size_t at_least(const Study& study) {
+    return study.fibre ? study.fibre->count() : 0;
+}
+
+std::size_t at_most(const Study& study) {
+    return study.elimination ? study.elimination->basis.size() : 0;
+}
+
+/// As many equations as unknowns, with all monomials of this degree, and data as coefficients.
+std::string general_system(int unknowns, int degree) {
+    const std::string n = std::to_string(unknowns), size = std::to_string(unknowns + 1);
+    std::string list = "[1";
+    for (int i = 1; i <= unknowns; ++i)
+        list += ", x[" + std::to_string(i) + "]";
+    std::string text = "model general\ndata a[1.." + n + "] : vector " + size;
+    for (int d = 1; d < degree; ++d)
+        text += ", b" + std::to_string(d) + "[1.." + n + "] : matrix " + size + " by " + size;
+    text += "\nunknown x : vector " + n + "\nlet y = " + list + "]\nfor i in 1.." + n +
+            "\nlet f1 = a[i]\n";
+    for (int d = 1; d < degree; ++d)
+        text += "let f" + std::to_string(d + 1) + " = b" + std::to_string(d) + "[i]*y + dot(f" +
+                std::to_string(d) + ", y)*a[i]\n";
+    return text + "equation dot(f" + std::to_string(degree) + ", y) = 0\nend\n";
+}
+
+} // namespace
+
+TEST_CASE("general equations have as many solutions as Bezout says") {
+    for (const auto& [unknowns, degree, count] : std::vector<std::array<int, 3>>{
+             {1, 5, 5}, {2, 2, 4}, {2, 3, 9}, {3, 2, 8}, {4, 2, 16}, {3, 3, 27}}) {
+        CAPTURE(unknowns);
+        CAPTURE(degree);
+        const Study found = study(general_system(unknowns, degree));
+        CHECK(at_least(found) == static_cast<std::size_t>(count));
+        CHECK(at_most(found) == static_cast<std::size_t>(count));
+    }
+}
+
+TEST_CASE("bilinear equations have a binomial number of solutions") {
+    const Study found =
+        study("model bilinear\ndata a[1..4] : matrix 3 by 3\nunknown x[1..2], y[1..2]\n"
+              "for i in 1..4\nequation dot([x[1], x[2], 1], a[i]*[y[1], y[2], 1]) = 0\n"
+              "end\n");
+    CHECK(at_least(found) == 6);
+    CHECK(at_most(found) == 6);
+}
+
+TEST_CASE("cyclic 5-roots are 70") {
+    const Study found =
+        study("model cyclic\nunknown a, b, c, d, e\nequation a + b + c + d + e = 0\n"
+              "equation a*b + b*c + c*d + d*e + e*a = 0\n"
+              "equation a*b*c + b*c*d + c*d*e + d*e*a + e*a*b = 0\n"
+              "equation a*b*c*d + b*c*d*e + c*d*e*a + d*e*a*b + e*a*b*c = 0\n"
+              "equation a*b*c*d*e = 1\n");
+    CHECK(at_least(found) == 70);
+}
+
+TEST_CASE("only solutions that are regular and keep the conditions count") {
+    const auto count = [](const std::string& body) {
+        return at_least(study("model m\ndata a, b\nunknown x\n" + body));
+    };
+    CHECK(count("equation x^2 = a\n") == 2);
+    CHECK(count("equation x^2*(x - a) = 0\n") == 1);
+    CHECK(count("equation (x - a)^2 = 0\n") == 0);
+    CHECK(count("equation x*(x - a)*(x - b) = 0\nnonzero x - b\n") == 2);
+    CHECK(count("equation (x^2 - a)/x = (b*x - a)/x\n") == 1);
+    CHECK(count("equation x = a\nnonzero x - a\n") == 0);
+    CHECK(count("equation x^6 = a\ncount x^2\n") == 3);
+}
+
+TEST_CASE("a relation that does not hold is refused") {
+    CHECK_THROWS_WITH_AS(
+        study("model m\ndata a\nunknown x\nlet y = x^2\nequation y = a\nrelation y = x\n"),
+        "line 6, column 1: this relation does not hold for all data and unknowns: correct it, or "
+        "write 'equation' if it shall hold for solutions",
+        ModelError);
+}
+
+TEST_CASE("equations that are more or fewer than the unknowns have no fibre") {
+    const Study found = study("model m\ndata a\nunknown x, y\nequation x = a\n");
+    CHECK(!found.fibre);
+    CHECK(found.no_fibre == "there are 1 equations and 2 unknowns");
+}
+
+TEST_CASE("the models of the literature have as many solutions as is claimed") {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(SOURCE_DIR) + "/models")) {
+        CAPTURE(entry.path().string());
+        std::ostringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        const Model model = read_model(text.str());
+        CHECK(model.name == entry.path().stem().string());
+        CHECK(model.claimed > 0);
+        const Program program = compile(model);
+        const auto fibre = find_fibre(model, program).fibre;
+        REQUIRE(fibre);
+        CHECK(fibre->count() == static_cast<std::size_t>(model.claimed));
+    }
+}
+
+TEST_CASE("a certificate is the same each time") {
+    std::ostringstream text;
+    text << std::ifstream(std::string(SOURCE_DIR) + "/models/five_points.model").rdbuf();
+    std::ostringstream committed;
+    committed << std::ifstream(std::string(SOURCE_DIR) + "/certs/models/five_points.plc").rdbuf();
+    CHECK(write(study(text.str())) == committed.str());
+}
