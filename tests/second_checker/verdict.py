@@ -19,7 +19,8 @@ def verdict(data, every=1):
     records. None for the file if it does not conform: then nothing holds, and one reason says why."""
     try:
         parser = Parser(data)
-        if parser.words[:2] == ["plcert", "2"] and parser.words[2] in ("degrees", "solutions", "at-most"):
+        if parser.words[:2] == ["plcert", "2"] and parser.words[2] in (
+                "degrees", "solutions", "at-most", "model"):
             raise OtherKind(parser.words[2])
         node = parse(parser)
         file = KINDS[node["words"][2]].File(node)
