@@ -24,17 +24,24 @@ struct Result {
     std::vector<std::pair<std::size_t, std::size_t>> rows; ///< equation of the system, column
 };
 
-/// All degrees that some equation keeps within, with at most so many columns.
-void add_trials(const GroupedSystem& system, std::size_t number, std::size_t most_columns,
+/// How far to look for an elimination.
+struct EliminationLimits {
+    std::size_t columns;
+    std::size_t trials; ///< of one grouping of variables
+    bool all;           ///< whether all equations must keep within the degrees, or one
+};
+
+/// All degrees that the equations keep within.
+void add_trials(const GroupedSystem& system, std::size_t number, const EliminationLimits& limits,
                 std::vector<Trial>& trials) {
     constexpr int largest_degree = 20;
     Degrees degrees(system.groups, 1);
     while (true) {
-        const auto monomials = system.monomials(degrees, most_columns);
+        const auto monomials = system.monomials(degrees, limits.columns);
         const bool fits = monomials.has_value();
-        const bool useful = std::ranges::any_of(system.equations, [&](const GroupedEquation& e) {
-            return at_most(e.degrees, degrees);
-        });
+        const auto within = [&](const GroupedEquation& e) { return at_most(e.degrees, degrees); };
+        const bool useful = limits.all ? std::ranges::all_of(system.equations, within)
+                                       : std::ranges::any_of(system.equations, within);
         if (fits && useful) trials.push_back({number, degrees, monomials->size()});
         // The next degrees: the first that can grow does, those before it begin again.
         std::size_t g = 0;
@@ -50,12 +57,6 @@ void add_trials(const GroupedSystem& system, std::size_t number, std::size_t mos
         ++degrees[g];
     }
 }
-
-/// How far to look for an elimination.
-struct EliminationLimits {
-    std::size_t columns;
-    std::size_t trials; ///< of one grouping of variables
-};
 
 class Matrix {
 public:
@@ -175,7 +176,7 @@ std::optional<Elimination> best_of(const Program& program, const std::vector<Gro
     for (const Grouping& grouping : groupings) {
         auto system = grouped_system(program, data, grouping);
         if (!system) continue;
-        add_trials(*system, systems.size(), limits.columns, trials);
+        add_trials(*system, systems.size(), limits, trials);
         systems.push_back(std::move(*system));
         names.push_back(grouping);
     }
@@ -202,7 +203,8 @@ std::optional<Elimination> find_elimination(const Model& model, const Program& p
     constexpr std::uint64_t stream = 2;
     RandomResidues random(model, stream);
     const std::vector<Modular> data = random.residues(program.data);
-    constexpr EliminationLimits small{600, 60}, large{2500, 40}, largest{4000, 200};
+    constexpr EliminationLimits small{600, 60, false}, large{2500, 20, true},
+        largest{4000, 5, true};
     std::optional<Elimination> best;
     const auto improve = [&](const std::vector<Grouping>& groupings,
                              const EliminationLimits& limits) {
@@ -213,7 +215,7 @@ std::optional<Elimination> find_elimination(const Model& model, const Program& p
     improve(groupings(program), small);
     improve(overlapping_groupings(program), small);
     improve(groupings(program), large);
-    if (getenv("LARGEST")) improve(groupings(program), largest);
+    improve(groupings(program), largest);
     return best;
 }
 
