@@ -105,7 +105,8 @@ have e (x : nat -> P) (R' : idomainType) (g : {rmorphism P -> R'}) x' : (forall 
     l R' x' = gvec g (l P x).
   move=> gx; rewrite /l (gcameras gx).
   have -> : point_at f (own x') = gvec g (point_at f (own x)) by rewrite /gvec /point_at nf /own /= -!gx.
-  have -> : dir_at f (own x') j = gvec g (dir_at f (own x) j) by rewrite /gvec /dir_at nf /own /= -!gx rmorph1.
+  have -> : dir_at f (own x') j = gvec g (dir_at f (own x) j)
+    by rewrite /gvec /dir_at nf /own /= -!gx rmorph1.
   by rewrite -gnormal.
 have eK := e _ _ to _ genericE; have eF := e _ _ ev xF (fun=> erefl).
 have two : 2%:R != 0 :> F by have /charf0P -> := char0.
