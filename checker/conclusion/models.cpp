@@ -35,6 +35,13 @@ Contradictions contradictions_of_models(const std::vector<ReplayedFile>& files) 
     return found;
 }
 
+std::string_view verdict_on(const ProvedModel& model) {
+    if (model.claimed == 0) return "no claim";
+    if (model.at_least > model.claimed) return "differs: more are certified";
+    if (model.at_most && *model.at_most < model.claimed) return "differs: fewer are certified";
+    return model.exact() ? "confirmed" : "open";
+}
+
 std::string in_words(const ProvedModel& model) {
     const auto solutions = [](std::size_t n) {
         return say(n, n == 1 ? " solution" : " solutions");

@@ -22,6 +22,10 @@ std::map<std::string, ProvedModel> models_of(const Findings& findings);
 /// Files of a model whose bounds contradict each other.
 Contradictions contradictions_of_models(const std::vector<ReplayedFile>& files);
 
+/// Whether what is certified is what the model's source claims: `confirmed`, `differs`, `no claim`,
+/// or `open`.
+std::string_view verdict_on(const ProvedModel& model);
+
 /// The model as a statement: `p3p has exactly 8 solutions`.
 std::string in_words(const ProvedModel& model);
 

@@ -1,5 +1,7 @@
 #include "checker/report/report.h"
 
+#include "checker/conclusion/models.h"
+
 #include <iomanip>
 
 namespace checker {
@@ -191,6 +193,18 @@ static std::string tables_of_families(const Report& report) {
     return result;
 }
 
+/// Of files of models, the one table that there is; empty without such files.
+static std::string table_of_models(const Report& report) {
+    std::vector<Cells> rows{{"model", "claimed", "at least", "at most", "verdict"}};
+    const auto number = [](std::size_t n) { return n == 0 ? "-" : say(n); };
+    for (const auto& [text, model] : models_of(report.findings))
+        rows.push_back({model.name, number(model.claimed), number(model.at_least),
+                        number(model.at_most.value_or(0)),
+                        report.findings.status > 0 ? "withheld: a file is refused"
+                                                   : std::string(verdict_on(model))});
+    return rows.size() > 1 ? '\n' + aligned(rows) : "";
+}
+
 std::string summary(const Report& report) {
     bool has_classification = false;
     for (const ReplayedFile& file : report.findings.files)
@@ -216,6 +230,12 @@ std::string table(const Report& report) {
         const std::string bounds = lower_bounds(file);
         if (!bounds.empty()) result += '\n' + file.name + ':' + bounds + '\n';
     }
+    const auto is_model = [](const ReplayedFile& file) {
+        return std::holds_alternative<ModelFile>(file.content);
+    };
+    result += table_of_models(report);
+    if (!result.empty() && std::ranges::all_of(report.findings.files, is_model))
+        return result + '\n';
     result += '\n' + table_of_counts(report.claims);
     if (!report.degrees.empty()) result += '\n' + table_of_degrees(report);
     return result + '\n';

@@ -227,3 +227,16 @@ TEST_CASE("files of one model add up, and may not contradict each other") {
     CHECK(found.size() == 2);
     CHECK(found.at(0) == "the model square_root has at least 2 solutions, and at most 1");
 }
+
+TEST_CASE("what is certified is compared with what is claimed") {
+    const auto verdict = [](std::size_t claimed, std::size_t at_least,
+                            std::optional<std::size_t> at_most) {
+        return verdict_on({.claimed = claimed, .at_least = at_least, .at_most = at_most});
+    };
+    CHECK(verdict(4, 4, 4) == "confirmed");
+    CHECK(verdict(4, 4, 5) == "open");
+    CHECK(verdict(4, 4, {}) == "open");
+    CHECK(verdict(4, 5, {}) == "differs: more are certified");
+    CHECK(verdict(4, 0, 3) == "differs: fewer are certified");
+    CHECK(verdict(0, 4, 4) == "no claim");
+}
