@@ -4,6 +4,7 @@
 #include "prover/model/fields.h"
 #include "prover/model/gradient_ring.h"
 #include "prover/model/monomial.h"
+#include "prover/model/solution_point.h"
 
 #include <algorithm>
 
@@ -83,6 +84,9 @@ Study study(std::string_view text) {
         FibreSearch search = find_fibre(result.model, result.program);
         result.fibre = std::move(search.fibre);
         result.no_fibre = std::move(search.reason);
+        // All solutions were too many: one shows that the model is minimal.
+        if (!result.fibre) result.fibre = find_solution_point(result.model, result.program);
+        if (result.fibre) result.no_fibre.clear();
     }
     const std::size_t target = result.fibre ? result.fibre->count() : 0;
     try {

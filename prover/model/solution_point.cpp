@@ -1,0 +1,214 @@
+#include "prover/model/solution_point.h"
+
+#include "prover/model/fields.h"
+#include "prover/model/gradient_ring.h"
+#include "prover/model/sparse_rows.h"
+
+#include <algorithm>
+#include <array>
+
+namespace plprove::model {
+
+namespace {
+
+using Ring = GradientRing<PrimeField>;
+using Values = std::vector<Ring::Scalar>;
+
+/// A point of the space of data and unknowns.
+struct Point {
+    std::vector<Modular> data, unknowns;
+
+    /// Variables are numbered as in gradients: unknowns, then data.
+    Modular& operator[](std::size_t variable) {
+        return variable < unknowns.size() ? unknowns[variable] : data[variable - unknowns.size()];
+    }
+};
+
+Values run(const Program& program, const Point& point, bool by_data) {
+    const PrimeField field;
+    Ring ring(field, point.data, point.unknowns, by_data);
+    std::vector<ScalarIndex> wanted = scalars_of(program.equations);
+    for (const std::vector<ScalarIndex>& more : {scalars_of(program.conditions), program.counted})
+        wanted.insert(wanted.end(), more.begin(), more.end());
+    return evaluate(program, ring, wanted);
+}
+
+/// The data, by number, in a random order: those of one name together.
+std::vector<std::size_t> random_order(const Program& program, RandomResidues& random) {
+    const auto shuffle = [&](auto& list) {
+        for (std::size_t i = list.size(); i > 1; --i)
+            std::swap(list[i - 1], list[random.bits() % i]);
+    };
+    std::vector<Named> names = program.data_names;
+    shuffle(names);
+    std::vector<std::size_t> order;
+    for (Named& named : names) {
+        shuffle(named.value.scalars);
+        for (const ScalarIndex scalar : named.value.scalars)
+            order.push_back(program.operations[scalar].left);
+    }
+    return order;
+}
+
+/// One step of Newton's method in data that come first in a random order. False if the equations
+/// do not depend enough on the data.
+bool solve_for_data(const Program& program, Point& point, RandomResidues& random) {
+    const std::size_t data = program.data;
+    const std::vector<std::size_t> order = random_order(program, random);
+    std::vector<std::uint32_t> place(data);
+    for (std::size_t i = 0; i < data; ++i)
+        place[order[i]] = static_cast<std::uint32_t>(i);
+    const Values values = run(program, point, true);
+    SparseRows rows(data + 1); // the last column has the values
+    for (const ScalarIndex scalar : scalars_of(program.equations)) {
+        std::vector<std::pair<std::uint32_t, Modular>> entries;
+        for (const auto& [variable, slope] : values[scalar].gradient)
+            if (variable >= program.unknowns)
+                entries.emplace_back(place[variable - program.unknowns], slope);
+        std::ranges::sort(entries, {}, [](const auto& entry) { return entry.first; });
+        entries.emplace_back(data, -values[scalar].value);
+        SparseRow row;
+        for (const auto& [column, entry] : entries) {
+            if (entry.is_zero()) continue;
+            row.columns.push_back(column);
+            row.entries.push_back(entry);
+        }
+        if (row.empty()) continue;
+        rows.reduce_and_add(row);
+        if (rows.has_pivot(data)) return false;
+    }
+    // The data without pivots stay as they are: each pivot is corrected by its last entry.
+    for (std::size_t column = 0; column < data; ++column) {
+        if (!rows.has_pivot(column)) continue;
+        SparseRow row = rows.reduce(rows.pivot(column), true);
+        if (row.columns.back() != data) continue;
+        Modular& value = point.data[order[column]];
+        value = value + row.entries.back();
+    }
+    return true;
+}
+
+/// A square root, if there is one: q + 1 is divisible by 4.
+std::optional<Modular> square_root(Modular x) {
+    constexpr int squarings = 59; // (q + 1)/4 = 2^59
+    Modular root = x;
+    for (int i = 0; i < squarings; ++i)
+        root = root * root;
+    if (root * root == x) return root;
+    return std::nullopt;
+}
+
+/// A root of the polynomial of degree at most 2 with these values at 0, 1, 2 and 3.
+std::optional<Modular> root_of(const std::array<Modular, 4>& values) {
+    const auto& [e0, e1, e2, e3] = values;
+    if (!(e3 - Modular(3) * (e2 - e1) - e0).is_zero()) return std::nullopt;
+    const Modular half = Modular(2).inverse();
+    const Modular a = (e2 - Modular(2) * e1 + e0) * half, b = e1 - e0 - a;
+    if (a.is_zero() && b.is_zero()) return std::nullopt;
+    if (a.is_zero()) return -e0 * b.inverse();
+    const auto root = square_root(b * b - Modular(4) * a * e0);
+    if (!root) return std::nullopt;
+    return (*root - b) * half * a.inverse();
+}
+
+/// A value of one variable with which the equation holds, as far as it has degree 2 at most in it.
+std::optional<Modular> root_in(const Program& program, ScalarIndex equation, Point point,
+                               std::size_t variable) {
+    std::array<Modular, 4> samples;
+    for (int i = 0; i < 4; ++i) {
+        point[variable] = Modular(i);
+        samples[static_cast<std::size_t>(i)] = run(program, point, false)[equation].value;
+    }
+    return root_of(samples);
+}
+
+/// Solves one equation after the other, each for a variable from `first` on that is not in those
+/// before. Leaves out equations without such variables. False if that does not lead to an end.
+bool solve_one_by_one(const Program& program, Point& point, std::size_t first,
+                      RandomResidues& random) {
+    constexpr int most_trials = 10;
+    std::vector<bool> occurs(program.unknowns + program.data); // in equations that hold
+    for (const ScalarIndex equation : scalars_of(program.equations)) {
+        const Values values = run(program, point, true);
+        std::vector<std::size_t> candidates;
+        bool has_data = false;
+        for (const auto& [variable, slope] : values[equation].gradient) {
+            has_data = has_data || variable >= program.unknowns;
+            if (variable >= first && !occurs[variable]) candidates.push_back(variable);
+        }
+        if (has_data != (first == program.unknowns)) continue;
+        if (candidates.empty()) return false;
+        bool solved = false;
+        for (int trial = 0; trial < most_trials && !solved; ++trial) {
+            const std::size_t chosen = candidates[random.bits() % candidates.size()];
+            const auto root = root_in(program, equation, point, chosen);
+            point[chosen] = root ? *root : random.residue();
+            solved = root.has_value();
+        }
+        if (!solved) return false;
+        for (const auto& [variable, slope] : values[equation].gradient)
+            occurs[variable] = true;
+    }
+    return true;
+}
+
+/// Whether the equations and conditions hold, and the Jacobian by the unknowns is regular.
+bool is_regular_solution(const Program& program, const Values& values) {
+    SparseRows jacobian(program.unknowns);
+    for (const Located& equation : program.equations) {
+        if (!values[equation.scalar].value.is_zero()) return false;
+        SparseRow row;
+        for (const auto& [variable, slope] : values[equation.scalar].gradient) {
+            row.columns.push_back(static_cast<std::uint32_t>(variable));
+            row.entries.push_back(slope);
+        }
+        if (row.empty() || !jacobian.reduce_and_add(row)) return false;
+    }
+    return std::ranges::none_of(program.conditions, [&](const Located& condition) {
+        return values[condition.scalar].value.is_zero();
+    });
+}
+
+Fibre fibre_of(const Program& program, const Point& point, RandomResidues& random) {
+    constexpr int bound = 999;
+    Fibre fibre;
+    fibre.data = point.data;
+    Modular t;
+    for (const Modular value : point.unknowns) {
+        fibre.unknowns.push_back(Univariate({value}));
+        fibre.form.push_back(random.integer(bound));
+        t = t + Modular(fibre.form.back()) * value;
+    }
+    fibre.polynomial = Univariate({-t, Modular(1)});
+    if (!program.counts) return fibre;
+    fibre.distinct = 1;
+    for (std::size_t i = 0; i < program.counted.size(); ++i)
+        fibre.counted_form.push_back(random.integer(bound));
+    return fibre;
+}
+
+} // namespace
+
+std::optional<Fibre> find_solution_point(const Model& model, const Program& program) {
+    constexpr std::uint64_t stream = 4;
+    constexpr int most_trials = 300;
+    RandomResidues random(model, stream);
+    for (int trial = 0; trial < most_trials; ++trial) {
+        Point point{random.residues(program.data), random.residues(program.unknowns)};
+        try {
+            // Equations without data are solved for unknowns.
+            if (!solve_one_by_one(program, point, 0, random)) continue;
+            const bool solved = trial % 2 == 0
+                                    ? solve_for_data(program, point, random)
+                                    : solve_one_by_one(program, point, program.unknowns, random);
+            if (!solved) continue;
+            if (is_regular_solution(program, run(program, point, false)))
+                return fibre_of(program, point, random);
+        } catch (const NotInvertible&) {
+            continue;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace plprove::model
