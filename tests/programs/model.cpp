@@ -1,0 +1,59 @@
+// `plprove model`: what it prints, writes and refuses.
+#include "tests/support/program.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace {
+const std::string plprove = PLPROVE;
+const std::string models = std::string(SOURCE_DIR) + "/models/";
+const std::string committed = std::string(SOURCE_DIR) + "/certs/models/";
+} // namespace
+
+TEST_CASE("plprove model writes the committed certificates, byte by byte") {
+    for (const std::string name : {"p3p", "three_points_upright", "rolling_shutter", "p2p1l"}) {
+        const Outcome outcome = run(plprove + " model " + models + name + ".model -o -");
+        CHECK(outcome.status == 0);
+        CHECK(outcome.err.empty());
+        CHECK(outcome.out == read_file(committed + name + ".plc"));
+    }
+}
+
+TEST_CASE("plprove model reports to people and to machines") {
+    const Outcome people = run(plprove + " model " + models + "p3p.model");
+    CHECK(people.status == 0);
+    CHECK(people.out.find("12 data, 3 unknowns, 3 equations\n") != std::string::npos);
+    CHECK(people.out.find("claimed 8, at least 8, at most 8: exactly 8\n") != std::string::npos);
+    const Outcome machines = run(plprove + " model --json - < " + models + "p3p.model");
+    const auto json = nlohmann::json::parse(machines.out);
+    CHECK(json["model"] == "p3p");
+    CHECK(json["minimal"] == true);
+    CHECK(json["at_least"] == 8);
+    CHECK(json["at_most"] == 8);
+}
+
+TEST_CASE("plprove model refuses what is no model, and writes nothing") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "wrong.model").string();
+    const std::string certificate = (folder / "wrong.plc").string();
+    const auto complaint = [&](const std::string& text) {
+        write_file(file, text);
+        const Outcome outcome = run(plprove + " model " + file + " -o " + certificate);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        CHECK(!std::filesystem::exists(certificate));
+        return outcome.err;
+    };
+    CHECK(complaint("model m\nunknown x\nequation y = 1\n") ==
+          "plprove: " + file +
+              ", line 3, column 10: found 'y', which has no meaning here: did you mean 'x'?\n");
+    CHECK(complaint("model m\ndata a\nunknown x, y\nequation x = a\n")
+              .starts_with("plprove: nothing was found to certify: there are 1 equations and 2 "
+                           "unknowns"));
+    CHECK(complaint(std::string(2'000'000, '\n'))
+              .starts_with("plprove: a model has at most 1048576 bytes"));
+    CHECK(run(plprove + " model " + file + ".none").status == 2);
+    CHECK(run(plprove + " model").status == 3);
+}
