@@ -99,7 +99,8 @@ std::string with_comma(std::size_t number) {
 TEST_CASE("the commands that a page shows print what it shows") {
     for (const fs::path& page : pages()) {
         const TemporaryFolder folder;
-        fs::create_directory_symlink(source / "certs", folder / "certs");
+        for (const char* name : {"certs", "models"})
+            fs::create_directory_symlink(source / name, folder / name);
         const std::string path = fs::path(PLCHECK).parent_path().string() + ':' +
                                  fs::path(PLPROVE).parent_path().string();
         const std::string start = "cd " + folder.path().string() +
