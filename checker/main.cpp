@@ -24,10 +24,11 @@ static constexpr std::string_view help = R"(Usage: plcheck [OPTION]... [--] FILE
     plcheck certs/plmp.plc                   replay the verdicts on a family, and count them
     plcheck degrees.plc                      certify that the solutions of classes exist
     plcheck certs/solutions/plmp.plc         the same, of problems in general
+    plcheck --table certs/models/*.plc       how many solutions models have, and what is claimed
 
 What do you expect? Status 0 then says that the files prove just that:
-    --expect PROBLEM     a problem like '2*Pa/Pa/Pa + P/P/P' or 'projective: 7*P/P'; add one of the
-                         next two, or both
+    --expect PROBLEM     a problem like '2*Pa/Pa/Pa + P/P/P' or 'projective: 7*P/P', or the file of
+                         a model, models/p3p.model; add one of the next two, or both
     --verdict VERDICT    minimal, camera-minimal, not-minimal, obstructed, under-constrained or
                          over-constrained
     --degree N           exactly N solutions for the cameras; '>=N' at least N
