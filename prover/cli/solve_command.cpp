@@ -72,7 +72,7 @@ Answer solve_and_certify_two_views(const SolveRequest& request, const Solver& so
     for (const Solution& solution : answer.solutions) {
         const auto& [R, t] = solution.cameras[1];
         const auto [a, b, c, d] = quaternion(R);
-        cameras.push_back({a, b, c, d, t[0], t[1], t[2]});
+        cameras.push_back({1, b / a, c / a, d / a, 1, t[1] / t[0], t[2] / t[0]});
     }
     const FivePointImages images = five_point_images(solver.plan(), consistent);
     const many_views::SolutionsRecord record =

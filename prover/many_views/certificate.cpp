@@ -24,26 +24,18 @@ bool is_real(const Point& point) {
     return has_near_coordinates(point, Point(point.conjugate()), 2 * small_imaginary_part);
 }
 
-/// Coordinates in the standard chart, where `numbers` make a camera in any other one. What the
-/// scale of space has to do with it, CameraModel::normalise says.
-Eigen::VectorXcd normalised(const CameraModel& model, Eigen::VectorXcd numbers, bool second,
-                            Complex& depths) {
-    model.normalise(numbers.data(), second, depths);
-    const std::vector<int> coordinates = model.coordinates(second);
-    return numbers(coordinates);
-}
-
 /// The same cameras and places in the standard chart.
 Point in_standard_chart(const System& system, const Point& point) {
+    const CameraModel& model = *system.problem().cameras;
     const CameraChart& chart = system.chart();
     Point result(point.size());
     Complex depths = 1;
     for (std::size_t view = 1; view < static_cast<std::size_t>(chart.views()); ++view) {
         const Index first = system.depths() + chart.offset(view);
         const Index size = chart.coordinates(view);
-        const Point coordinates = point.segment(first, size);
-        result.segment(first, size) = normalised(
-            *system.problem().cameras, chart.numbers(view, coordinates), view == 1, depths);
+        Eigen::VectorXcd numbers = chart.numbers(view, point.segment(first, size));
+        model.normalise(numbers.data(), view == 1, depths);
+        result.segment(first, size) = numbers(model.coordinates(view == 1));
     }
     result.head(system.depths()) = point.head(system.depths()) * depths;
     return result;
@@ -106,9 +98,8 @@ Eigen::Vector3cd vector(const Vector<Complex>& x) {
 Point second_camera_with_depths(const CameraModel& model, const Images<Complex>& images,
                                 const std::vector<Complex>& numbers) {
     const auto chart = CameraChart::standard(model, 2);
-    Complex unused = 1;
-    const Point coordinates = normalised(
-        model, Eigen::Map<const Point>(numbers.data(), std::ssize(numbers)), true, unused);
+    const Eigen::Map<const Eigen::VectorXcd> all(numbers.data(), std::ssize(numbers));
+    const Point coordinates = all(model.coordinates(true));
     const Camera matrix = chart.camera(1, coordinates).camera;
     const std::size_t count = images[0].points.size();
     Point point(static_cast<Index>(count) + coordinates.size());

@@ -28,9 +28,8 @@ struct SolutionsRecord {
 SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t seed, int threads);
 
 /// The record that these images of points in two views have these solutions: the numbers of
-/// approximate second cameras, whose scaled runs do not begin with 0 (CameraModel). The largest
-/// coordinates of the image vectors have `digits` digits. Leaves out what Newton's method does not
-/// confirm.
+/// approximate second cameras, normalised (CameraModel::normalise). The largest coordinates of the
+/// image vectors have `digits` digits. Leaves out what Newton's method does not confirm.
 SolutionsRecord certify(const Problem& points, const IntegerImages& integers, int digits,
                         std::span<const std::vector<Complex>> second_cameras);
 
