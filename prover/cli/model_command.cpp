@@ -17,7 +17,7 @@ namespace plprove {
 
 namespace {
 
-struct Request {
+struct ModelRequest {
     std::string file;
     std::string output;
     bool json = false;
@@ -125,7 +125,7 @@ std::string json_report(const model::Study& study, const Source& source) {
     return report.dump(2) + '\n';
 }
 
-int prove_model(const Request& request, const Deliver& deliver) {
+int prove_model(const ModelRequest& request, const Deliver& deliver) {
     const Source source = read_source(request.file);
     const model::Study study = studied(request.file, source.text);
     const bool nothing = !study.fibre && !study.elimination;
@@ -144,7 +144,7 @@ int prove_model(const Request& request, const Deliver& deliver) {
 } // namespace
 
 Command add_model_command(CLI::App& program, Deliver deliver) {
-    auto request = std::make_shared<Request>();
+    auto request = std::make_shared<ModelRequest>();
     CLI::App* app = program.add_subcommand(
         "model", "How many solutions has a problem that is given by equations?");
     app->add_option("FILE", request->file, "the text of a model, - for standard input")->required();
