@@ -214,7 +214,7 @@ static std::map<Powers, std::size_t> columns_beside_basis(const Columns& columns
 /// The equations, and those of relations after them.
 static std::vector<Residues::Element> equations_of(Outcome<Residues>& outcome) {
     std::vector<Residues::Element> all = std::move(outcome.equations);
-    std::ranges::move(outcome.relations, std::back_inserter(all));
+    all.insert(all.end(), outcome.relations.begin(), outcome.relations.end());
     return all;
 }
 

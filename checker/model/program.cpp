@@ -292,7 +292,7 @@ Program read_program(Reader& reader) {
 static std::size_t word_length(std::string_view text) {
     const auto is_part = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
     if (text.starts_with("..")) return 2;
-    const auto end = std::ranges::find_if_not(text, is_part);
+    const auto end = std::find_if_not(text.begin(), text.end(), is_part);
     return std::max<std::size_t>(1, static_cast<std::size_t>(end - text.begin()));
 }
 

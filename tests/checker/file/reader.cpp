@@ -58,8 +58,8 @@ TEST_CASE("a version of the format is a number from 1, without leading zeros") {
 
 TEST_CASE("a file of an unknown kind is refused") {
     const std::string kinds =
-        "`, expected `classification`, `problem`, `problems`, `solutions`, `at-most`, `degrees` or "
-        "`bounds`";
+        "`, expected `classification`, `problem`, `problems`, `solutions`, `at-most`, `degrees`, "
+        "`bounds` or `model`";
     for (const std::string kind :
          {"catalogue", "digests", "Problem", "problemss", "Problems", "degree"})
         CHECK(complaint("plcert 2 " + kind + "\n") == "1: found `" + kind + kinds);
