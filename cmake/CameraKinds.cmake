@@ -1,9 +1,11 @@
 # camera_kinds(PROGRAM SOURCES [FILE...]): the kinds of cameras of PROGRAM, checker or prover, are the files in its
 # folder cameras/; NAME.cpp defines NAME_cameras. Sets SOURCES to these and a list of them; or, for a program that is
-# linked with PROGRAM and has further kinds, to the FILEs of these and a list of all.
+# linked with PROGRAM and has further kinds, to the FILEs of these and a list of all. The list of the checker is
+# checker/cameras/kinds.cpp, which is committed: so its sources can be read, and compiled, as they are.
 function(camera_kinds program sources)
   set(folder ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../${program}/cameras)
   file(GLOB own CONFIGURE_DEPENDS ${folder}/*.cpp)
+  list(FILTER own EXCLUDE REGEX "/kinds[.]cpp$")
   set(names "")
   foreach(file ${own} ${ARGN})
     get_filename_component(name ${file} NAME_WE)
@@ -12,6 +14,9 @@ function(camera_kinds program sources)
   list(JOIN names ", " KINDS)
   list(JOIN names ", &" ADDRESSES)
   set(list ${CMAKE_CURRENT_BINARY_DIR}/${program}_camera_kinds.cpp)
+  if(program STREQUAL checker AND ARGC EQUAL 2)
+    set(list ${folder}/kinds.cpp)
+  endif()
   configure_file(${folder}/kinds.cpp.in ${list} @ONLY)
   if(ARGC GREATER 2)
     set(${sources} ${ARGN} ${list} PARENT_SCOPE)

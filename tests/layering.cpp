@@ -95,7 +95,7 @@ std::string folder_of(const fs::path& path) {
 
 bool is_source(const fs::path& path) {
     const std::string ending = path.extension().string();
-    return ending == ".cpp" || ending == ".h" || ending == ".in";
+    return ending == ".cpp" || ending == ".h";
 }
 
 std::size_t lines_in(const fs::path& file) {

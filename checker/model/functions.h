@@ -3,7 +3,10 @@
 
 #include "checker/model/value.h"
 
+#include <algorithm>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace checker {
 /// Calculates with arrays. Members throw Senseless where shapes do not fit.

@@ -5,6 +5,9 @@
 #include "checker/model/functions.h"
 #include "checker/model/program.h"
 
+#include <cstdlib>
+#include <utility>
+
 namespace checker {
 /// Values of names, as far as they are given; data and unknowns all are.
 template <class Ring> using Given = std::map<std::string, std::vector<typename Ring::Element>>;
