@@ -83,7 +83,8 @@ std::string table_of_counts() {
 std::size_t lines_in(const std::string& folder) {
     std::size_t count = 0;
     for (const auto& entry : fs::directory_iterator(source / "checker" / folder))
-        count += lines_of(read_file(entry.path())).size();
+        if (entry.path().extension() != ".in") // CMake makes a source that is counted of it
+            count += lines_of(read_file(entry.path())).size();
     return count;
 }
 
