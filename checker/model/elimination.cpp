@@ -8,16 +8,6 @@ using Rationals = SparsePolynomials<mpq_class>;
 
 static constexpr std::size_t most_columns = 4000;
 
-/// Takes integers from 1 to 999,999 that ascend, at least one, up to the end of the line.
-static Numbers read_ascending(Reader& reader) {
-    Numbers numbers;
-    do
-        numbers.push_back(reader.small_integer(numbers.empty() ? 1 : numbers.back() + 1, 999'999));
-    while (!reader.at_end());
-    reader.end_line();
-    return numbers;
-}
-
 static bool is_known(const Declared& declared, std::string_view name) {
     return std::ranges::any_of(declared.names, [&](const auto& own) { return own.first == name; });
 }
@@ -73,12 +63,15 @@ Elimination read_elimination(Reader& reader, const Layout& layout) {
     reader.end_line();
     result.groups = read_groups(reader, layout);
     reader.take("basis");
-    result.basis = read_ascending(reader);
+    result.basis = read_ascending(reader, 999'999);
+    reader.end_line();
     int last = 0; // equation
     while (result.rows.empty() || reader.comes("rows")) {
         reader.take("rows");
         last = reader.small_integer(last + 1, 999'999);
-        result.rows.push_back({static_cast<std::size_t>(last) - 1, read_ascending(reader)});
+        result.rows.push_back(
+            {static_cast<std::size_t>(last) - 1, read_ascending(reader, 999'999)});
+        reader.end_line();
     }
     reader.take("minor");
     result.minor = read_minor(reader);
