@@ -224,7 +224,10 @@ std::size_t check_elimination(const Program& program, const Layout& layout,
     const auto numbers = columns_beside_basis(columns, elimination);
     const std::uint64_t size = numbers.size();
     spend(size * size * size / 3);
+    // Filled from its last row and column on, which changes no determinant: so each row begins with
+    // the largest monomials, and elimination leaves most entries 0.
     SquareMatrix matrix(numbers.size());
+    const std::size_t last = numbers.size() - 1;
     std::size_t row = 0;
     for (const auto& [equation, monomials] : elimination.rows) {
         if (equation >= equations.size()) throw Refused("there is no equation ", equation + 1);
@@ -240,7 +243,7 @@ std::size_t check_elimination(const Program& program, const Layout& layout,
             for (const auto& [powers, coefficient] : own.terms) {
                 const Powers shifted = trimmed(product_of(powers, columns.monomials[place]));
                 if (const auto column = numbers.find(shifted); column != numbers.end())
-                    matrix[row][column->second] = coefficient;
+                    matrix[last - row][last - column->second] = coefficient;
             }
             ++row;
         }

@@ -79,22 +79,6 @@ std::string table_of_counts() {
     return outcome.out.substr(table, outcome.out.find("\n\n", table) + 1 - table);
 }
 
-/// The lines of all headers and sources directly in a folder of the checker.
-std::size_t lines_in(const std::string& folder) {
-    std::size_t count = 0;
-    for (const auto& entry : fs::directory_iterator(source / "checker" / folder))
-        if (entry.path().extension() != ".in") // CMake makes a source that is counted of it
-            count += lines_of(read_file(entry.path())).size();
-    return count;
-}
-
-/// 1150 as `1,150`.
-std::string with_comma(std::size_t number) {
-    const std::string digits = std::to_string(number);
-    if (digits.size() <= 3) return digits;
-    return digits.substr(0, digits.size() - 3) + ',' + digits.substr(digits.size() - 3);
-}
-
 } // namespace
 
 TEST_CASE("the commands that a page shows print what it shows") {
@@ -127,29 +111,6 @@ TEST_CASE("docs/reproduce.md has the table that plcheck prints, and the README s
         CAPTURE(line);
         CHECK(std::ranges::count(lines, line) == 1);
     }
-}
-
-TEST_CASE("the README says how many lines of the checker stand behind each kind of claim") {
-    std::vector<std::string> folders;
-    std::size_t minimal = 0; // of the first row: whether a problem is minimal
-    for (const std::string& row : lines_of(readme)) {
-        std::size_t size = 0;
-        for (const auto& link : matches(row, R"(\]\(checker/([a-z_]+)\))")) {
-            folders.push_back(link[1]);
-            size += lines_in(link[1]);
-        }
-        if (size == 0) continue;
-        CAPTURE(row);
-        CHECK(row.ends_with("| " + with_comma(size) + " lines |"));
-        if (minimal == 0) minimal = size;
-    }
-    CHECK(minimal <= 3050); // an evening or two
-    std::vector<std::string> all;
-    for (const auto& entry : fs::directory_iterator(source / "checker"))
-        if (entry.is_directory()) all.push_back(entry.path().filename().string());
-    std::ranges::sort(all);
-    std::ranges::sort(folders);
-    CHECK(folders == all); // each folder belongs to one kind of claim
 }
 
 TEST_CASE("what the pages link is there") {
