@@ -1,5 +1,5 @@
 (** Prints the axioms of each theorem; the Makefile compares them with those expected. *)
-From PL1P Require Import Main Reduction GenericImages ProblemClasses Theorem2 Reader Verdict.
+From PL1P Require Import Main Reduction GenericImages ProblemClasses OneReduction Reader Verdict.
 Print Assumptions main_theorem.
 Print Assumptions rigidity_theorem.
 Print Assumptions reduction_theorem.

@@ -1,4 +1,4 @@
-(** * Theorem 2 of the paper: every minimal problem reduces to one reduced problem
+(** * Theorem 2 of the paper: every minimal problem reduces to a reduced problem
 
     A selection is cheap if it takes at least as many degrees of freedom from space as from the
     images. A cheap selection of each feature that keeps as little as possible leaves final
@@ -103,10 +103,3 @@ move=> pA mA; have [cs sel /andP[le fin]] := settle_all pA; exists cs.
 by apply: final_reduced => //; exact: kept_proper.
 Qed.
 End Over.
-
-Theorem reductions_theorem : reductions.
-Proof.
-move=> F char0 A pA; split=> [cs mA red|cs mB red sz|mA]; last exact: reduces_to_reduced.
-  exact: (minimal_kept char0 pA red).
-exact: (kept_minimal char0 pA red).
-Qed.

@@ -7,7 +7,7 @@ From Coq Require Import String List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import zify.
 From PL1P Require Import Statement Rigid Reducible Problems Reductions Forget Reduction Embedding Scenes
-  SameProblem Minimal ProblemClasses Theorem1 Text Reader.
+  SameProblem Minimal ProblemClasses Theorem1 OneReduction Text Reader.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -40,12 +40,6 @@ Lemma signature_byE A : signature_by [seq index_of f | f <- A] = signature_of A.
 Proof. by apply: eq_map => i; rewrite count_map. Qed.
 Lemma all2_same_problem A B : all2 same A B -> same_problem A B.
 Proof. by exists A => //; exact: Permutation.Permutation_refl. Qed.
-Lemma selects_everything A : is_problem A -> selects A (map everything A) /\
-  sumn [seq cost fc.1 fc.2 | fc <- zip A (map everything A)] <= sumn [seq dim3 f | f <- A].
-Proof.
-elim: A => // f A IH /andP[pf /IH[h1 h2]]; have [e1 _ e3] := everything_ok pf.
-by rewrite [map _ _]/= selects_cons e1; split=> //; exact: leq_add.
-Qed.
 Lemma loose_selection A : is_problem A -> has loose A -> exists2 cs, selects A cs &
   sumn [seq cost fc.1 fc.2 | fc <- zip A cs] < sumn [seq dim3 f | f <- A].
 Proof.
@@ -77,12 +71,8 @@ Variable F : fieldType.
 Hypothesis char0 : [char F]%R =i pred0.
 Lemma loose_not_minimal A : is_problem A -> has loose A -> ~ minimal F A.
 Proof.
-move=> pA /(loose_selection pA)[cs sel lt] mA; have /andP[/eqP sz fs] := sel.
-have red : reduces F A cs by split=> //; exact: (minimal_lifting char0 pA mA sz fs (ltnW lt)).
-have [sA _] := (balanced_dominant char0 A).1 mA.
-have [sB _] := (balanced_dominant char0 _).1 (minimal_kept char0 pA red mA).
-have := @size_lifting F A cs; rewrite size_lifted // -sB (size_all pA red) sA /parameters => e.
-by move: lt; rewrite -(ltn_add2l 11) e ltnn.
+move=> pA /(loose_selection pA)[cs sel lt] mA.
+by have := minimal_tight char0 pA mA sel; rewrite leqNgt lt.
 Qed.
 Lemma verdictP A : is_problem A -> right_answer F (verdict A) A.
 Proof.
