@@ -85,10 +85,10 @@ template <class Item> static void add_once(std::vector<Item>& list, const Item& 
 
 /// Adds a family, or single problems.
 static void add(Proofs& proofs, const ProblemsFile& file) {
-    if (!file.family.empty()) {
+    if (file.family) {
         const auto minimal = std::ranges::count_if(file.verdicts, &ProblemVerdict::minimal);
         add_once(proofs.families, say("all ", file.verdicts.size(), " problems of the family ",
-                                      file.family, ", ", minimal, " minimal"));
+                                      file.family->name, ", ", minimal, " minimal"));
         return;
     }
     for (const auto& [notation, problem, minimal] : file.verdicts)
