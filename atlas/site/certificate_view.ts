@@ -1,6 +1,6 @@
 // A certificate for people: each number that stands in it, and the matrix that follows from them.
 import { make, type Child } from "./elements.js";
-import type { CertificateAnswer, Evidence } from "./prover.js";
+import type { CertificateAnswer, Proof } from "./prover.js";
 
 function vector(numbers: number[]): string {
     return `(${numbers.join(", ")})`;
@@ -78,11 +78,11 @@ function rowsOf(answer: CertificateAnswer): { entries: string[]; first: boolean 
 }
 
 /** Whether the certificate leaves out a row, or a column, both counted from 1. */
-function deletions(evidence: Evidence, own: number): (row: number, column: number) => boolean {
-    const rows = new Set(evidence.deleted_rows ?? []);
+function deletions(proof: Proof, own: number): (row: number, column: number) => boolean {
+    const rows = new Set(proof.deleted_rows ?? []);
     // Of an obstructed problem the columns are counted among those of the cameras.
-    const offset = evidence.kind === "deficient" ? own : 0;
-    const columns = new Set((evidence.deleted_columns ?? []).map((column) => column + offset));
+    const offset = proof.kind === "deficient" ? own : 0;
+    const columns = new Set((proof.deleted_columns ?? []).map((column) => column + offset));
     return (row, column) => rows.has(row) || columns.has(column);
 }
 
@@ -90,7 +90,7 @@ function deletions(evidence: Evidence, own: number): (row: number, column: numbe
 export function jacobian(answer: CertificateAnswer): HTMLElement {
     const own = answer.jacobian.reduce((sum, block) => sum + block.own, 0);
     const cameras = answer.jacobian[0]?.cameras ?? 0;
-    const isDeleted = deletions(answer.evidence, own);
+    const isDeleted = deletions(answer.proof, own);
     const rows = rowsOf(answer);
     const lines = rows.map(({ entries, first }, row) => {
         const cells = entries.map((entry, column) => {
@@ -104,7 +104,7 @@ export function jacobian(answer: CertificateAnswer): HTMLElement {
     });
     const matrix = make("table", { class: "matrix" }, make("tbody", {}, ...lines));
     const frame = { class: "scroll", tabindex: "0", role: "group", "aria-label": "The Jacobian" };
-    const deleted = answer.evidence.deleted_columns
+    const deleted = answer.proof.deleted_columns
         ? " The struck rows and columns are deleted."
         : "";
     return make(
@@ -129,10 +129,10 @@ function columnsOf(cameras: number): string {
     return `${all.join(", ")}, less one for the scale`;
 }
 
-function conclusion(evidence: Evidence, modulus: string): Child[] {
-    const minor = make("code", {}, evidence.minor ?? "");
+function conclusion(proof: Proof, modulus: string): Child[] {
+    const minor = make("code", {}, proof.minor ?? "");
     const prime = make("span", {}, "q = 2", make("sup", {}, "61"), ` − 1 = ${modulus}`);
-    if (evidence.kind === "minimal")
+    if (proof.kind === "minimal")
         return [
             "The determinant of this matrix is ",
             minor,
@@ -141,7 +141,7 @@ function conclusion(evidence: Evidence, modulus: string): Child[] {
             ". So it is not 0. The images determine the cameras near this scene up to finitely " +
                 "many choices. The same holds for generic images: the problem is minimal.",
         ];
-    if (evidence.kind === "camera-minimal")
+    if (proof.kind === "camera-minimal")
         return [
             "Without the struck columns, all of them unknowns of the scene, the determinant is ",
             minor,
@@ -157,7 +157,7 @@ function conclusion(evidence: Evidence, modulus: string): Child[] {
         prime,
         ". So the rank is no smaller. It is no larger, either: these motions of the cameras " +
             "keep every image, to first order, if the features move along: ",
-        ...(evidence.kernel ?? []).map((entries) =>
+        ...(proof.kernel ?? []).map((entries) =>
             make("code", { class: "kernel" }, `(${entries.join(", ")})`),
         ),
         ". proofs/classification.md shows that this is so at every scene.",
@@ -176,7 +176,7 @@ export function certificateView(answer: CertificateAnswer): HTMLElement {
             answer.text,
         ),
     );
-    if (answer.evidence.kind === "dimension count")
+    if (answer.proof.kind === "dimension count")
         return make(
             "div",
             {},
@@ -195,7 +195,7 @@ export function certificateView(answer: CertificateAnswer): HTMLElement {
         cameras(answer),
         features(answer),
         jacobian(answer),
-        make("p", {}, ...conclusion(answer.evidence, answer.modulus)),
+        make("p", {}, ...conclusion(answer.proof, answer.modulus)),
         text,
     );
 }

@@ -11,7 +11,7 @@ export interface Degree {
 export interface GeneralDegree {
     value: number;
     bound: "exact" | "at-least";
-    status: "certified" | "evidence";
+    status: "certified" | "proof";
     source: string;
 }
 
@@ -121,7 +121,7 @@ export interface Relatives {
     exchanges: Row[];
 }
 
-export interface Evidence {
+export interface Proof {
     kind: "dimension count" | "minimal" | "camera-minimal" | "deficient";
     minor?: string;
     deleted_rows?: number[];
@@ -135,7 +135,7 @@ export interface CertificateAnswer {
     cameras: { quaternion: number[]; translation: number[] }[];
     features: { feature: string; point: number[]; directions: number[][] }[];
     jacobian: { own: number; cameras: number; rows: string[][] }[];
-    evidence: Evidence;
+    proof: Proof;
 }
 
 export type FileKind = "svg" | "tikz" | "macaulay2" | "julia" | "certificate";

@@ -1,6 +1,6 @@
 #include "atlas/wasm/answers.h"
 
-#include "prover/minimal/problem_certificate.h"
+#include "prover/minimal/problem_file.h"
 #include "prover/problem/spec.h"
 
 namespace atlas {
@@ -27,7 +27,7 @@ Json features_of(const std::vector<PlacedFeature>& features) {
 
 /// The Jacobian block by block: the rows of a feature, in its own unknowns and in those of the
 /// cameras. Entries are decimal texts: some are larger than a page can count.
-Json jacobian_of(const ProblemCertificate& certificate) {
+Json jacobian_of(const ProblemFile& certificate) {
     Json blocks = Json::array();
     for (const PlacedFeature& placed : certificate.features) {
         const FeatureBlock block = feature_block(placed, certificate.cameras);
@@ -43,36 +43,28 @@ Json jacobian_of(const ProblemCertificate& certificate) {
     return blocks;
 }
 
-struct EvidenceInWords {
-    Json operator()(std::monostate) const { return {{"kind", "dimension count"}}; }
-    Json operator()(const MinimalCertificate& certificate) const {
-        return {{"kind", "minimal"}, {"minor", std::to_string(certificate.minor)}};
-    }
-    Json operator()(const CameraMinimalCertificate& certificate) const {
-        return {{"kind", "camera-minimal"},
-                {"deleted_columns", certificate.deleted_columns},
-                {"minor", std::to_string(certificate.minor)}};
-    }
-    Json operator()(const DeficientCertificate& certificate) const {
-        return {{"kind", "deficient"},
-                {"deleted_rows", certificate.deleted_rows},
-                {"deleted_columns", certificate.deleted_columns},
-                {"minor", std::to_string(certificate.minor)},
-                {"kernel", certificate.kernel}};
-    }
-};
+/// What the claim proves, with the numbers that it has.
+Json proof_of(const Claim& claim) {
+    const auto* minor = std::get_if<Minor>(&claim);
+    if (!minor) return {{"kind", "dimension count"}};
+    Json proof{{"kind", name(*minor)}, {"minor", std::to_string(minor->value)}};
+    if (!minor->deleted_rows.empty()) proof["deleted_rows"] = minor->deleted_rows;
+    if (!minor->deleted_columns.empty()) proof["deleted_columns"] = minor->deleted_columns;
+    if (!minor->kernel.empty()) proof["kernel"] = minor->kernel;
+    return proof;
+}
 
 } // namespace
 
 Json certificate_answer(const Json& request) {
-    const ProblemCertificate certificate =
+    const ProblemFile certificate =
         certify_problem(parse_spec(request.at("spec").get<std::string>()));
     return {{"text", write(certificate)},
             {"modulus", std::to_string(modulus)},
             {"cameras", cameras_of(certificate.cameras)},
             {"features", features_of(certificate.features)},
             {"jacobian", jacobian_of(certificate)},
-            {"evidence", std::visit(EvidenceInWords{}, certificate.evidence)}};
+            {"proof", proof_of(certificate.claim)}};
 }
 
 } // namespace atlas

@@ -6,7 +6,7 @@
 #include "prover/drawing/caption.h"
 #include "prover/drawing/drawing.h"
 #include "prover/minimal/extensions.h"
-#include "prover/minimal/problem_certificate.h"
+#include "prover/minimal/problem_file.h"
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
 #include "prover/scripts/scripts.h"

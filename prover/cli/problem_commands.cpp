@@ -5,7 +5,7 @@
 #include "prover/cli/problem_report.h"
 #include "prover/cli/sections.h"
 #include "prover/drawing/drawing.h"
-#include "prover/minimal/problem_certificate.h"
+#include "prover/minimal/problem_file.h"
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"

@@ -12,7 +12,7 @@
 #include "prover/cli/solve_command.h"
 #include "prover/format/version.h"
 #include "prover/minimal/classification_file.h"
-#include "prover/minimal/problem_certificate.h"
+#include "prover/minimal/problem_file.h"
 #include "prover/problem/spec.h"
 #include "prover/scripts/scripts.h"
 #include "prover/system/atomic_file.h"

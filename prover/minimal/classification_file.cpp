@@ -35,12 +35,12 @@ PosedProblem pose(const Signature& signature, const PreparedPool& pool) {
     return posed;
 }
 
-Record certify_class(const Signature& signature, std::size_t number,
-                     std::vector<PreparedPool>& pools) {
+ClassRecord certify_class(const Signature& signature, std::size_t number,
+                          std::vector<PreparedPool>& pools) {
     for (std::size_t index = 0; index < max_pools; ++index) {
         if (index == pools.size()) pools.push_back(prepare(index + 1));
-        if (auto certificate = certify(pose(signature, pools[index])))
-            return {number, index, std::move(*certificate)};
+        if (auto minor = find_minor(pose(signature, pools[index])))
+            return {number, index, std::move(*minor)};
     }
     throw std::runtime_error("class " + std::to_string(number) + " is rank-deficient in all " +
                              std::to_string(max_pools) + " pools, but has no obstruction for it");

@@ -2,24 +2,24 @@
 // coordinates they use.
 #pragma once
 
-#include "prover/minimal/certificate.h"
+#include "prover/minimal/minor.h"
 #include "prover/minimal/pool.h"
 
 #include <functional>
 
 namespace plprove {
 
-/// One certificate of the file: the class with this number is posed in the pool with this index.
-struct Record {
+/// The class with this number is posed in the pool with this index.
+struct ClassRecord {
     std::size_t number = 0;
     std::size_t pool = 0;
-    Certificate certificate;
+    Minor minor;
 };
 
-/// A certificate for each label class, ascending.
+/// A record for each label class, ascending.
 struct ClassificationFile {
     std::vector<Pool> pools;
-    std::vector<Record> records;
+    std::vector<ClassRecord> records;
 };
 
 /// Called with the number of classes done, now and then.

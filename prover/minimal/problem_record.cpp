@@ -47,12 +47,12 @@ Residue minor_at(const Problem& problem, const Instance& instance) {
 }
 
 /// A point with small coordinates and full rank. Large coordinates tell whether there is one.
-std::optional<FullRank> find_full_rank(const Problem& problem) {
+std::optional<Minor> find_full_rank(const Problem& problem) {
     if (minor_at(problem, random_instance(problem, 1, large)) == 0) return std::nullopt;
     for (unsigned seed = 1; seed <= tries; ++seed) {
-        FullRank found{random_instance(problem, seed, small), 0};
-        found.minor = minor_at(problem, found.instance);
-        if (found.minor != 0) return found;
+        Minor found{.instance = random_instance(problem, seed, small)};
+        found.value = minor_at(problem, found.instance);
+        if (found.value != 0) return found;
     }
     return std::nullopt;
 }
@@ -72,7 +72,7 @@ std::string list(const std::vector<int>& numbers) {
 struct Explain {
     const Problem& problem;
 
-    std::string operator()(const FullRank&) const {
+    std::string operator()(const Minor&) const {
         return "the images put one condition for each parameter of cameras and scene, "
                "independent at generic images";
     }
@@ -122,26 +122,26 @@ struct Explain {
 } // namespace
 
 bool is_minimal(const ProblemRecord& certificate) {
-    return std::holds_alternative<FullRank>(certificate.evidence);
+    return std::holds_alternative<Minor>(certificate.claim);
 }
 
 std::string verdict(const ProblemRecord& certificate) {
     if (is_minimal(certificate)) return "minimal";
-    return std::holds_alternative<Unbalanced>(certificate.evidence) ? "unbalanced" : "not minimal";
+    return std::holds_alternative<Unbalanced>(certificate.claim) ? "unbalanced" : "not minimal";
 }
 
 std::string explanation(const ProblemRecord& certificate) {
-    return std::visit(Explain{certificate.problem}, certificate.evidence);
+    return std::visit(Explain{certificate.problem}, certificate.claim);
 }
 
 ProblemRecord certify(const Problem& problem) {
     const std::string text = notation(problem);
     ProblemRecord certificate{parse_problem(text), Unbalanced{}};
     if (!is_balanced(certificate.problem)) return certificate;
-    if (std::optional<FullRank> full_rank = find_full_rank(certificate.problem))
-        certificate.evidence = *std::move(full_rank);
+    if (std::optional<Minor> full_rank = find_full_rank(certificate.problem))
+        certificate.claim = *std::move(full_rank);
     else if (const std::optional<Reason> reason = find_reason(certificate.problem))
-        std::visit([&](const auto& found) { certificate.evidence = found; }, *reason);
+        std::visit([&](const auto& found) { certificate.claim = found; }, *reason);
     else
         throw std::runtime_error("no certificate found for " + text +
                                  ": it looks as if it were not minimal, but no known reason "

@@ -2,7 +2,7 @@
 // section 13).
 #pragma once
 
-#include "prover/minimal/jacobian.h"
+#include "prover/minimal/minor.h"
 #include "prover/minimal/reason.h"
 #include "prover/problem/complete_visibility.h"
 
@@ -13,21 +13,16 @@
 
 namespace plprove {
 
-/// A square Jacobian whose determinant modulo q is not 0.
-struct FullRank {
-    Instance instance;
-    Residue minor = 0;
-};
-
 /// The images have more degrees of freedom than cameras and scene, or fewer.
 struct Unbalanced {};
 
-using Proof = std::variant<FullRank, Unbalanced, FourCollinear, OverconstrainedPart>;
+/// What proves a verdict.
+using Claim = std::variant<Minor, Unbalanced, FourCollinear, OverconstrainedPart>;
 
 /// The problem, with its lines in the order of its notation, and what proves the verdict.
 struct ProblemRecord {
     Problem problem;
-    Proof evidence;
+    Claim claim;
 };
 
 bool is_minimal(const ProblemRecord& certificate);

@@ -1,8 +1,7 @@
 // The text of certificates of minimality, as certs/FORMAT.md has it in sections 5, 7 and 13.
 #include "prover/format/certificate_text.h"
 #include "prover/minimal/classification_file.h"
-#include "prover/minimal/problem_certificate.h"
-#include "prover/minimal/problem_record.h"
+#include "prover/minimal/problem_file.h"
 #include "prover/problem/notation.h"
 
 namespace plprove {
@@ -31,26 +30,8 @@ void append_feature(CertificateText& text, const PlacedFeature& placed) {
     text.line("feature", notation(placed.feature), "point", coordinates(placed.point), pins);
 }
 
-void append_record(CertificateText& text, const std::string& number, std::size_t pool,
-                   const MinimalCertificate& certificate) {
-    text.line("minimal", number, pool + 1, certificate.minor);
-}
-
-void append_record(CertificateText& text, const std::string& number, std::size_t pool,
-                   const CameraMinimalCertificate& certificate) {
-    text.line("camera-minimal", number, pool + 1);
-    text.line("delete columns", certificate.deleted_columns);
-    text.line("minor", certificate.minor);
-}
-
-void append_record(CertificateText& text, const std::string& number, std::size_t pool,
-                   const DeficientCertificate& certificate) {
-    const Obstruction& why = certificate.obstruction;
-    text.line("deficient", number, pool + 1, "rank", camera_dimension - why.deficiency(), "excess",
-              why.excess, "star", why.star);
-    text.line("delete rows", certificate.deleted_rows, "columns", certificate.deleted_columns);
-    text.line("minor", certificate.minor);
-    for (const std::vector<std::string>& vector : certificate.kernel) {
+void append_kernel(CertificateText& text, const Minor& minor) {
+    for (const std::vector<std::string>& vector : minor.kernel) {
         std::vector<std::string> entries;
         for (const std::string& entry : vector)
             entries.push_back(with_digits(entry, digits_of_kernel_entries, "a kernel entry"));
@@ -58,7 +39,23 @@ void append_record(CertificateText& text, const std::string& number, std::size_t
     }
 }
 
-void append_record(CertificateText&, const std::string&, std::size_t, const std::monostate&) {}
+/// The record of section 5 or 7 with this number, or `-`, and the pool of this index.
+void append_record(CertificateText& text, const std::string& number, std::size_t pool,
+                   const Minor& minor) {
+    const std::string word = name(minor);
+    if (word == "minimal") return text.line(word, number, pool + 1, minor.value);
+    if (word == "deficient") {
+        const Obstruction& why = minor.obstruction;
+        text.line(word, number, pool + 1, "rank", camera_dimension - why.deficiency(), "excess",
+                  why.excess, "star", why.star);
+        text.line("delete rows", minor.deleted_rows, "columns", minor.deleted_columns);
+    } else {
+        text.line(word, number, pool + 1);
+        text.line("delete columns", minor.deleted_columns);
+    }
+    text.line("minor", minor.value);
+    append_kernel(text, minor);
+}
 
 void append_verdict(CertificateText& text, const Decision& decision) {
     const int excess = decision.constraints - decision.camera_dimension;
@@ -88,14 +85,15 @@ std::vector<std::string> numbered_views(ViewSet views) {
     return words;
 }
 
-struct WriteEvidence {
+/// Writes the claim of a record of section 13.
+struct WriteClaim {
     CertificateText& text;
 
-    void operator()(const FullRank& evidence) const {
-        text.line("minimal", evidence.minor);
-        for (const std::vector<std::int64_t>& camera : evidence.instance.cameras)
+    void operator()(const Minor& minor) const {
+        text.line("minimal", minor.value);
+        for (const Coordinates& camera : minor.instance.cameras)
             text.line("camera", coordinates(camera));
-        text.line("scene", coordinates(evidence.instance.scene));
+        text.line("scene", coordinates(minor.instance.scene));
     }
 
     void operator()(const Unbalanced&) const { text.line("unbalanced"); }
@@ -126,7 +124,7 @@ std::string problems_file(std::span<const ProblemRecord> certificates, Certifica
     append_modulus(text);
     for (const ProblemRecord& certificate : certificates) {
         text.line("problem", notation(certificate.problem));
-        std::visit(WriteEvidence{text}, certificate.evidence);
+        std::visit(WriteClaim{text}, certificate.claim);
     }
     return certificate_file("problems", text.take(), "certify fewer problems");
 }
@@ -146,33 +144,27 @@ std::string write(const ClassificationFile& file) {
             for (const PlacedFeature& placed : instances)
                 append_feature(text, placed);
     }
-    for (const Record& record : file.records)
-        std::visit(
-            [&](const auto& held) {
-                append_record(text, std::to_string(record.number), record.pool, held);
-            },
-            record.certificate);
+    for (const ClassRecord& record : file.records)
+        append_record(text, std::to_string(record.number), record.pool, record.minor);
     return certificate_file("classification", text.take(), "certify fewer classes");
 }
 
-std::string write(const ProblemCertificate& certificate) {
-    const Decision& decision = certificate.decision;
+std::string write(const ProblemFile& file) {
+    const Decision& decision = file.decision;
     CertificateText text;
     text.line("problem", notation(decision.problem));
     for (const ReductionStep& step : decision.reduction.steps)
         append_step(text, step);
     append_verdict(text, decision);
-    if (std::holds_alternative<std::monostate>(certificate.evidence))
-        return certificate_file("problem", text.take(), smaller_problem);
-    append_modulus(text);
-    text.line("pool", 1);
-    append_cameras(text, certificate.cameras);
-    for (const PlacedFeature& placed : certificate.features)
-        append_feature(text, placed);
-    const std::string number =
-        decision.classes ? std::to_string(decision.classes->label) : std::string("-");
-    std::visit([&](const auto& held) { append_record(text, number, 0, held); },
-               certificate.evidence);
+    if (const auto* minor = std::get_if<Minor>(&file.claim)) {
+        append_modulus(text);
+        text.line("pool", 1);
+        append_cameras(text, file.cameras);
+        for (const PlacedFeature& placed : file.features)
+            append_feature(text, placed);
+        append_record(text, decision.classes ? std::to_string(decision.classes->label) : "-", 0,
+                      *minor);
+    }
     return certificate_file("problem", text.take(), smaller_problem);
 }
 

@@ -1,7 +1,7 @@
 // What the prover writes, the checker accepts, for random problems of every kind: two programs that
 // share no source agree on verdicts, numbers, ranks and minors.
 #include "checker/replay.h"
-#include "prover/minimal/problem_certificate.h"
+#include "prover/minimal/problem_file.h"
 #include "tests/support/all_classes.h"
 #include "tests/support/random_problems.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 /// Certifies and checks; returns the verdict's first word.
 std::string agree(const Features& problem) {
-    const ProblemCertificate certificate = certify_problem(problem);
+    const ProblemFile certificate = certify_problem(problem);
     const std::string text = write(certificate);
     CAPTURE(text);
     const checker::ReplayedFile replayed = checker::replay(all_classes(), "test", text);

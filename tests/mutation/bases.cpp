@@ -1,6 +1,6 @@
 #include "tests/mutation/bases.h"
 
-#include "prover/minimal/problem_certificate.h"
+#include "prover/minimal/problem_file.h"
 #include "tests/mutation/short_archive.h"
 #include "tests/support/random_problems.h"
 

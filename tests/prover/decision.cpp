@@ -1,7 +1,7 @@
 // Verdicts: laws, and ranks of whole Jacobians as a second method.
 #include "prover/minimal/decision.h"
 #include "prover/minimal/pool.h"
-#include "prover/minimal/problem_certificate.h"
+#include "prover/minimal/problem_file.h"
 #include "prover/problem/spec.h"
 #include "tests/support/random_problems.h"
 
@@ -144,9 +144,9 @@ TEST_CASE("what is certified has the rank that it needs: certificates are found 
     for (int i = 0; i < 60; ++i) {
         const Features problem = random.around_a_class(random.below(8));
         CAPTURE(notation(problem));
-        const ProblemCertificate certificate = certify_problem(problem);
+        const ProblemFile certificate = certify_problem(problem);
         const bool counted = certificate.decision.verdict == Verdict::under_constrained ||
                              certificate.decision.verdict == Verdict::over_constrained;
-        CHECK(std::holds_alternative<std::monostate>(certificate.evidence) == counted);
+        CHECK(std::holds_alternative<Unbalanced>(certificate.claim) == counted);
     }
 }

@@ -3,7 +3,7 @@
 #include "checker/conclusion/proved.h"
 #include "checker/family/isomorphism.h"
 #include "checker/problem/notation.h"
-#include "prover/minimal/problem_certificate.h"
+#include "prover/minimal/problem_file.h"
 #include "prover/problem/notation.h"
 #include "tests/support/random_problems.h"
 #include "tests/support/results.h"

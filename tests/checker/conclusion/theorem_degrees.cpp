@@ -1,6 +1,6 @@
 // Degrees by theorem: they need no file, they are given to classes proved minimal in the same run
 // only, and they are called what they are.
-#include "prover/minimal/problem_certificate.h"
+#include "prover/minimal/problem_file.h"
 #include "prover/problem/notation.h"
 #include "tests/support/degree_claims.h"
 #include "tests/support/minimal_classes.h"

@@ -160,7 +160,7 @@ TEST_CASE("every verdict of the families agrees with a rank, written a second wa
             const int corank = dimension_in_views(certificate.problem) -
                                SecondJacobian(certificate.problem, 5).rank();
             CHECK(is_minimal(certificate) == (corank == 0));
-            if (const auto* part = std::get_if<OverconstrainedPart>(&certificate.evidence))
+            if (const auto* part = std::get_if<OverconstrainedPart>(&certificate.claim))
                 CHECK(part->excess <= corank);
         }
 }
@@ -202,7 +202,7 @@ TEST_CASE("seven points: the verdict of three views holds for any number of view
             CHECK(is_minimal(certify(more)) == is_minimal(certificate));
         }
         // What proofs/families.md, Theorem 11, uses of the archive.
-        const auto* reason = std::get_if<OverconstrainedPart>(&certificate.evidence);
+        const auto* reason = std::get_if<OverconstrainedPart>(&certificate.claim);
         if (reason == nullptr) continue;
         CHECK(reason->part.points == whole(certificate.problem).points);
         CHECK(reason->part.lines == whole(certificate.problem).lines);

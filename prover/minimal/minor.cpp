@@ -1,4 +1,4 @@
-#include "prover/minimal/certificate.h"
+#include "prover/minimal/minor.h"
 
 #include <algorithm>
 #include <numeric>
@@ -107,7 +107,7 @@ std::vector<int> counted_from_one(std::vector<int> indices) {
     return indices;
 }
 
-std::optional<Certificate> certify_deficient(const PosedProblem& posed) {
+std::optional<Minor> find_deficient_minor(const PosedProblem& posed) {
     const EchelonForm form = echelon_form(stack(posed.parts));
     const auto deficiency = static_cast<std::size_t>(posed.obstruction.deficiency());
     if (form.free_columns.size() < deficiency)
@@ -115,18 +115,17 @@ std::optional<Certificate> certify_deficient(const PosedProblem& posed) {
             "an obstructed problem has too large a rank: please report this problem");
     if (form.free_columns.size() > deficiency) return std::nullopt;
 
-    DeficientCertificate certificate;
-    certificate.obstruction = posed.obstruction;
+    Minor minor{.obstruction = posed.obstruction};
     for (const int column : form.free_columns)
-        certificate.kernel.push_back(kernel_vector(form, column));
+        minor.kernel.push_back(kernel_vector(form, column));
     const ResidueMatrix remaining =
         without_camera_columns(jacobian(posed.blocks), form.free_columns);
     std::vector<int> kept;
-    certificate.deleted_rows = counted_from_one(superfluous_rows(remaining, kept));
-    certificate.deleted_columns = counted_from_one(form.free_columns);
-    if (certificate.deleted_rows.size() != deficiency) return std::nullopt;
-    certificate.minor = minor_of_rows(remaining, kept);
-    return certificate;
+    minor.deleted_rows = counted_from_one(superfluous_rows(remaining, kept));
+    minor.deleted_columns = counted_from_one(form.free_columns);
+    if (minor.deleted_rows.size() != deficiency) return std::nullopt;
+    minor.value = minor_of_rows(remaining, kept);
+    return minor;
 }
 
 /// The first columns of the feature's own unknowns that span the space of all of them, modulo q.
@@ -158,10 +157,14 @@ FeatureBlock with_own_columns(const FeatureBlock& block, std::span<const int> co
 
 } // namespace
 
-std::optional<CameraMinimalCertificate>
-certify_dominant(std::span<const FeatureBlock* const> blocks) {
+std::string name(const Minor& minor) {
+    if (minor.obstruction.deficiency() > 0) return "deficient";
+    return minor.deleted_columns.empty() ? "minimal" : "camera-minimal";
+}
+
+std::optional<Minor> find_dominant_minor(std::span<const FeatureBlock* const> blocks) {
     // Feature by feature, as J is large where many features leave much of the scene open.
-    CameraMinimalCertificate certificate;
+    Minor minor;
     std::vector<CameraPart> parts;
     int rows_left = 0;
     int first_column = 1;
@@ -169,7 +172,7 @@ certify_dominant(std::span<const FeatureBlock* const> blocks) {
         const std::vector<int> kept = independent_own_columns(*block);
         for (int column = 0; column < block->own; ++column)
             if (!std::ranges::binary_search(kept, column))
-                certificate.deleted_columns.push_back(first_column + column);
+                minor.deleted_columns.push_back(first_column + column);
         first_column += block->own;
         auto part = eliminate(with_own_columns(*block, kept));
         if (!part) return std::nullopt;
@@ -177,16 +180,16 @@ certify_dominant(std::span<const FeatureBlock* const> blocks) {
         parts.push_back(std::move(*part));
     }
     if (rows_left != blocks.front()->cameras) return std::nullopt;
-    certificate.minor = determinant(pointers(parts));
-    if (certificate.minor == 0) return std::nullopt;
-    return certificate;
+    minor.value = determinant(pointers(parts));
+    if (minor.value == 0) return std::nullopt;
+    return minor;
 }
 
-std::optional<Certificate> certify(const PosedProblem& posed) {
-    if (posed.obstruction.deficiency() > 0) return certify_deficient(posed);
-    const Residue minor = determinant(posed.parts);
-    if (minor == 0) return std::nullopt;
-    return MinimalCertificate{minor};
+std::optional<Minor> find_minor(const PosedProblem& posed) {
+    if (posed.obstruction.deficiency() > 0) return find_deficient_minor(posed);
+    const Residue determinant_of_j = determinant(posed.parts);
+    if (determinant_of_j == 0) return std::nullopt;
+    return Minor{.value = determinant_of_j};
 }
 
 } // namespace plprove
