@@ -3,7 +3,7 @@
 #include "prover/format/certificate_text.h"
 #include "prover/many_views/integer_pictures.h"
 #include "prover/many_views/path.h"
-#include "prover/monodromy/solution_set.h"
+#include "prover/monodromy/arrivals.h"
 #include "prover/problem/notation.h"
 
 #include <Eigen/LU>
@@ -114,60 +114,41 @@ Point second_camera_with_depths(const CameraModel& model, const Images<Complex>&
     return point;
 }
 
-/// The solutions at the integer images, as they arrive there.
-class Arrivals {
-public:
-    explicit Arrivals(IntegerSystem& system) : system_(system) {}
+/// Adds the solution that the point, in the standard chart, approximates, if it is new.
+void add(Arrivals<Point>& arrivals, IntegerSystem& system, const Point& approximation) {
+    const auto point = system.solve(approximation);
+    if (point && !arrivals.has(*point)) arrivals.add(*point, is_real(*point));
+}
 
-    /// Adds a solution, in the standard chart, if it is new; and its conjugate.
-    void add(const Point& approximation) {
-        auto point = system_.solve(approximation);
-        if (!point || seen_.find(*point)) return;
-        const bool real = is_real(*point);
-        if (real) point->imag().setZero();
-        seen_.add(*point);
-        if (!real) seen_.add(point->conjugate());
-        found_.push_back(*point);
-    }
+/// For each solution how many bits after the binary point are surely enough; 0: no number is.
+std::vector<int> bits_of(const std::vector<Point>& points, IntegerSystem& system) {
+    constexpr std::array tried{3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44};
+    constexpr double near = 1e-6;
+    std::vector<Point> written;
+    for (const Point& point : points)
+        written.push_back(system.written(point));
+    const auto find_again = [&](int, const auto& starts, const auto& indices) {
+        std::vector<bool> again;
+        for (std::size_t k = 0; k < starts.size(); ++k) {
+            const auto end = system.solve(system.read(starts[k]));
+            again.push_back(end && has_near_coordinates(*end, points[indices[k]], near));
+        }
+        return again;
+    };
+    std::vector<int> result;
+    for (const EnoughBits& enough : enough_bits(written, tried, find_again))
+        result.push_back(enough.sure);
+    return result;
+}
 
-    /// How many there are, pairs counted twice.
-    int size() const { return seen_.size(); }
+Arrivals<Point> no_arrivals() {
+    return Arrivals(SolutionSet<Point>(1e-7, Nearness::of_coordinates));
+}
 
-    std::vector<StartingValues> written() {
-        std::ranges::sort(found_, {}, [this](const Point& point) {
-            const Complex first = system_.written(point)[0];
-            return std::pair(first.real(), std::abs(first.imag()));
-        });
-        const std::vector<EnoughBits> bits = enough_bits_of_all();
-        std::vector<StartingValues> result;
-        for (std::size_t i = 0; i < found_.size(); ++i)
-            if (bits[i].sure > 0)
-                result.push_back(
-                    starting_values(system_.written(found_[i]), is_real(found_[i]), bits[i].sure));
-        return result;
-    }
-
-private:
-    std::vector<EnoughBits> enough_bits_of_all() {
-        constexpr std::array tried{3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 19, 22, 26, 30, 35, 40, 44};
-        constexpr double near = 1e-6;
-        std::vector<Point> written;
-        for (const Point& point : found_)
-            written.push_back(system_.written(point));
-        return enough_bits(written, tried, [&](int, const auto& starts, const auto& indices) {
-            std::vector<bool> again;
-            for (std::size_t k = 0; k < starts.size(); ++k) {
-                const auto end = system_.solve(system_.read(starts[k]));
-                again.push_back(end && has_near_coordinates(*end, found_[indices[k]], near));
-            }
-            return again;
-        });
-    }
-
-    IntegerSystem& system_;
-    SolutionSet<Point> seen_{1e-7, Nearness::of_coordinates};
-    std::vector<Point> found_;
-};
+std::vector<StartingValues> written(Arrivals<Point>& arrivals, IntegerSystem& system) {
+    return arrivals.written([&](const Point& point) { return system.written(point); },
+                            [&](const auto& points) { return bits_of(points, system); });
+}
 
 } // namespace
 
@@ -178,7 +159,7 @@ SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t 
     Random random(seed, stream);
     const IntegerImages integers = random_integer_images(problem, problem.views, random);
     IntegerSystem system(problem, integers, scale);
-    Arrivals arrivals(system);
+    Arrivals<Point> arrivals = no_arrivals();
     int in_vain = 0;
     for (int way = 0; in_vain < 2 && arrivals.size() < wanted; ++way) {
         const int before = arrivals.size();
@@ -187,19 +168,19 @@ SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t 
         for (const auto& end :
              follow_all(found.system, found.images, to, found.points, care, threads))
             if (end && found.system.has_cameras(*end))
-                arrivals.add(in_standard_chart(found.system, *end));
+                add(arrivals, system, in_standard_chart(found.system, *end));
         in_vain = arrivals.size() > before ? 0 : in_vain + 1;
     }
-    return {problem, integers, arrivals.written()};
+    return {problem, integers, written(arrivals, system)};
 }
 
 SolutionsRecord certify(const Problem& points, const IntegerImages& integers, int digits,
                         std::span<const std::vector<Complex>> second_cameras) {
     IntegerSystem system(points, integers, std::pow(10.0, digits));
-    Arrivals arrivals(system);
+    Arrivals<Point> arrivals = no_arrivals();
     for (const std::vector<Complex>& numbers : second_cameras)
-        arrivals.add(second_camera_with_depths(*points.cameras, system.images(), numbers));
-    return {points, integers, arrivals.written()};
+        add(arrivals, system, second_camera_with_depths(*points.cameras, system.images(), numbers));
+    return {points, integers, written(arrivals, system)};
 }
 
 std::string write_solutions(std::span<const SolutionsRecord> records) {

@@ -1,10 +1,12 @@
 #include "prover/three_views/integer_images.h"
 
+#include "prover/monodromy/arrivals.h"
 #include "prover/three_views/camera_loops.h"
 #include "prover/three_views/scene.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <span>
 
@@ -53,13 +55,6 @@ std::vector<FeatureImage> feature_images(const CameraSystem& system,
     return result;
 }
 
-CameraPoint conjugate(const CameraPoint& point) {
-    CameraPoint result;
-    for (std::size_t k = 0; k < point.size(); ++k)
-        result[k] = std::conj(point[k]);
-    return result;
-}
-
 bool is_real(const CameraPoint& point) {
     double imaginary = 0, size = 1;
     for (const Complex& x : point) {
@@ -68,12 +63,6 @@ bool is_real(const CameraPoint& point) {
     }
     return imaginary < small_imaginary_part * size;
 }
-
-/// A solution at the integer images.
-struct Found {
-    CameraPoint point;
-    bool real = false;
-};
 
 /// Solves the equations at fixed images from starting values nearby.
 class FixedImages {
@@ -108,11 +97,8 @@ private:
 };
 
 /// For each solution how many bits after the binary point are enough; 0: no number is.
-std::vector<int> bits_of(const std::vector<Found>& found, const FixedImages& fixed,
+std::vector<int> bits_of(const std::vector<CameraPoint>& points, const FixedImages& fixed,
                          const Demands& demands) {
-    std::vector<CameraPoint> points;
-    for (const Found& solution : found)
-        points.push_back(solution.point);
     const auto find_again = [&](int bits, const auto& starts, const auto& indices) {
         // In the end few are left, which are ill-conditioned.
         const auto ends = bits < 12 ? fixed.solve(starts, fastest_tracker(), 1e-7)
@@ -128,60 +114,26 @@ std::vector<int> bits_of(const std::vector<Found>& found, const FixedImages& fix
     return result;
 }
 
-/// The solutions at the integer images, as they arrive there.
-class Arrivals {
-public:
-    Arrivals(const CameraSystem& system, const Images& images, const Demands& demands)
-        : system_(system), demands_(demands), fixed_(system, images),
-          vectors_(image_vectors(system, standard_constants(system), images)) {}
-
-    /// Adds solutions, in the standard chart, that are new, and their conjugates.
-    void add(const std::vector<CameraPoint>& approximations) {
-        for (const auto& point : fixed_.solve_well(approximations)) {
-            if (!point || seen_.find(*point) ||
-                nondegeneracy(system_, vectors_, standard_chart().cameras(*point)) <
-                    demands_.nondegeneracy)
-                continue;
-            Found solution{*point, is_real(*point)};
-            seen_.add(*point);
-            if (solution.real)
-                for (Complex& x : solution.point)
-                    x = x.real();
-            else
-                seen_.add(conjugate(*point));
-            found_.push_back(solution);
-        }
-    }
-
-    std::vector<StartingValues> written() {
-        std::ranges::sort(found_, {}, [](const Found& solution) {
-            return std::pair(solution.point[0].real(), std::abs(solution.point[0].imag()));
-        });
-        const std::vector<int> bits = bits_of(found_, fixed_, demands_);
-        std::vector<StartingValues> result;
-        for (std::size_t i = 0; i < found_.size(); ++i)
-            if (bits[i] > 0)
-                result.push_back(starting_values(found_[i].point, found_[i].real, bits[i]));
-        return result;
-    }
-
-private:
-    const CameraSystem& system_;
-    Demands demands_;
-    FixedImages fixed_;
-    std::vector<Complex3> vectors_;
-    SolutionSet<CameraPoint> seen_;
-    std::vector<Found> found_;
-};
-
+/// The certificate with the solutions that these zeros, in the standard chart, approximate.
 DegreeCertificate certificate_of(const CameraSystem& system,
                                  const std::vector<IntegerVector>& vectors,
                                  const std::vector<CameraPoint>& zeros, const Demands& demands) {
-    Arrivals arrivals(system, unit_images(vectors), demands);
-    arrivals.add(zeros);
+    const Images images = unit_images(vectors);
+    const FixedImages fixed(system, images);
+    const auto seen = image_vectors(system, standard_constants(system), images);
+    const auto is_degenerate = [&](const CameraPoint& point) {
+        return nondegeneracy(system, seen, standard_chart().cameras(point)) < demands.nondegeneracy;
+    };
+    Arrivals arrivals{SolutionSet<CameraPoint>()};
+    for (const auto& point : fixed.solve_well(zeros))
+        if (point && !arrivals.has(*point) && !is_degenerate(*point))
+            arrivals.add(*point, is_real(*point));
     DegreeCertificate certificate;
     certificate.images = feature_images(system, vectors);
-    certificate.solutions = arrivals.written();
+    certificate.solutions =
+        arrivals.written(std::identity(), [&](const std::vector<CameraPoint>& points) {
+            return bits_of(points, fixed, demands);
+        });
     return certificate;
 }
 

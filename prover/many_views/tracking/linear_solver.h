@@ -5,6 +5,7 @@
 #pragma once
 
 #include "prover/many_views/tracking/evaluation.h"
+#include "prover/tracking/pivoting.h"
 
 namespace plprove::many_views::PLC_LANES {
 
@@ -18,38 +19,17 @@ struct Rows {
     Number* operator[](int row) const { return entries + row * columns; }
 };
 
-inline void exchange(Number* upper, Number* lower, int from, int to, Mask m) {
-    for (int c = from; c < to; ++c) {
-        const Number a = upper[c], b = lower[c];
-        upper[c] = select(m, b, a);
-        lower[c] = select(m, a, b);
-    }
-}
-
-/// Brings row k to a pivot in column k that is not small: a row is exchanged only where the entry
-/// is less than 1/64 of the largest one below it. What is lost in accuracy Newton's method makes
-/// up for.
-inline void choose_pivot(const Rows& a, int k) {
-    Real largest = Real::of(0);
-    for (int i = k; i < a.rows; ++i)
-        largest = larger(largest, square(a[i][k]));
-    Mask wanting = less(square(a[k][k]), Real::of(1.0 / 4096) * largest);
-    for (int i = k + 1; i < a.rows && any(wanting); ++i) {
-        const Mask here = without(wanting, less(square(a[i][k]), largest));
-        if (!any(here)) continue;
-        exchange(a[k], a[i], k, a.columns, here);
-        wanting = without(wanting, here);
-    }
-}
-
 /// Eliminates the first `count` unknowns: what is left of the first rows is upper triangular, of
 /// the others free of these unknowns. `inverse` are the reciprocals of the pivots.
 inline void eliminate(const Rows& a, int count, Number* inverse) {
     for (int k = 0; k < count; ++k) {
-        choose_pivot(a, k);
-        const Number pivot = a[k][k];
-        const Real scale = Real::of(1) / square(pivot);
-        inverse[k] = {pivot.re * scale, (Real::of(0) - pivot.im) * scale};
+        choose_pivot(
+            k, a.rows, [&](int i) { return a[i][k]; },
+            [&](int i, Mask here) {
+                for (int c = k; c < a.columns; ++c)
+                    exchange(a[k][c], a[i][c], here);
+            });
+        inverse[k] = inverse_of(a[k][k]);
         for (int i = k + 1; i < a.rows; ++i) {
             const Number factor = a[i][k] * inverse[k];
             for (int c = k + 1; c < a.columns; ++c)

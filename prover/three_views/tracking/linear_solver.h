@@ -4,39 +4,11 @@
 #pragma once
 
 #include "prover/three_views/tracking/evaluation.h"
+#include "prover/tracking/pivoting.h"
 
 namespace plprove::PLC_LANES {
 
 namespace {
-
-/// Exchanges rows k and i in the lanes of m.
-template <int Columns>
-void exchange(Equations& a, int k, int i, Mask m) {
-    for (int c = 0; c < Columns; ++c) {
-        const Number upper = a.entry[k][c], lower = a.entry[i][c];
-        a.entry[k][c] = select(m, lower, upper);
-        a.entry[i][c] = select(m, upper, lower);
-    }
-}
-
-/// Brings row k to a pivot in column k that is not small: a row is exchanged only where the entry
-/// is less than 1/64 of the largest one below it. What is lost in accuracy Newton's method makes
-/// up for, and most steps then need no exchange in any lane.
-template <int Columns>
-void choose_pivot(Equations& a, int k) {
-    Real size[n], largest = Real::of(0);
-    for (int i = k; i < n; ++i) {
-        size[i] = square(a.entry[i][k]);
-        largest = larger(largest, size[i]);
-    }
-    Mask wanting = less(size[k], Real::of(1.0 / 4096) * largest);
-    for (int i = k + 1; i < n && any(wanting); ++i) {
-        const Mask here = without(wanting, less(size[i], largest));
-        if (!any(here)) continue;
-        exchange<Columns>(a, k, i, here);
-        wanting = without(wanting, here);
-    }
-}
 
 /// Column `Column` of the LU decomposition (L below the diagonal, with ones on it) or, right of the
 /// matrix, of L^-1 times the column; `inverse` are the reciprocals of the pivots.
@@ -55,10 +27,13 @@ void eliminate(Equations& a, Number* inverse) {
     for (int i = 0; i < n; ++i)
         a.entry[i][Column] = column[i];
     if constexpr (Column < n) {
-        choose_pivot<Columns>(a, Column);
-        const Number pivot = a.entry[Column][Column];
-        const Real scale = Real::of(1) / square(pivot);
-        inverse[Column] = {pivot.re * scale, (Real::of(0) - pivot.im) * scale};
+        choose_pivot(
+            Column, n, [&](int i) { return a.entry[i][Column]; },
+            [&](int i, Mask here) {
+                for (int c = 0; c < Columns; ++c)
+                    exchange(a.entry[Column][c], a.entry[i][c], here);
+            });
+        inverse[Column] = inverse_of(a.entry[Column][Column]);
         for (int i = Column + 1; i < n; ++i)
             a.entry[i][Column] = a.entry[i][Column] * inverse[Column];
     }
