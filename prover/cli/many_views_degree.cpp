@@ -2,6 +2,7 @@
 
 #include "prover/cli/sections.h"
 #include "prover/many_views/certificate.h"
+#include "prover/many_views/degrees_on_file.h"
 #include "prover/minimal/problem_record.h"
 #include "prover/problem/notation.h"
 #include "prover/system/exit.h"
@@ -61,13 +62,22 @@ many_views::SolutionsRecord record_of(const many_views::MonodromyResult& found,
     return many_views::certify(found, wanted, request.seed, all_threads());
 }
 
+/// Whether a theorem or certificates say that these are all: `certified`; or the computation only
+/// suggests it.
+std::string completeness(const Problem& problem, const many_views::MonodromyResult& found) {
+    const auto on_file = many_views::degree_on_file(notation(problem));
+    if (on_file && on_file->status == "certified" && on_file->degree == found.solutions)
+        return "certified";
+    return found.complete() ? "evidence" : "unknown";
+}
+
 /// The `certified` last is how many solutions the certificate shows; 0 if there is none.
 std::string json_report(const Problem& problem, const many_views::MonodromyResult& found,
                         int certified) {
     const nlohmann::ordered_json report = {{"problem", notation(problem)},
                                            {"name", name(problem)},
                                            {"solutions", found.solutions},
-                                           {"complete", found.complete() ? "evidence" : "unknown"},
+                                           {"complete", completeness(problem, found)},
                                            {"ways", found.ways},
                                            {"ways_that_agree", found.edges},
                                            {"certificate", certified},
@@ -80,11 +90,13 @@ std::string text_report(const Problem& problem, const many_views::MonodromyResul
                         int certified) {
     std::ostringstream out;
     section(out, "problem") << notation(problem) << '\n';
-    section(out, "degree") << (found.complete() ? "" : "at least ") << found.solutions
-                           << " by evidence\n";
-    section(out, "evidence") << found.edges << " of " << found.ways
-                             << " ways take the solutions of some images one to one to those of "
-                                "others\n";
+    const std::string complete = completeness(problem, found);
+    section(out, "degree") << (complete == "unknown" ? "at least " : "") << found.solutions
+                           << (complete == "certified" ? " certified, all found" : " by evidence")
+                           << '\n';
+    section(out, "ways") << found.edges << " of " << found.ways
+                         << " take the solutions of some images one to one to those of "
+                            "others\n";
     section(out, "paths") << found.paths << ", " << found.lost << " lost\n";
     section(out, "certificate");
     if (certified > 0)
