@@ -43,9 +43,7 @@ std::string_view verdict_on(const ProvedModel& model) {
 }
 
 std::string in_words(const ProvedModel& model) {
-    const auto solutions = [](std::size_t n) {
-        return say(n, n == 1 ? " solution" : " solutions");
-    };
+    const auto solutions = [](std::size_t n) { return counted(n, "solution"); };
     if (model.exact()) return say(model.name, " has exactly ", solutions(model.at_least));
     if (!model.minimal()) return say(model.name, " has at most ", solutions(*model.at_most));
     std::string text = say(model.name, " is minimal, with at least ", solutions(model.at_least));

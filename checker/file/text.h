@@ -13,6 +13,11 @@ template <class... Part> std::string say(const Part&... parts) {
     return text.str();
 }
 
+/// A number of things, one or more: `1 record`, `2 records`.
+inline std::string counted(std::size_t number, std::string_view thing) {
+    return say(number, ' ', thing, number == 1 ? "" : "s");
+}
+
 /// Text of unknown origin, fit for a terminal: all but printable ASCII is written \xNN. What is
 /// longer than `limit` is cut.
 inline std::string printable(std::string_view text, std::size_t limit) {

@@ -46,11 +46,17 @@ template <class Bound> static std::string in_words(const std::vector<Bound>& bou
     return text;
 }
 
+/// The same as held(), and the bounds if they are few.
+template <class Bound>
+static std::string held(const std::vector<Bound>& bounds, std::string_view thing,
+                        const Refusals& refusals) {
+    constexpr std::size_t few = 3;
+    const std::string text = held(bounds.size(), thing, refusals.count);
+    return bounds.size() > few ? text : text + in_words(bounds);
+}
+
 static std::string in_words(const DegreeFile& file) {
-    constexpr std::size_t most_lines = 3;
-    std::string text = held(file.bounds.size(), "degree record", file.refusals.count);
-    if (file.bounds.size() > most_lines) return text;
-    return text + in_words(file.bounds);
+    return held(file.bounds, "degree record", file.refusals);
 }
 
 static std::string in_words(const BoundsFile& file) {
@@ -69,17 +75,11 @@ static std::string in_words(const ProblemsFile& file) {
 }
 
 static std::string in_words(const SolutionsFile& file) {
-    constexpr std::size_t most_lines = 3;
-    std::string text = held(file.counts.size(), "solution record", file.refusals.count);
-    if (file.counts.size() > most_lines) return text;
-    return text + in_words(file.counts);
+    return held(file.counts, "solution record", file.refusals);
 }
 
 static std::string in_words(const AtMostFile& file) {
-    constexpr std::size_t most_lines = 3;
-    std::string text = held(file.bounds.size(), "upper bound", file.refusals.count);
-    if (file.bounds.size() > most_lines) return text;
-    return text + in_words(file.bounds);
+    return held(file.bounds, "upper bound", file.refusals);
 }
 
 static std::string in_words(const ModelFile& file) {

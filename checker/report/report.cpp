@@ -6,12 +6,34 @@
 #include "checker/problem/notation.h"
 
 namespace checker {
-std::string_view kind_of(const ReplayedFile& file) {
-    constexpr std::array<std::string_view, 10> kinds{
-        "",         "classification", "problem", "degrees", "bounds",
-        "problems", "solutions",      "at-most", "model",   ""};
-    static_assert(kinds.size() == std::variant_size_v<FileContent>);
+/// A kind of file.
+struct Kind {
+    std::string_view name{};     // as in its first line
+    std::string_view argument{}; // why its records prove what they say
+};
+
+/// In the order of FileContent.
+static constexpr std::array<Kind, std::variant_size_v<FileContent>> kinds{{
+    {},
+    {"classification",
+     "each record has a minor that is not 0, or a motion: proofs/classification.md"},
+    {"problem", "it reduces to a class, or has too few or many constraints: proofs/problems.md"},
+    {"degrees", "each solution has a box of its own that holds one zero: proofs/degrees.md"},
+    {"bounds", "each minor leaves only the basis: proofs/templates.md"},
+    {"problems",
+     "each record has a minor that is not 0, or conditions on images: proofs/families.md"},
+    {"solutions", "each solution has a box of its own that holds one zero: proofs/families.md"},
+    {"at-most", "forms that vanish at all solutions leave few dimensions: proofs/fixed_forms.md"},
+    {"model", "solutions modulo q that lift, and multiples that leave a basis: proofs/models.md"},
+    {},
+}};
+
+static const Kind& kind(const ReplayedFile& file) {
     return kinds[file.content.index()];
+}
+
+std::string_view kind_of(const ReplayedFile& file) {
+    return kind(file).name;
 }
 
 static std::vector<ExactDegree> exact_degrees(const paper::KnownDegrees& known) {
@@ -163,25 +185,6 @@ static std::string statement_of(const Report& report, const Proofs& proofs) {
     return text;
 }
 
-/// Why the records of a file prove what they say.
-static std::string_view argument_for(const ReplayedFile& file) {
-    if (std::holds_alternative<ClassificationFile>(file.content))
-        return "each record has a minor that is not 0, or a motion: proofs/classification.md";
-    if (std::holds_alternative<ProblemFile>(file.content))
-        return "it reduces to a class, or has too few or many constraints: proofs/problems.md";
-    if (std::holds_alternative<DegreeFile>(file.content))
-        return "each solution has a box of its own that holds one zero: proofs/degrees.md";
-    if (std::holds_alternative<BoundsFile>(file.content))
-        return "each minor leaves only the basis: proofs/templates.md";
-    if (std::holds_alternative<ProblemsFile>(file.content))
-        return "each record has a minor that is not 0, or conditions on images: proofs/families.md";
-    if (std::holds_alternative<SolutionsFile>(file.content))
-        return "each solution has a box of its own that holds one zero: proofs/families.md";
-    if (std::holds_alternative<ModelFile>(file.content))
-        return "solutions modulo q that lift, and multiples that leave a basis: proofs/models.md";
-    return "forms that vanish at all solutions leave few dimensions: proofs/fixed_forms.md";
-}
-
 /// Judges a run in which nothing in particular is expected: every file has to hold, and some file
 /// has to prove something.
 static Judgement judge_all(const Report& report) {
@@ -194,7 +197,7 @@ static Judgement judge_all(const Report& report) {
         judgement.statement =
             judgement.verified ? statement_of(report, proofs) : "there is no file; give one";
         for (const ReplayedFile& file : findings.files)
-            judgement.why.push_back(say(file.name, ": ", argument_for(file)));
+            judgement.why.push_back(say(file.name, ": ", kind(file).argument));
     }
     return judgement;
 }

@@ -29,9 +29,6 @@ struct Report {
 Report summarize(const Classification& classes, std::vector<ReplayedFile> files,
                  const Expectation& expectation = {}, bool all_degrees = false);
 
-/// A number of things, one or more: `1 record`, `2 records`.
-std::string counted(std::size_t number, std::string_view thing);
-
 /// The file's kind as in its first line; empty if it is no certificate.
 std::string_view kind_of(const ReplayedFile& file);
 

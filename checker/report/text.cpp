@@ -5,10 +5,6 @@
 #include <iomanip>
 
 namespace checker {
-std::string counted(std::size_t number, std::string_view thing) {
-    return say(number, ' ', thing, number == 1 ? "" : "s");
-}
-
 std::string complaints(const ReplayedFile& file) {
     std::string result;
     if (const auto* unreadable = std::get_if<Unreadable>(&file.content))

@@ -63,7 +63,7 @@ std::vector<Problem> family_problems(const Family& family) {
     for (int views = 2; views <= family.most_views; ++views)
         for (const std::vector<Skeleton>& same_size : by_points)
             for (const Skeleton& skeleton : same_size)
-                if (skeleton.points() < 7 || views <= 3)
+                if (skeleton.points() < 7 || views <= family.most_views_of_seven_points)
                     add_balanced(skeleton, *family.cameras, views, problems);
     return problems;
 }

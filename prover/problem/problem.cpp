@@ -229,18 +229,6 @@ int own_points(const Line& line) {
     return 2 - std::min(2, static_cast<int>(line.points.size()));
 }
 
-bool is_constructible_in_order(const Problem& problem) {
-    for (int point = 0; point < static_cast<int>(problem.points.size()); ++point) {
-        int carriers = 0;
-        for (const int number : lines_through(problem, point)) {
-            const Line& line = problem.lines[static_cast<std::size_t>(number)];
-            carriers += count_below(line.points, point) >= 2 ? 1 : 0;
-        }
-        if (carriers > 1) return false;
-    }
-    return true;
-}
-
 std::optional<Problem> in_order_of_construction(const Problem& problem) {
     std::vector<bool> done(problem.points.size(), false);
     std::vector<int> order;

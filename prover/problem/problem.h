@@ -78,10 +78,6 @@ std::optional<int> carrier(const Problem& problem, int point);
 /// How many more points fix the line, beside the points on it: two, one or none.
 int own_points(const Line& line);
 
-/// Whether the points are in an order of construction: each lies on at most one line with two
-/// earlier points.
-bool is_constructible_in_order(const Problem& problem);
-
 /// The same problem with its points in an order of construction; the given order, if it is one.
 /// Nothing if there is none.
 std::optional<Problem> in_order_of_construction(const Problem& problem);

@@ -6,6 +6,7 @@
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "tests/fuzz/require.h"
+#include "tests/support/construction.h"
 
 #include <algorithm>
 #include <stdexcept>

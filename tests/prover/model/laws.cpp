@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -39,6 +40,18 @@ std::string general_system(int unknowns, int degree) {
         text += "let f" + std::to_string(d + 1) + " = b" + std::to_string(d) + "[i]*y + dot(f" +
                 std::to_string(d) + ", y)*a[i]\n";
     return text + "equation dot(f" + std::to_string(degree) + ", y) = 0\nend\n";
+}
+
+/// By the names of their files.
+std::map<std::string, Model> models_of_literature() {
+    std::map<std::string, Model> models;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(SOURCE_DIR) + "/models")) {
+        std::ostringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        models.emplace(entry.path().stem().string(), read_model(text.str()));
+    }
+    return models;
 }
 
 /// What a committed certificate shows; empty where it shows nothing.
@@ -124,13 +137,9 @@ TEST_CASE("equations that are more or fewer than the unknowns have no fibre") {
 }
 
 TEST_CASE("the models of the literature have as many solutions as is claimed") {
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(SOURCE_DIR) + "/models")) {
-        CAPTURE(entry.path().string());
-        std::ostringstream text;
-        text << std::ifstream(entry.path()).rdbuf();
-        const Model model = read_model(text.str());
-        CHECK(model.name == entry.path().stem().string());
+    for (const auto& [name, model] : models_of_literature()) {
+        CAPTURE(name);
+        CHECK(model.name == name);
         CHECK(model.claimed > 0);
         const Program program = compile(model);
         const auto fibre = find_fibre(model, program).fibre;
@@ -140,12 +149,8 @@ TEST_CASE("the models of the literature have as many solutions as is claimed") {
 }
 
 TEST_CASE("each model of the literature has a solution that is found by solving for data") {
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(SOURCE_DIR) + "/models")) {
-        CAPTURE(entry.path().string());
-        std::ostringstream text;
-        text << std::ifstream(entry.path()).rdbuf();
-        const Model model = read_model(text.str());
+    for (const auto& [name, model] : models_of_literature()) {
+        CAPTURE(name);
         const auto found = find_solution_point(model, compile(model));
         // Here two equations without data are in the same unknowns.
         CHECK(found.has_value() == (model.name != "radial_absolute_pose"));

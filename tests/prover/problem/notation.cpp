@@ -3,6 +3,7 @@
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "tests/prover/minimal/random_arrangements.h"
+#include "tests/support/construction.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
