@@ -1,5 +1,7 @@
 // Why a problem is not minimal: the images of a part of it satisfy a condition (FORMAT.md, section
-// 13). Each claim is checked by counting on the incidences; there are no coordinates.
+// 13). Each claim is checked by counting on the incidences; there are no coordinates. If views 1
+// and 2 of projective cameras share eight points, say, then the images of these have 32 dimensions,
+// the points 24, the two cameras 7: the images satisfy one condition, and no motion is needed.
 #pragma once
 
 #include "checker/file/reader.h"
