@@ -2,7 +2,7 @@
 // proved of a problem, what the replayed certificates say, and what the prover decides.
 // ./reproduce test runs this when plcoq is built.
 #include "checker/replay.h"
-#include "prover/minimal/problem_certificate.h"
+#include "prover/minimal/problem_file.h"
 #include "tests/support/all_classes.h"
 #include "tests/support/program.h"
 #include "tests/support/random_problems.h"
