@@ -1,9 +1,9 @@
 (** * The five-point problem has at most 20 solutions
 
-    Two calibrated views see five points. The cameras are those of views 1 and 2 in Statement.v: the
-    first is [1 | 0], quaternion and translation of the second begin with 1. The claim is
-    [five_points]; GenericImages.v ends its proof. Template.v, Pose.v and SamePose.v say why there
-    are at most ten essential matrices, and two cameras for each. *)
+    Two calibrated views see five points. The first camera is [1 | 0]; the second is any rotation
+    and any translation but 0, which are known up to a factor. The claim is [five_points];
+    GenericImages.v ends its proof. Template.v, Pose.v and SamePose.v say why there are at most ten
+    essential matrices, and two cameras for each. *)
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
@@ -18,21 +18,28 @@ Local Open Scope ring_scope.
 
 Section Definitions.
 Variable L : fieldType.
-(** Points i = 0..4: views 1 and 2 see them at (y_4i, y_4i+1) and (y_4i+2, y_4i+3). A solution p is
-    a camera of view 2 that is not degenerate, such that there are five points with these images. *)
-Definition image_in v (p : seq L) (X : vec L) (a b : L) :=
-  let x := project (cameras_at L (nth 0 p) v) X in x3 x != 0 /\ point_image x = [:: a; b].
-Definition solution (y : nat -> L) (p : seq L) :=
-  [/\ size p = 5%N, norm (quat_of (cameras_at L (nth 0 p) V2)) != 0 &
-  forall i, (i < 5)%N -> exists X, image_in V1 p X (y (4 * i)%N) (y (4 * i + 1)%N) /\
-    image_in V2 p X (y (4 * i + 2)%N) (y (4 * i + 3)%N)].
+Definition first_camera := @Camera L (@Quat L 1 0 0 0) (vec0 L).
+(** Points i = 0..4: views 1 and 2 see them at (y_4i, y_4i+1) and (y_4i+2, y_4i+3). A solution is a
+    camera of view 2 that is not degenerate, such that there are five points with these images. *)
+Definition image_in (C : camera L) (X : vec L) (a b : L) :=
+  let x := project C X in x3 x != 0 /\ point_image x = [:: a; b].
+Definition solution (y : nat -> L) (C : camera L) :=
+  [/\ norm (quat_of C) != 0, trans C <> vec0 L &
+  forall i, (i < 5)%N -> exists X, image_in first_camera X (y (4 * i)%N) (y (4 * i + 1)%N) /\
+    image_in C X (y (4 * i + 2)%N) (y (4 * i + 3)%N)].
+(** One camera: quaternion and translation are the same up to factors. (The images fix no length.) *)
+Definition one_camera (C C' : camera L) :=
+  (exists2 m, m != 0 & trans C' = scale m (trans C)) /\
+  exists2 b, b != 0 & quat_of C' = factor b (quat_of C).
 End Definitions.
 
 (** Let the 20 coordinates of the images be independent over a field F of characteristic 0, in any
-    field L over F. Then there are at most 20 solutions in L. *)
+    field L over F. Then there are at most 20 solutions in L: of n solutions, any two of which are
+    different cameras, n is at most 20. *)
 Definition five_points : Prop := forall (F L : fieldType) (c : {rmorphism F -> L}), [char F] =i pred0 ->
   forall y : nat -> L, independent c (fun j : 'I_20 => y j) ->
-  forall s : seq (seq L), uniq s -> (forall p, p \in s -> solution y p) -> (size s <= 20)%N.
+  forall n (C : nat -> camera L), (forall i, (i < n)%N -> solution y (C i)) ->
+    (forall i j, (i < n)%N -> (j < n)%N -> one_camera (C i) (C j) -> i = j) -> (n <= 20)%N.
 
 (** ** The space of matrices that the five equations leave *)
 Section Space.
@@ -100,20 +107,21 @@ Notation P := (@space [comRingType of L] y).
 Hypothesis det0 : det != 0.
 Hypothesis regular : \det (@leading [comRingType of L] P) != 0.
 Notation Vec := (@Vec L).
-Notation C2 p := (cameras_at L (nth 0 p) V2).
-Definition E (p : seq L) := essential (trans (C2 p)) (quat_of (C2 p)).
+Notation first_camera := (first_camera L).
+Implicit Types p q r : camera L.
+Definition E p := essential (trans p) (quat_of p).
 
-Lemma image_in_E v p X a b : image_in v p X a b -> let x := project (cameras_at L (nth 0 p) v) X in
+Lemma image_in_E p X a b : image_in p X a b -> let x := project p X in
   [/\ x3 x != 0, x1 x / x3 x = a & x2 x / x3 x = b].
 Proof. by case=> h [h1 h2]. Qed.
 Lemma equations p : solution y p -> forall i, (i < 5)%N ->
   \sum_(e < 9) E p e * @coefficient [comRingType of L] y i e = 0.
 Proof.
 case=> _ _ h i /h[X [/image_in_E[a1 a2 a3] /image_in_E[b1 b2 b3]]].
-have eX : project (cameras_at L (nth 0 p) V1) X = X.
+have eX : project first_camera X = X.
   by case: (X) => u1 u2 u3; apply: vec_ext; rewrite /project /turn /rot /dot /add /=; ring.
 rewrite eX in a1 a2 a3.
-rewrite -[RHS](@epipolar_sum L (C2 p) X (Vec (y (4 * i)%N) (y (4 * i + 1)%N) 1)
+rewrite -[RHS](@epipolar_sum L p X (Vec (y (4 * i)%N) (y (4 * i + 1)%N) 1)
   (Vec (y (4 * i + 2)%N) (y (4 * i + 3)%N) 1)) //.
 rewrite essential_dot; apply: eq_bigr => e _; congr (_ * _).
 by case: e => -[|[|[|[|[|[|[|[|[|e]]]]]]]]].
@@ -171,24 +179,22 @@ move=> k10 h; have := h 0%N isT; have := h 1%N isT; have := h 2%N isT; have := h
 have := h 5%N isT; have := h 6%N isT; have := h 7%N isT; have := h 8%N isT.
 by rewrite /form; do 10?[case: k k10 => [|k] k10 //=]; move=> -> -> -> -> -> -> -> -> ->.
 Qed.
-Lemma scaled_essential m (t : vec L) q e : essential (scale m t) q e = m * essential t q e.
+Lemma scaled_essential m (t : vec L) (q : quat L) e : essential (scale m t) q e = m * essential t q e.
 Proof.
 rewrite /essential; move: (rot _ _) => u; case: (e %/ 3)%N => [|[|a]]; by rewrite /cross /scale /=; ring.
 Qed.
 Lemma free_z_solves m p : solution y p -> @solves L P (free_z m p).
 Proof.
-move=> sp k k10; rewrite (@form_ext k _ (essential (scale (m * det) (trans (C2 p))) (quat_of (C2 p)))) //.
+move=> sp k k10; rewrite (@form_ext k _ (essential (scale (m * det) (trans p)) (quat_of p))) //.
   exact: essential_cubics.
 by move=> e e9; rewrite scaled_essential; exact: in_space.
 Qed.
 Lemma chart_nonzero p : solution y p -> E p 4 != 0.
 Proof.
 move=> sp; apply/negP => /eqP E4; have z3 : free_z 1 p 3 = 0 by rewrite /free_z /= E4 mulr0.
-have zero := chart regular (free_z_solves 1 sp) z3; have [_ n0 _] := sp.
-have t0 : trans (C2 p) = vec0 L.
-  apply: (essential_nonzero n0) => e e9; have := zero e; rewrite (in_space 1 sp e9) mul1r.
-  by move/eqP; rewrite mulf_eq0 (negbTE det0) => /eqP.
-by have := congr1 (@x1 L) t0; move/eqP; rewrite oner_eq0.
+have zero := chart regular (free_z_solves 1 sp) z3; have [n0 t0 _] := sp.
+apply: t0; apply: (essential_nonzero n0) => e e9; have := zero e; rewrite (in_space 1 sp e9) mul1r.
+by move/eqP; rewrite mulf_eq0 (negbTE det0) => /eqP.
 Qed.
 Definition normal_z p := free_z (E p 4)^-1 p.
 Lemma normal_z3 p : solution y p -> normal_z p 3 = 1.
@@ -210,61 +216,66 @@ Definition coordinates_of (v : L * L * L) (i : nat) : L := nth 1 [:: v.1.1; v.1.
 Lemma point_ofE p i : solution y p -> (i < 4)%N -> coordinates_of (point_of p) i = normal_z p i.
 Proof. by move=> sp; case: i => [|[|[|[|i]]]] // _; rewrite normal_z3. Qed.
 
-Lemma same_camera p q : size p = 5%N -> size q = 5%N -> C2 p = C2 q -> p = q.
-Proof.
-case: p => [|b [|c [|d [|t [|t' []]]]]] // _; case: q => [|b' [|c' [|d' [|u [|u' []]]]]] // _.
-by case=> -> -> -> -> ->.
-Qed.
 Lemma at_most_two p q r : solution y p -> solution y q -> solution y r -> point_of p = point_of q ->
-  point_of p = point_of r ->
-  q != p -> r != p -> q = r.
+  point_of p = point_of r -> [\/ one_camera p q, one_camera p r | one_camera q r].
 Proof.
-have other u : solution y p -> solution y u -> point_of p = point_of u -> u != p ->
-    trans (C2 u) = trans (C2 p) /\ quat_of (C2 u) = turned (trans (C2 p)) (quat_of (C2 p)).
-  move=> sp su e ne; have [|k k0 h] := same_point sp su.
+have other u : solution y p -> solution y u -> point_of p = point_of u ->
+    (exists2 m, m != 0 & trans u = scale m (trans p)) /\ exists2 b, b != 0 &
+    quat_of u = factor b (quat_of p) \/ quat_of u = factor b (turned (trans p) (quat_of p)).
+  move=> sp su e; have [|k k0 h] := same_point sp su.
     by move=> i i4; rewrite -!point_ofE // e.
-  have [zp np _] := sp; have [zu nu _] := su.
-  have [//|//|//|//|et [eq|eq]] := same_essential two _ _ _ _ np nu k0 h; last by [].
-  case/eqP: ne; apply: same_camera => //; move: et eq; by case: (C2 u) => ? ? /= -> ->.
-move=> sp sq sr e1 e2 n1 n2; have [t1 q1] := other q sp sq e1 n1; have [t2 q2] := other r sp sr e2 n2.
-have [zq _ _] := sq; have [zr _ _] := sr; apply: same_camera => //.
-by move: t1 q1 t2 q2; case: (C2 q) => ? ? /= -> ->; case: (C2 r) => ? ? /= -> ->.
+  by have [np tp _] := sp; have [nu tu _] := su; exact: (same_essential two tp tu np nu k0 h).
+move=> sp sq sr e1 e2; have [[m m0 tq] [b b0 cq]] := other q sp sq e1.
+have [[m' m0' tr] [b' b0' cr]] := other r sp sr e2.
+case: cq => cq; first by constructor 1; split; [exists m | exists b].
+case: cr => cr; first by constructor 2; split; [exists m' | exists b'].
+constructor 3; split.
+  exists (m' / m); first by rewrite mulf_neq0 ?invr_eq0.
+  by rewrite tq tr /scale /=; congr Vec; rewrite mulrA divfK.
+exists (b' / b); first by rewrite mulf_neq0 ?invr_eq0.
+by rewrite cq cr /factor /=; congr Quat; rewrite mulrA divfK.
 Qed.
 
 Lemma fibres (T U : eqType) (f : T -> U) m (s : seq T) (V : seq U) : uniq V -> {subset map f s <= V} ->
-  (forall v, (count (fun p => f p == v) s <= m)%N) -> (size s <= m * size V)%N.
+  (forall v, (count (fun i => f i == v) s <= m)%N) -> (size s <= m * size V)%N.
 Proof.
-elim: V s => [|v V IH] s; first by case: s => // p s _ /(_ (f p)); rewrite mem_head => /(_ isT).
-case/andP=> vV uV sub le; rewrite -(count_predC (fun p => f p == v)) mulnS leq_add // -size_filter.
+elim: V s => [|v V IH] s; first by case: s => // i s _ /(_ (f i)); rewrite mem_head => /(_ isT).
+case/andP=> vV uV sub le; rewrite -(count_predC (fun i => f i == v)) mulnS leq_add // -size_filter.
 apply: IH => // [w|w]; last first.
-  by apply: leq_trans (le w); rewrite count_filter; apply: sub_count => p /andP[].
-case/mapP=> p; rewrite mem_filter => /andP[/= ne ps] ->; have := sub _ (map_f f ps).
+  by apply: leq_trans (le w); rewrite count_filter; apply: sub_count => i /andP[].
+case/mapP=> i; rewrite mem_filter => /andP[/= ne si] ->; have := sub _ (map_f f si).
 by rewrite inE (negbTE ne).
 Qed.
 
-Theorem at_most_twenty s : uniq s -> (forall p, p \in s -> solution y p) -> (size s <= 20)%N.
+Theorem at_most_twenty n (C : nat -> camera L) : (forall i, (i < n)%N -> solution y (C i)) ->
+  (forall i j, (i < n)%N -> (j < n)%N -> one_camera (C i) (C j) -> i = j) -> (n <= 20)%N.
 Proof.
-move=> us sol; pose V := undup (map point_of s).
+move=> sol different; pose f i := point_of (C i); pose s := iota 0 n; pose V := undup (map f s).
+have sn i : i \in s -> solution y (C i) by rewrite mem_iota => /sol.
 have ten : (size V <= 10)%N.
   apply: (@at_most_ten L P regular _ coordinates_of V (undup_uniq _)) => [v|v|v w].
-  - rewrite mem_undup => /mapP[p /sol sp ->] k k10; rewrite -[RHS](free_z_solves (E p 4)^-1 sp k10).
+  - rewrite mem_undup => /mapP[i /sn si ->] k k10; rewrite -[RHS](free_z_solves (E (C i) 4)^-1 si k10).
     by apply: form_ext => // e _; rewrite /at_z !point_ofE.
-  - by rewrite mem_undup => /mapP[p /sol sp ->].
+  - by rewrite mem_undup => /mapP[i /sn si ->].
   - move=> _ _ ne; have [e|] := eqVneq v.1.1 w.1.1; last by exists ord0.
     have [e'|] := eqVneq v.1.2 w.1.2; last by exists (inord 1); rewrite inordK.
     exists ord_max; apply: contraNneq ne; move: e e'; rewrite /coordinates_of /=.
     by case: (v) => -[? ?] ?; case: (w) => -[? ?] ? /= -> -> ->.
-apply: leq_trans (_ : 2 * size V <= 20)%N; last by rewrite -[20%N]/(2 * 10)%N leq_mul2l.
-apply: (fibres (f := point_of)) => [|w|v]; [exact: undup_uniq | by rewrite mem_undup |].
+rewrite -[n](size_iota 0) -/s; apply: leq_trans (_ : 2 * size V <= 20)%N;
+  last by rewrite -[20%N]/(2 * 10)%N leq_mul2l.
+apply: (fibres (f := f)) => [|w|v]; [exact: undup_uniq | by rewrite mem_undup |].
 rewrite -size_filter leqNgt; apply/negP => lt.
-have : uniq [seq p <- s | point_of p == v] by exact: filter_uniq.
-have : forall p, p \in [seq p <- s | point_of p == v] -> solution y p /\ point_of p = v.
-  by move=> p; rewrite mem_filter => /andP[/eqP -> /sol].
-case: filter lt => [|p [|q [|r l]]] // _ h /= /and3P[];
-  rewrite !inE !negb_or => /and3P[pq pr _] /andP[qr _] _.
-have [sp ep] := h p (mem_head _ _).
-have [|sq eq] := h q; first by rewrite !inE eqxx orbT.
-have [|sr er] := h r; first by rewrite !inE eqxx !orbT.
-case/eqP: qr; apply: (at_most_two sp sq sr); rewrite ?ep ?eq ?er // eq_sym //.
+have : uniq [seq i <- s | f i == v] by rewrite filter_uniq ?iota_uniq.
+have : forall i, i \in [seq i <- s | f i == v] -> [/\ (i < n)%N, solution y (C i) & f i = v].
+  by move=> i; rewrite mem_filter mem_iota => /andP[/eqP -> lti]; split=> //; exact: sol.
+case: filter lt => [|i [|j [|k l]]] // _ h /= /and3P[];
+  rewrite !inE !negb_or => /and3P[ij ik _] /andP[jk _] _.
+have [ni si ei] := h i (mem_head _ _).
+have [|nj sj ej] := h j; first by rewrite !inE eqxx orbT.
+have [|nk sk ek] := h k; first by rewrite !inE eqxx !orbT.
+have [||/(different _ _ ni nj)/eqP|/(different _ _ ni nk)/eqP|/(different _ _ nj nk)/eqP] :=
+  at_most_two si sj sk; rewrite ?(negbTE ij) ?(negbTE ik) ?(negbTE jk) //.
+- by rewrite -!/(f _) ei ej.
+- by rewrite -!/(f _) ei ek.
 Qed.
 End Bound.

@@ -181,7 +181,7 @@ End Generic.
 
 Theorem five_points_theorem : five_points.
 Proof.
-move=> F L c char0 y ind s us sol.
-apply: (at_most_twenty (two_neq0 c char0) (generic_block char0 ind) (generic_leading char0 ind) us) => p /sol.
+move=> F L c char0 y ind n C sol.
+apply: (at_most_twenty (two_neq0 c char0) (generic_block char0 ind) (generic_leading char0 ind)) => i /sol.
 exact: trimmed_solution.
 Qed.

@@ -1,7 +1,7 @@
 (** * Poses with the same essential matrix
 
-    If two cameras with t = (1, ...) have the same E up to scale, they have the same t, and their
-    rotations are the same or differ by a half turn about t ([same_essential]). *)
+    If two cameras have the same E up to a factor, they have the same t, and their rotations are the
+    same or differ by a half turn about t, all up to factors ([same_essential]). *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From PL1P Require Import Statement Rigid Epipolar Template Pose.
@@ -83,11 +83,28 @@ Proof. by case: p => a b c d; case: q => a' b' c' d'; apply: vec_ext; rewrite /r
 Lemma norm_times p q : norm (times p q) = norm p * norm q.
 Proof. by rewrite /norm /times /=; ring. Qed.
 
-(** [t] rot p = k [t]: then p is 1, or p is t, up to a factor. *)
-Lemma same_twist t p k : x1 t = 1 -> norm p != 0 -> (forall w, cross t (rot p w) = scale k (cross t w)) ->
-  [/\ qb p = 0, qc p = 0 & qd p = 0] \/ [/\ qa p = 0, qc p = x2 t * qb p & qd p = x3 t * qb p].
+(** Parallel vectors. *)
+Lemma cross_zero t w : t <> vec0 L -> cross t w = vec0 L -> exists l, w = scale l t.
 Proof.
-case: p => a b c d; case: t => t1 t2 t3; rewrite /norm /= => -> {t1} n0 h.
+case: t => t1 t2 t3; case: w => w1 w2 w3 t0; rewrite /cross /vec0 /= => -[e1 e2 e3].
+have sub (x y : L) : x - y = 0 -> x = y by move/eqP; rewrite subr_eq0 => /eqP.
+have {}e1 := sub _ _ e1; have {}e2 := sub _ _ e2; have {}e3 := sub _ _ e3.
+have [z1|n1] := eqVneq t1 0; last first.
+  by exists (w1 / t1); rewrite /scale /=; congr Vec; apply: (mulfI n1);
+    rewrite mulrA (mulrC t1 (_ / _)) divfK // ?e3 -?e2 mulrC.
+have [z2|n2] := eqVneq t2 0; last first.
+  by exists (w2 / t2); rewrite /scale /=; congr Vec; apply: (mulfI n2);
+    rewrite mulrA (mulrC t2 (_ / _)) divfK // ?e1 -?e3 mulrC.
+have [z3|n3] := eqVneq t3 0; first by case: t0; rewrite z1 z2 z3.
+by exists (w3 / t3); rewrite /scale /=; congr Vec; apply: (mulfI n3);
+  rewrite mulrA (mulrC t3 (_ / _)) divfK // ?e2 -?e1 mulrC.
+Qed.
+(** [t] rot p = k [t]: then p is 1, or p is t, up to a factor. *)
+Lemma same_twist t p k : t <> vec0 L -> norm p != 0 -> (forall w, cross t (rot p w) = scale k (cross t w)) ->
+  [/\ qb p = 0, qc p = 0 & qd p = 0] \/
+  exists l, p = Quat 0 (l * x1 t) (l * x2 t) (l * x3 t).
+Proof.
+case: p => a b c d; case: t => t1 t2 t3; rewrite /norm /= => t0 n0 h.
 have sub (x y : L) : x = y -> x - y = 0 by move=> ->; exact: subrr.
 have e1 w := sub _ _ (congr1 (@x1 L) (h w)); have e2 w := sub _ _ (congr1 (@x2 L) (h w)); have e3 w :=
   sub _ _ (congr1 (@x3 L) (h w)).
@@ -95,13 +112,14 @@ move: (e1 (Vec 1 0 0)) (e2 (Vec 1 0 0)) (e3 (Vec 1 0 0)) (e1 (Vec 0 1 0)) (e2 (V
   (e1 (Vec 0 0 1)) (e2 (Vec 0 0 1)) (e3 (Vec 0 0 1)).
 clear e1 e2 e3 h; rewrite /cross /rot /scale /dot /= => e11 e12 e13 e21 e22 e23 e31 e32 e33.
 (* with P = (b, c, d) and V = t x P + a t: V_i P_j + V_j P_i = 0 *)
-pose v1 := t2 * d - t3 * c + a; pose v2 := t3 * b - d + a * t2; pose v3 := c - t2 * b + a * t3.
+pose v1 := t2 * d - t3 * c + a * t1; pose v2 := t3 * b - t1 * d + a * t2.
+pose v3 := t1 * c - t2 * b + a * t3.
 have half (x : L) : x *+ 2 = 0 -> x = 0 by move/eqP; rewrite -mulr_natr mulf_eq0 (negbTE two) orbF => /eqP.
 have comb (x y z w : L) : x = 0 -> y = 0 -> z = 0 -> w *+ 2 = x + y + z -> w = 0.
   by move=> -> -> -> h; apply: half; rewrite h !addr0.
-have at0 : a * (b + t2 * c + t3 * d) = 0.
+have at0 : a * (t1 * b + t2 * c + t3 * d) = 0.
   by apply: oppr_inj; rewrite oppr0; apply: half; apply: (comb _ _ _ _ e11 e22 e33); ring.
-have tw : (a * (b + t2 * c + t3 * d)) *+ 2 = 0 by rewrite at0 mul0rn.
+have tw : (a * (t1 * b + t2 * c + t3 * d)) *+ 2 = 0 by rewrite at0 mul0rn.
 have z0 : 0 = 0 :> L by [].
 have v11 : v1 * b = 0 by apply: (comb _ _ _ _ e11 tw z0); rewrite /v1; ring.
 have v22 : v2 * c = 0 by apply: (comb _ _ _ _ e22 tw z0); rewrite /v2; ring.
@@ -124,17 +142,28 @@ have zero v : v * b = 0 -> v * c = 0 -> v * d = 0 -> v = 0.
   move=> /eqP hb /eqP hc /eqP hd; apply/eqP; apply: contraNT nz => v0.
   by move: hb hc hd; rewrite !mulf_eq0 (negbTE v0) /= => -> -> ->.
 have V1 := zero _ v11 p12 p13; have V2 := zero _ p21 v22 p23; have V3 := zero _ p31 p32 v33.
-have eD : d = t3 * b + a * t2.
-  by apply/eqP; rewrite eq_sym -subr_eq0; apply/eqP; rewrite -[RHS]V2 /v2; ring.
-have eC : c = t2 * b - a * t3.
-  by apply/eqP; rewrite -subr_eq0; apply/eqP; rewrite -[RHS]V3 /v3; ring.
-have aT : a * (1 + t2 ^+ 2 + t3 ^+ 2) = 0.
-  by rewrite -[RHS]V1 /v1 eD eC; ring.
+(* t (norm p) = P x V + a V + (P . t) P *)
+have at1 (ti : L) : a * ti * (a ^+ 2 + b ^+ 2 + c ^+ 2 + d ^+ 2) = 0 -> a = 0 \/ ti = 0.
+  by move/eqP; rewrite !mulf_eq0 (negbTE n0) orbF => /orP[/eqP|/eqP]; [left | right].
 have a0 : a = 0.
-  apply/eqP; move/eqP: aT; rewrite mulf_eq0 => /orP[//|/eqP T0].
-  case/eqP: n0; transitivity ((a ^+ 2 + b ^+ 2) * (1 + t2 ^+ 2 + t3 ^+ 2)); first by rewrite eD eC; ring.
-  by rewrite T0 mulr0.
-by split; rewrite ?eC ?eD a0 // ?mul0r ?subr0 ?addr0 //; ring.
+  have [|//|z1] := at1 t1.
+    transitivity (a * (c * v3 - d * v2 + a * v1) + a * (t1 * b + t2 * c + t3 * d) * b);
+      last by rewrite V1 V2 V3 at0 !(mulr0, mul0r, subr0, addr0).
+    by rewrite /v1 /v2 /v3; ring.
+  have [|//|z2] := at1 t2.
+    transitivity (a * (d * v1 - b * v3 + a * v2) + a * (t1 * b + t2 * c + t3 * d) * c);
+      last by rewrite V1 V2 V3 at0 !(mulr0, mul0r, subr0, addr0).
+    by rewrite /v1 /v2 /v3; ring.
+  have [|//|z3] := at1 t3.
+    transitivity (a * (b * v2 - c * v1 + a * v3) + a * (t1 * b + t2 * c + t3 * d) * d);
+      last by rewrite V1 V2 V3 at0 !(mulr0, mul0r, subr0, addr0).
+    by rewrite /v1 /v2 /v3; ring.
+  by case: t0; rewrite z1 z2 z3.
+have [|l [-> -> ->]] := @cross_zero (Vec t1 t2 t3) (Vec b c d) t0; last by exists l; rewrite a0.
+rewrite /cross /vec0 /=; congr Vec.
+- by rewrite -[RHS]V1 /v1 a0 mul0r addr0.
+- by rewrite -[RHS]V2 /v2 a0 mul0r addr0.
+- by rewrite -[RHS]V3 /v3 a0 mul0r addr0.
 Qed.
 
 Lemma quat_ext q q' : qa q = qa q' -> qb q = qb q' -> qc q = qc q' -> qd q = qd q' -> q = q'.
@@ -142,15 +171,16 @@ Proof. by case: q => ? ? ? ?; case: q' => ? ? ? ? /= -> -> -> ->. Qed.
 Lemma times_back p q : let r := times (times p (Rigid.conj q)) q in
   [/\ qa r = norm q * qa p, qb r = norm q * qb p, qc r = norm q * qc p & qd r = norm q * qd p].
 Proof. by case: p => a b c d; case: q => a' b' c' d'; rewrite /times /norm /=; split; ring. Qed.
-(** The rotation q after a half turn about t. *)
-Definition turned t q := let w := times (Quat 0 1 (x2 t) (x3 t)) q in Quat 1 (qb w / qa w) (qc w / qa w)
-  (qd w / qa w).
+Definition factor b q := Quat (b * qa q) (b * qb q) (b * qc q) (b * qd q).
+(** The rotation q, and then a half turn about t. *)
+Definition turned t q := times (Quat 0 (x1 t) (x2 t) (x3 t)) q.
 
-Lemma same_essential t q t' q' k : x1 t = 1 -> x1 t' = 1 -> qa q = 1 -> qa q' = 1 -> norm q != 0 ->
-  norm q' != 0 -> k != 0 ->
-  (forall e, (e < 9)%N -> essential t' q' e = k * essential t q e) -> t' = t /\ (q' = q \/ q' = turned t q).
+Lemma same_essential t q t' q' k : t <> vec0 L -> t' <> vec0 L -> norm q != 0 -> norm q' != 0 -> k != 0 ->
+  (forall e, (e < 9)%N -> essential t' q' e = k * essential t q e) ->
+  (exists2 m, m != 0 & t' = scale m t) /\
+  exists2 b, b != 0 & q' = factor b q \/ q' = factor b (turned t q).
 Proof.
-move=> t1 t1' q1 q1' n0 n0' k0 h.
+move=> t0 t0' n0 n0' k0 h.
 have c w : cross t' (rot q' (rot (Rigid.conj q) w)) = scale (k * norm q ^+ 2) (cross t w).
   rewrite (same_entries _ h) conj_rot; apply: vec_ext; rewrite /cross /scale /=; ring.
 have K0 : k * norm q ^+ 2 != 0 by rewrite mulf_neq0 // expf_neq0.
@@ -158,27 +188,32 @@ have d w : dot t' (cross t w) = 0.
   apply: (mulfI K0); rewrite mulr0; transitivity (dot t' (cross t' (rot q' (rot (Rigid.conj q) w)))).
     by rewrite c /dot /scale /=; ring.
   by rewrite /dot /cross /=; ring.
-have et : t' = t.
-  apply: vec_ext; first by rewrite t1.
-    by apply/eqP; rewrite -subr_eq0 -oppr_eq0 -(d (Vec 0 0 1)) /dot /cross /= t1 t1'; apply/eqP; ring.
-  by apply/eqP; rewrite -subr_eq0 -(d (Vec 0 1 0)) /dot /cross /= t1 t1'; apply/eqP; ring.
-split=> //; have := times_back q' q; have np : norm (times q' (Rigid.conj q)) != 0
-  by rewrite norm_times mulf_neq0 // norm_conj.
-have cp w : cross t (rot (times q' (Rigid.conj q)) w) = scale (k * norm q ^+ 2) (cross t w)
-  by rewrite rot_times -c et.
-move: (times q' _) np cp => p np cp [ba bb bc bd]; have [[p2 p3 p4]|[p1 p3 p4]] := same_twist t1 np cp.
-- left; move: ba bb bc bd; rewrite /times p2 p3 p4 /= !mul0r !subr0 !addr0 q1 q1' !mulr1 => -> eb ec ed.
-  by apply: quat_ext; rewrite ?q1 ?q1' //; apply: (mulfI n0); rewrite -?eb -?ec -?ed.
-- right; have {}ba := esym ba; have {}bb := esym bb; have {}bc := esym bc; have {}bd := esym bd.
-  set w := times (Quat 0 1 (x2 t) (x3 t)) q; pose b := qb p.
-  have pE : p = Quat 0 b (x2 t * b) (x3 t * b) by rewrite -p1 -p3 -p4 /b; case: (p).
-  have wa : norm q = b * qa w by move: ba; rewrite q1' mulr1 pE /w /times /= => ->; ring.
-  have wb : norm q * qb q' = b * qb w by rewrite bb pE /w /times /=; ring.
-  have wc : norm q * qc q' = b * qc w by rewrite bc pE /w /times /=; ring.
-  have wd : norm q * qd q' = b * qd w by rewrite bd pE /w /times /=; ring.
-  have /andP[b0 a0] : (b != 0) && (qa w != 0) by move: n0; rewrite wa mulf_eq0 negb_or.
-  have div x y : norm q * x = b * y -> x = y / qa w.
-    by rewrite wa => e; apply: (mulfI b0); apply: (mulIf a0); rewrite -[RHS]mulrA divfK // -e; ring.
-  by rewrite /turned -/w; apply: quat_ext; rewrite /= ?q1'; [| exact: div | exact: div | exact: div].
+have [|m et] := @cross_zero t t' t0.
+  rewrite /vec0 /cross; congr Vec.
+  - by rewrite -[RHS](d (Vec (-1) 0 0)) /dot /cross /=; ring.
+  - by rewrite -[RHS](d (Vec 0 (-1) 0)) /dot /cross /=; ring.
+  - by rewrite -[RHS](d (Vec 0 0 (-1))) /dot /cross /=; ring.
+have m0 : m != 0.
+  by apply/eqP => z; apply: t0'; rewrite et z /scale /vec0 !mul0r.
+split; first by exists m.
+have cp w : cross t (rot (times q' (Rigid.conj q)) w) = scale (k * norm q ^+ 2 / m) (cross t w).
+  apply: (@scale_inj _ m); first exact/eqP.
+  transitivity (cross t' (rot (times q' (Rigid.conj q)) w)).
+    by rewrite et /scale /cross /=; congr Vec; ring.
+  by rewrite rot_times c /scale /=; congr Vec; rewrite mulrA [m * _]mulrC divfK.
+have nonzero b (w : quat L) : q' = factor b w -> b != 0.
+  move=> e; apply: contraNneq n0' => z; rewrite e z /norm /factor /= !mul0r.
+  by rewrite expr0n /= !addr0.
+have div x y b : norm q * x = b * y -> x = b / norm q * y.
+  by move=> e; apply: (mulfI n0); rewrite e mulrA [norm q * _]mulrC divfK.
+have np : norm (times q' (Rigid.conj q)) != 0 by rewrite norm_times mulf_neq0 // norm_conj.
+have := times_back q' q; case: (same_twist t0 np cp) => [[p2 p3 p4]|[l pE]].
+  move: (times q' _) p2 p3 p4 => p p2 p3 p4 [ba bb bc bd].
+  have e : q' = factor (qa p / norm q) q.
+    by apply: quat_ext; apply: div; rewrite -?ba -?bb -?bc -?bd /times p2 p3 p4 /=; ring.
+  by exists (qa p / norm q); [exact: nonzero e | left].
+rewrite pE => -[ba bb bc bd]; have e : q' = factor (l / norm q) (turned t q).
+  by apply: quat_ext; apply: div; rewrite -?ba -?bb -?bc -?bd /turned /times /=; ring.
+by exists (l / norm q); [exact: nonzero e | right].
 Qed.
 End Same.
