@@ -17,7 +17,7 @@ inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems
     {"K", "three_views/5_many_pins.md"},
     {"L", "three_collinear_points.md"},
     {"M", "collinear_points_more_views.md"},
-    {"N", "many_pins.md"},
+    {"N", "five_pins.md"},
     {theorem_of_cameras, "moduli.md"},
     {theorem_of_arrangements, "moduli.md"},
     {"V", "four_and_five_views.md"},

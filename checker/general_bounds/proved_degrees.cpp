@@ -40,7 +40,7 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "PLa + PLabc + PLabcd + a", 10, "L"},
     {3, "2*PLab + PLabcd + a", 10, "L"},
     {3, "PLab + 2*PLabc + a", 11, "L"},
-    // proofs/many_pins.md
+    // proofs/five_pins.md
     {3, "Pabcdefg + 4*a", 6, "N"},
     {3, "Pabcde + 5*a", 23, "N"},
     {3, "Pabcd + Pabcdef + a", 6, "N"},

@@ -1,4 +1,4 @@
-// Integrals for Theorem N (proofs/many_pins.md, section 6): over the bundle N of spaces of scenes,
+// Integrals for Theorem N (proofs/five_pins.md, section 6): over the bundle N of spaces of scenes,
 // on the surface M_5 of triples of one-dimensional cameras that see five lines of a star.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Lemmas N4 to N6 of proofs/many_pins.md by counting: how many images of a feature given cameras
+// Lemmas N4 to N6 of proofs/five_pins.md by counting: how many images of a feature given cameras
 // see, over two finite fields. The growth of these numbers is the dimension.
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-// The integrals of Theorem N (proofs/many_pins.md) by a second method: fixed points of a torus on
+// The integrals of Theorem N (proofs/five_pins.md) by a second method: fixed points of a torus on
 // the whole space N, modulo q = 2^61 - 1, instead of the surface M_5. And the two camera triples
 // that see the same lines.
 #include "checker/algebra/modular.h"

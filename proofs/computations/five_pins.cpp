@@ -1,7 +1,7 @@
-// The numbers of Theorem N (proofs/many_pins.md) but for 2*Pabcdef: intersection numbers. From the
+// The numbers of Theorem N (proofs/five_pins.md) but for 2*Pabcdef: intersection numbers. From the
 // folder that holds proofs/:
 //
-//   c++ -std=c++20 -O2 -I. proofs/computations/many_pins.cpp -o many_pins
+//   c++ -std=c++20 -O2 -I. proofs/computations/five_pins.cpp -o five_pins
 //
 // Each line of the output is a problem and its number. Exit status 1 if one is not as in the
 // theorem.
