@@ -6,7 +6,6 @@
 #include "prover/monodromy/arrivals.h"
 #include "prover/problem/notation.h"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -58,8 +57,7 @@ public:
         constexpr double small_step = 1e-10, last_step = 1e-7;
         double relative = 1;
         for (int step = 0; step < most_steps && relative > small_step; ++step) {
-            system_.evaluate(still_, point, evaluation_);
-            const Point change = evaluation_.jacobian.partialPivLu().solve(evaluation_.values);
+            const Point change = system_.newton_step(still_, point, evaluation_);
             point -= change;
             relative = (change.array().abs() / (1 + point.array().abs())).maxCoeff();
         }

@@ -2,8 +2,6 @@
 
 #include "prover/monodromy/solution_set.h"
 
-#include <Eigen/LU>
-
 namespace plprove::many_views {
 
 namespace {
@@ -14,10 +12,8 @@ Point refined(const System& system, const Images<Moving>& still, const Point& ap
     constexpr double far = 1e-5;
     Point point = approximation;
     Evaluation evaluation;
-    for (int step = 0; step < steps; ++step) {
-        system.evaluate(still, point, evaluation);
-        point -= evaluation.jacobian.partialPivLu().solve(evaluation.values);
-    }
+    for (int step = 0; step < steps; ++step)
+        point -= system.newton_step(still, point, evaluation);
     const bool stayed = (point - approximation).norm() < far * (1 + approximation.norm());
     return stayed ? point : approximation; // also where the point is not finite
 }

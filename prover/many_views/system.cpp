@@ -1,5 +1,7 @@
 #include "prover/many_views/system.h"
 
+#include <Eigen/LU>
+
 namespace plprove::many_views {
 
 namespace {
@@ -132,6 +134,12 @@ void System::evaluate_row(Index row, const Incidence<Moving>& equation,
     for (std::size_t k = 0; k < by_coordinate.size(); ++k)
         result.jacobian(row, first + static_cast<Index>(k)) =
             (line * by_coordinate[k] * place).value();
+}
+
+Point System::newton_step(const Images<Moving>& images, const Point& point,
+                          Evaluation& room) const {
+    evaluate(images, point, room);
+    return room.jacobian.partialPivLu().solve(room.values);
 }
 
 bool System::has_cameras(const Point& point) const {

@@ -35,6 +35,9 @@ public:
 
     void evaluate(const Images<Moving>& images, const Point& point, Evaluation& result) const;
 
+    /// What a step of Newton's method subtracts from the point. The evaluation is room for it.
+    Point newton_step(const Images<Moving>& images, const Point& point, Evaluation& room) const;
+
     /// Whether the numbers of all views make cameras (CameraModel::is_camera). Paths jump to points
     /// that solve the equations, but have none.
     bool has_cameras(const Point& point) const;
