@@ -23,8 +23,9 @@ constexpr int largest_power = 20;
 
 constexpr const char* degree_examples =
     "A theorem gives the degree of a problem in three calibrated views. plprove finds the "
-    "solutions, and the\ncertificate shows them: plcheck replays it. In other numbers of views, "
-    "that none is missing is evidence,\nno proof.\n\n"
+    "solutions, and the\ncertificate shows them: plcheck replays it. In other numbers of views "
+    "monodromy finds solutions. Where no theorem\nsays how many there are, it is evidence, no "
+    "proof, that it finds no more.\n\n"
     "Examples:\n"
     "  plprove degree 2394                          all solutions of the Chicago problem\n"
     "  plprove degree '3*P/P/P + P/P/a' --json      for machines\n"

@@ -1,5 +1,5 @@
-// The solutions of a problem with complete visibility, by monodromy: where no theorem gives their
-// number, that none is missing is evidence, no proof.
+// The solutions of a problem with complete visibility, by monodromy. Where no theorem says how many
+// there are, it is evidence, no proof, that monodromy finds no more.
 #pragma once
 
 #include "prover/many_views/system.h"
