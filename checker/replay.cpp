@@ -27,14 +27,13 @@ static FileContent replay_certificates(const Classification& classes, std::strin
     if (kind == "classification") return replay_classification(reader, classes);
     if (kind == "problem") return replay_problem(reader, classes);
     if (kind == "degrees") return replay_degrees(reader, classes, execution);
-    if (kind == "bounds") return replay_bounds(reader, execution);
     if (kind == "problems") return replay_problems(reader, execution);
     if (kind == "solutions") return replay_solutions(reader, execution);
     if (kind == "at-most") return replay_at_most(reader, execution);
     if (kind == "model") return replay_model(reader, execution);
     throw Malformed{
         {1, say("found `", printable(kind, 40), "`, expected `classification`, ",
-                "`problem`, `problems`, `solutions`, `at-most`, `degrees`, `bounds` or `model`")}};
+                "`problem`, `problems`, `solutions`, `at-most`, `degrees` or `model`")}};
 }
 
 static FileContent replay_content(const Classification& classes, std::string_view bytes,

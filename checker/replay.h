@@ -1,7 +1,6 @@
 // A certificate file goes in as bytes, what it proves comes out: one type for each kind of file.
 #pragma once
 
-#include "checker/bounds/bounds_file.h"
 #include "checker/degrees/degree_file.h"
 #include "checker/family/problems_file.h"
 #include "checker/general_bounds/at_most_file.h"
@@ -19,7 +18,7 @@ struct Unreadable {
 };
 
 /// What a file proves. Malformed: it does not conform to FORMAT.md, and proves nothing.
-using FileContent = std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile, BoundsFile,
+using FileContent = std::variant<Malformed, ClassificationFile, ProblemFile, DegreeFile,
                                  ProblemsFile, SolutionsFile, AtMostFile, ModelFile, Unreadable>;
 
 struct ReplayedFile {

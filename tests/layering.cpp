@@ -29,15 +29,15 @@ const std::map<std::string, Folders> other_claims{
     {"effort", {}},
     {"model", {"effort"}},
     {"degrees", {"effort"}},
-    {"bounds", {"effort", "degrees"}},
+    {"registration", {}},
     {"counts", {}},
     {"exactly", {"degrees"}},
     {"family", {"effort"}},
     {"general_degrees", {"effort", "family", "degrees"}},
     {"general_bounds", {"effort", "family", "general_degrees"}},
     {"conclusion",
-     {"degrees", "bounds", "counts", "exactly", "family", "general_degrees", "general_bounds",
-      "model", ""}}};
+     {"degrees", "counts", "exactly", "family", "general_degrees", "general_bounds", "model",
+      "registration", ""}}};
 
 /// The folders of prover/, from the bottom to the top.
 const Folders layers{"system",     "format",    "geometry",     "model",     "cameras",

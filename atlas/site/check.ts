@@ -40,7 +40,7 @@ form.addEventListener("submit", async (event) => {
     const own: CheckFile[] = [];
     for (const file of files) own.push({ name: file.name, bytes: await file.arrayBuffer() });
     const helped = new FormData(form).has("archive")
-        ? [atlasFile("certs/classification.plc"), atlasFile("certs/bounds.plc")]
+        ? [atlasFile("certs/classification.plc")]
         : [];
     await view.run({ options: options(), files: [...helped, ...own] });
 });

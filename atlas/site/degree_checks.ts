@@ -14,7 +14,7 @@ async function classesOnFile(): Promise<Set<number>> {
 /** A button that has the checker certify the degree, and what it says. `file` has the solutions. */
 function checkOf(report: Report, degree: Degree, file: string): HTMLElement {
     const view = new CheckView();
-    const names = ["certs/classification.plc", "certs/bounds.plc", file];
+    const names = ["certs/classification.plc", file];
     const run = () =>
         view.run({
             options: [

@@ -72,6 +72,6 @@ std::string in_words(const UpperBound& bound) {
         return at_most + "forms that vanish at all solutions: proofs/fixed_forms.md";
     if (const auto* by = std::get_if<ByTheorem>(&bound.by))
         return say(at_most, "Theorem ", by->theorem, " of proofs/", page_of(by->theorem));
-    return at_most + "templates of relative pose and registration";
+    return at_most + "models of relative pose and registration: proofs/registrations.md";
 }
 } // namespace checker

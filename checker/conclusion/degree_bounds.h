@@ -2,9 +2,9 @@
 // are applied, and only to classes that are proved minimal.
 #pragma once
 
-#include "checker/bounds/registration.h"
 #include "checker/degrees/degree_file.h"
 #include "checker/exactly/degree.h"
+#include "checker/registration/registration.h"
 
 #include <optional>
 #include <variant>
@@ -36,7 +36,7 @@ struct DegreeBounds {
 /// By constraint class. Classes without any bound are absent.
 using DegreeTable = std::map<Signature, DegreeBounds>;
 
-/// The bounds of files: lower ones, and those by templates, which are applied to the label classes
+/// The bounds of files: lower ones, and those by models, which are applied to the label classes
 /// that are `minimal`, by their numbers.
 DegreeTable bounds_by_files(const Classification& classes, const std::vector<bool>& minimal,
                             const std::vector<LowerBound>& lower, const RegistrationBounds& upper);

@@ -2,6 +2,7 @@
 
 #include "checker/conclusion/in_general.h"
 #include "checker/conclusion/models.h"
+#include "checker/conclusion/registrations.h"
 
 namespace checker {
 const Refusals& refusals_of(const ReplayedFile& file) {
@@ -26,10 +27,9 @@ int status_of(const Findings& findings, std::size_t file) {
     return refusals_of(replayed).count > 0 || !findings.counts(file) ? 1 : 0;
 }
 
-/// Whether a file has records, or templates, that hold.
+/// Whether a file has records that hold.
 struct HasRecords {
     bool operator()(const DegreeFile& file) const { return !file.bounds.empty(); }
-    bool operator()(const BoundsFile& file) const { return file.templates > 0; }
     bool operator()(const SolutionsFile& file) const { return !file.counts.empty(); }
     bool operator()(const ProblemsFile& file) const { return !file.verdicts.empty(); }
     bool operator()(const AtMostFile& file) const { return !file.bounds.empty(); }
@@ -80,24 +80,16 @@ static std::vector<LowerBound> lower_bounds_of(const Findings& findings) {
     return bounds;
 }
 
-static RegistrationBounds upper_bounds_of(const Findings& findings) {
-    RegistrationBounds bounds;
-    for (std::size_t i = 0; i < findings.files.size(); ++i)
-        if (const auto* content = std::get_if<BoundsFile>(&findings.files[i].content))
-            if (findings.counts(i))
-                for (const auto& [type, bound] : content->bounds)
-                    add_bound(bounds, type, bound);
-    return bounds;
-}
-
-static void add_templates(Contradictions& found, const Findings& findings,
-                          const std::string& reason) {
-    for (std::size_t i = 0; i < findings.files.size(); ++i)
-        if (std::holds_alternative<BoundsFile>(findings.files[i].content)) found.emplace(i, reason);
+/// Adds the files of models that a bound is by, if it is by models.
+static void add_models(Contradictions& found, const Findings& findings, const UpperBound& bound,
+                       const std::string& reason) {
+    if (const auto* type = std::get_if<Registration>(&bound.by))
+        for (const std::size_t file : files_on(findings, *type))
+            found.emplace(file, reason);
 }
 
 /// Finds degree files that count more solutions than an upper bound allows, and the files of
-/// templates if these are the bound.
+/// models if these are the bound.
 static void add_counts(Contradictions& found, const Findings& findings,
                        const Classification& classes, const DegreeTable& table) {
     for (std::size_t i = 0; i < findings.files.size(); ++i) {
@@ -109,25 +101,25 @@ static void add_counts(Contradictions& found, const Findings& findings,
             if (!reason) continue;
             const std::string of_class = say("class ", record.number, " has ", *reason);
             found.emplace(i, of_class);
-            if (std::holds_alternative<Registration>(known.at_most->by))
-                add_templates(found, findings, of_class);
+            add_models(found, findings, *known.at_most, of_class);
         }
     }
 }
 
-/// Finds templates that allow fewer solutions than a theorem says that there are.
+/// Finds models that allow fewer solutions than a theorem says that there are.
 static void add_few(Contradictions& found, const Findings& findings, const DegreeTable& table) {
     for (const auto& [signature, known] : table)
         if (known.theorem)
             if (const auto reason = contradiction(known.theorem->solutions, known.at_most))
-                add_templates(found, findings, say(notation(signature), " has ", *reason));
+                add_models(found, findings, *known.at_most,
+                           say(notation(signature), " has ", *reason));
 }
 
 void add_degrees(Findings& findings, const Classification& classes, const AskedDegrees& asked) {
     std::vector<bool> minimal;
     for (std::size_t n = 0; n < findings.verdicts.size(); ++n)
         minimal.push_back(is_minimal(findings.verdicts, n));
-    const RegistrationBounds upper = upper_bounds_of(findings);
+    const RegistrationBounds upper = registration_bounds(findings, classes, minimal);
     DegreeTable table = bounds_by_files(classes, minimal, lower_bounds_of(findings), upper);
     add_theorems(table, classes, minimal, asked);
     Contradictions found = contradictions_in_general(findings);

@@ -12,7 +12,7 @@ struct Findings {
     /// Of each file, why it is refused, whatever it proves alone.
     std::vector<std::vector<std::string>> objections{};
     Verdicts verdicts{};
-    RegistrationBounds registrations{}; // upper bounds by templates
+    RegistrationBounds registrations{}; // upper bounds by models
     DegreeTable degrees{};
     int status = 0; // 0 every file holds, 1 one or a record is refused, 2 one is no certificate
 

@@ -1,5 +1,6 @@
 #include "checker/conclusion/known_degree.h"
 
+#include "checker/conclusion/registrations.h"
 #include "checker/degrees/constraint_class.h"
 
 namespace checker {
@@ -18,11 +19,13 @@ static std::vector<std::string> degree_files(const Classification& classes,
     return names;
 }
 
-static std::vector<std::string> template_files(const Findings& findings) {
+/// The files of models that a bound is by; none if it is not by models.
+static std::vector<std::string> model_files(const Findings& findings, const DegreeBounds& bounds) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < findings.files.size(); ++i)
-        if (std::holds_alternative<BoundsFile>(findings.files[i].content) && findings.counts(i))
-            names.push_back(findings.files[i].name);
+    const auto* type = bounds.at_most ? std::get_if<Registration>(&bounds.at_most->by) : nullptr;
+    if (type)
+        for (const std::size_t file : files_on(findings, *type))
+            names.push_back(findings.files[file].name);
     return names;
 }
 
@@ -32,46 +35,45 @@ static BoundFiles files_of_bounds(const Classification& classes, const Findings&
                                   const DegreeBounds& bounds) {
     BoundFiles files;
     if (!proved.file.empty()) files.upper = {proved.file};
-    if (bounds.at_most && std::holds_alternative<Registration>(bounds.at_most->by))
-        for (const std::string& name : template_files(findings))
-            files.upper.push_back(name);
+    for (const std::string& name : model_files(findings, bounds))
+        files.upper.push_back(name);
     files.lower =
         bounds.theorem ? files.upper : degree_files(classes, findings, constraint_class(signature));
     return files;
 }
 
-/// The bounds of the number of relative poses of two views, which a camera-minimal problem in two
-/// views has as its degree: exact if the degree of some class is this bound times another factor
-/// (proofs/templates.md, section 6).
-static DegreeBounds bounds_of_poses(const Classification& classes, const Findings& findings) {
-    DegreeBounds bounds;
+/// The number of relative poses of two views, which a camera-minimal problem in two views has as
+/// its degree: exact if the degree of some class is its bound times that of a registration
+/// (proofs/registrations.md, section 6).
+static KnownDegree degree_of_poses(const Classification& classes, const Findings& findings,
+                                   const Proved& proved) {
+    KnownDegree known{.source = "its degree is the number of relative poses of two views"};
+    std::vector<std::string> files{proved.file};
+    for (const ReplayedFile& file : findings.files)
+        if (std::holds_alternative<ClassificationFile>(file.content)) files.push_back(file.name);
     const auto poses = findings.registrations.find(relative_pose);
-    if (poses == findings.registrations.end()) return bounds;
-    bounds.at_most = UpperBound{poses->second, relative_pose};
-    for (std::size_t n = 0; n < findings.verdicts.size(); ++n) {
+    if (poses == findings.registrations.end()) return known;
+    known.bounds.at_most = UpperBound{poses->second, relative_pose};
+    Registration attained = relative_pose;
+    for (std::size_t n = 0; n < findings.verdicts.size() && known.bounds.at_least == 0; ++n) {
         if (!is_minimal(findings.verdicts, n)) continue;
         const Signature& signature = classes.representatives[n];
         const auto product = bound_by_registration(signature, findings.registrations);
-        if (product && product->bound == bounds_of(findings.degrees, signature).at_least)
-            bounds.at_least = poses->second;
+        if (!product || product->bound != bounds_of(findings.degrees, signature).at_least) continue;
+        known.bounds.at_least = poses->second;
+        attained = product->type;
     }
-    return bounds;
+    for (const std::size_t file : files_on(findings, attained))
+        files.push_back(findings.files[file].name);
+    known.files = {files, files};
+    return known;
 }
 
 /// What class or relative poses say of the degree.
 static KnownDegree degree_of_class(const Classification& classes, const Findings& findings,
                                    const Proved& proved, const Problem& problem) {
-    if (problem.view_count() == 2 && implies(proved.verdict, "camera-minimal")) {
-        std::vector<std::string> files{proved.file};
-        for (std::size_t i = 0; i < findings.files.size(); ++i)
-            if (std::holds_alternative<ClassificationFile>(findings.files[i].content))
-                files.push_back(findings.files[i].name);
-        for (const std::string& name : template_files(findings))
-            files.push_back(name);
-        return {bounds_of_poses(classes, findings),
-                {files, files},
-                "its degree is the number of relative poses of two views"};
-    }
+    if (problem.view_count() == 2 && implies(proved.verdict, "camera-minimal"))
+        return degree_of_poses(classes, findings, proved);
     if (!proved.number) return {};
     const Signature& signature = classes.representatives[*proved.number];
     const DegreeBounds bounds = bounds_of(findings.degrees, signature);

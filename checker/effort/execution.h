@@ -18,7 +18,7 @@ struct Progress {
 /// wrong takes no longer than that.
 inline constexpr std::size_t most_refusals = 100;
 
-/// Is told so after each solution, or each template.
+/// Is told so after each solution.
 using Watch = std::function<void(const Progress&)>;
 
 /// The effort of a minute or so; FORMAT.md, section 6, says what takes how much.

@@ -249,8 +249,8 @@ std::size_t check_elimination(const Program& program, const Layout& layout,
         }
     }
     if (row < numbers.size()) throw Refused("there are fewer rows than columns");
-    if (determinant(std::move(matrix)) != elimination.minor)
-        throw Refused("the determinant is not the minor");
+    const Residue minor = determinant(std::move(matrix));
+    if (minor != elimination.minor) throw Refused("the minor is ", minor.value, " modulo q");
     return elimination.basis.size();
 }
 } // namespace checker

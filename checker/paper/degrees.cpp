@@ -30,7 +30,7 @@ static DegreeClaim line_on(const std::string& problem, const DegreeBounds& bound
 
 /// The number of solutions of what is left when two views are posed relative to each other: the
 /// degree divided by the number of relative poses. Its upper bound is such a quotient, too, so that
-/// an exact degree is the product of two exact numbers (proofs/templates.md, Lemma U1).
+/// an exact degree is the product of two exact numbers (proofs/registrations.md, Lemma U1).
 static DegreeBounds registration_of(const DegreeBounds& degree, std::size_t relative_poses) {
     if (relative_poses == 0) return {};
     DegreeBounds registration = degree;

@@ -59,10 +59,6 @@ static std::string in_words(const DegreeFile& file) {
     return held(file.bounds, "degree record", file.refusals);
 }
 
-static std::string in_words(const BoundsFile& file) {
-    return held(file.templates, "template", file.refusals.count);
-}
-
 static std::string in_words(const ProblemVerdict& verdict) {
     return say(verdict.notation, verdict.minimal ? " is minimal" : " is not minimal");
 }

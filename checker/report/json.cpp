@@ -83,10 +83,6 @@ static std::string members(const DegreeFile& file) {
     return ", \"degrees\": " + array_of(items);
 }
 
-static std::string members(const BoundsFile& file) {
-    return say(", \"templates\": ", file.templates);
-}
-
 static std::string members(const ProblemsFile& file) {
     std::vector<std::string> items;
     for (const auto& [notation, problem, minimal] : file.verdicts)

@@ -19,7 +19,6 @@ static constexpr std::array<Kind, std::variant_size_v<FileContent>> kinds{{
      "each record has a minor that is not 0, or a motion: proofs/classification.md"},
     {"problem", "it reduces to a class, or has too few or many constraints: proofs/problems.md"},
     {"degrees", "each solution has a box of its own that holds one zero: proofs/degrees.md"},
-    {"bounds", "each minor leaves only the basis: proofs/templates.md"},
     {"problems",
      "each record has a minor that is not 0, or conditions on images: proofs/families.md"},
     {"solutions", "each solution has a box of its own that holds one zero: proofs/families.md"},
@@ -173,8 +172,6 @@ static std::string statement_of(const Report& report, const Proofs& proofs) {
         say("upper bounds of the degrees of ", bounds.count(), " problems in general"));
     add(report.exact.size(), "the exact degrees of 1 label class",
         say("the exact degrees of ", report.exact.size(), " label classes"));
-    const std::size_t types = report.findings.registrations.size();
-    add(types, "1 template", say(types, " templates"));
     const auto models = models_of(report.findings);
     if (!models.empty())
         add(models.size(), in_words(models.begin()->second),

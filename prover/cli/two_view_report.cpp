@@ -31,8 +31,8 @@ void write_certificate(std::ostream& out, const DegreeReport& report) {
         return;
     }
     out << "of at least " << report.certified() << " solutions of #" << report.run.number << '\n';
-    section(out, "") << "`plcheck certs/classification.plc certs/bounds.plc FILE` certifies "
-                        "just this, and\n";
+    section(out, "") << "`plcheck certs/classification.plc certs/models/registrations/*.plc FILE` "
+                        "certifies just this, and\n";
     section(out, "") << third_cameras(report) << " third cameras for each relative pose. So there "
                      << "are exactly " << poses_of_five_points << " relative poses.\n";
 }

@@ -214,6 +214,7 @@ std::optional<Elimination> find_elimination(const Model& model, const Program& p
     };
     improve(groupings(program), small);
     improve(overlapping_groupings(program), small);
+    if (best && target == 0) return best; // as good as any, for all that is known
     improve(groupings(program), large);
     improve(groupings(program), largest);
     return best;

@@ -29,7 +29,8 @@ struct Elimination {
 };
 
 /// The elimination with as small a basis as was found; the search ends at a basis of `target`
-/// monomials. Nothing if none was found.
+/// monomials, or with 0, which says that no lower bound is known, before large matrices. Nothing if
+/// none was found.
 std::optional<Elimination> find_elimination(const Model& model, const Program& program,
                                             std::size_t target);
 

@@ -2,7 +2,7 @@
 // three views: the engine, the certificates and the checker speak of three.
 //
 // A third camera multiplies the solutions: each of the 20 relative poses leaves equally many third
-// cameras (Lemma U1 of proofs/templates.md). Templates bound both factors. So where a degree file
+// cameras (Lemma U1 of proofs/registrations.md). Models bound both factors. So where a degree file
 // has the product of the bounds as its number of solutions, both are attained, and the number of
 // relative poses is certified exactly.
 #pragma once

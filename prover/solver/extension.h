@@ -1,6 +1,6 @@
 // All cameras of an extension of the five-point problem without paths: two views share five points,
 // which determine 20 relative poses; with each, a template registers the third camera
-// (proofs/templates.md, Lemma U1).
+// (proofs/registrations.md, Lemma U1).
 #pragma once
 
 #include "prover/solver/registration_template.h"

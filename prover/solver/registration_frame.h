@@ -1,5 +1,5 @@
 // Coordinates in which the equations of a registration problem are those of a frame
-// (certs/FORMAT.md, section 10; Lemma U3 of proofs/templates.md).
+// (certs/FORMAT.md, section 10; Lemma U3 of proofs/registrations.md).
 #pragma once
 
 #include "prover/solver/known_scene.h"

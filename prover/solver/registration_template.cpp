@@ -33,7 +33,7 @@ double value(const Monomial& monomial, const Eigen::Vector4d& coordinates) {
     return product;
 }
 
-/// The rotation with these coordinates: a quaternion, or (c, s, c', s'), as FORMAT has them.
+/// The rotation with these coordinates: a quaternion, or (c, s, c', s').
 template <class Scalar>
 Eigen::Matrix<Scalar, 3, 3> rotation_of(Frame frame, const Eigen::Matrix<Scalar, 4, 1>& u) {
     if (frame == Frame::general)

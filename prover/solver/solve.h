@@ -36,7 +36,7 @@ struct SolveOptions {
 /// once.
 class Solver {
 public:
-    /// certs/bounds.plc has a template that proves that there are no more.
+    /// certs/models/registrations has a model whose file proves that there are no more.
     static constexpr int poses_of_five_points = 20;
 
     /// For three views: `start` must be of the label class of the plan. Throws BadInput if not.

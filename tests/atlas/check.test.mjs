@@ -117,7 +117,7 @@ test("the checker says of every file what the program says, to the letter", asyn
     const files = [corpus, regressions].flatMap((from) =>
         readdirSync(from).map((name) => path.join(from, name)),
     );
-    files.push(path.join(root, "certs/bounds.plc"));
+    files.push(path.join(root, "certs/models/registrations/s_l0_i0_r111111.plc"));
     assert.ok(files.length > 20);
     const page = await atlas.visit("check.html");
     for (const file of files) {

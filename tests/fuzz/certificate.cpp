@@ -50,8 +50,9 @@ void require_sense(const ReplayedFile& file, std::string_view bytes) {
         require(content->verdicts.size() + refusals.count > 0, "a record is not told");
         require(content->missing == 0 || refusals.count > 0, "a family lacks problems, and holds");
     }
-    if (const auto* content = std::get_if<BoundsFile>(&file.content))
-        require(content->bounds.size() <= content->templates, "a bound without a template");
+    if (const auto* content = std::get_if<ModelFile>(&file.content))
+        require(content->records > 0 || (content->at_least == 0 && !content->at_most),
+                "a bound without a record");
 }
 
 } // namespace

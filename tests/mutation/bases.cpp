@@ -5,10 +5,10 @@
 #include "tests/support/random_problems.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <sstream>
 
 namespace mutation {
@@ -38,14 +38,6 @@ std::string degree_file(const std::map<std::size_t, File>& chosen) {
     for (const auto& [number, record] : chosen)
         text += join(record);
     return text;
-}
-
-/// How many rows a template has: the size of its matrix.
-std::size_t rows_of(const File& lines) {
-    return std::accumulate(lines.begin(), lines.end(), std::size_t{0},
-                           [](std::size_t sum, const Words& words) {
-                               return words[0] == "rows" ? sum + words.size() - 2 : sum;
-                           });
 }
 
 } // namespace
@@ -109,7 +101,7 @@ std::vector<Base> general_bases() {
 std::vector<File> records(const File& file) {
     std::vector<File> found;
     for (const Words& words : file)
-        if (words[0] == "degree" || words[0] == "template")
+        if (words[0] == "degree")
             found.push_back({words});
         else if (!found.empty())
             found.back().push_back(words);
@@ -154,20 +146,14 @@ std::vector<Base> degree_bases() {
     return bases;
 }
 
-std::vector<Base> template_bases() {
+std::vector<Base> model_bases() {
     constexpr std::size_t files = 24;
-    const File whole = split(committed("bounds.plc"));
-    std::vector<File> templates = records(whole);
-    std::ranges::stable_sort(templates, {}, rows_of);
-    const auto is_pose = [](const File& lines) {
-        return std::ranges::count(lines[1], "image") == 5;
-    };
-    const auto pose = std::ranges::find_if(templates, is_pose);
-    std::rotate(templates.begin(), pose, pose + 1);
     std::vector<Base> bases;
-    for (std::size_t i = 0; i < files; ++i)
-        bases.push_back(
-            {join({whole[0], whole[1]}) + join(templates[i]) + join(templates[files + i])});
+    for (const auto& entry : std::filesystem::directory_iterator(CERTS_DIR "/models/registrations"))
+        bases.push_back({committed("models/registrations/" + entry.path().filename().string())});
+    std::ranges::sort(bases, {},
+                      [](const Base& base) { return std::pair(base.text.size(), base.text); });
+    bases.resize(files);
     return bases;
 }
 

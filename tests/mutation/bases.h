@@ -15,12 +15,12 @@ struct Base {
 std::string committed(const std::string& name);
 
 std::vector<Base> classification_bases(); ///< three classes each
-std::vector<Base> problem_bases();  ///< every verdict, in two and three views, with reductions
-std::vector<Base> general_bases();  ///< each record of both families, without the family
-std::vector<Base> degree_bases();   ///< one to three classes, few solutions of each
-std::vector<Base> template_bases(); ///< the relative pose and two other types
+std::vector<Base> problem_bases(); ///< every verdict, in two and three views, with reductions
+std::vector<Base> general_bases(); ///< each record of both families, without the family
+std::vector<Base> degree_bases();  ///< one to three classes, few solutions of each
+std::vector<Base> model_bases();   ///< the smallest models of registrations
 
-/// The records of a degree file, or the templates of a file of upper bounds, without what precedes.
+/// The records of a degree file, without what precedes.
 std::vector<File> records(const File& file);
 
 /// The degree files whose records are mutated: all committed ones.

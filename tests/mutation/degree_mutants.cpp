@@ -4,14 +4,14 @@ namespace mutation {
 
 namespace {
 
-/// The lines of a record of a class, or of a template.
+/// The lines of a record of a class.
 struct Block {
     std::size_t first, end;
 };
 
 std::vector<Block> blocks(const File& file) {
     std::vector<Block> found;
-    for (const std::size_t line : lines_of(file, {"degree", "template"})) {
+    for (const std::size_t line : lines_of(file, {"degree"})) {
         if (!found.empty()) found.back().end = line;
         found.push_back({line, file.size()});
     }
@@ -142,7 +142,7 @@ void real_or_not(File& file, const File&, Random& random) {
 
 /// Another point of an image line, which stays the same; or of another line.
 void toward(File& file, const File&, Random& random) {
-    const auto images = lines_of(file, {"image", "star"});
+    const auto images = lines_of(file, {"image"});
     if (images.empty()) return;
     Words& words = file[any_of(images, random)];
     std::vector<std::size_t> places;
@@ -189,8 +189,8 @@ void monomials(File& file, const File& other, Random& random) {
     }
 }
 
-/// A smaller basis, with a further row: a template of the right shape for a smaller bound; or the
-/// reverse.
+/// A smaller basis, with a further row: an elimination of the right shape for a smaller bound; or
+/// the reverse.
 void basis_and_rows(File& file, const File&, Random& random) {
     const auto bases = lines_of(file, {"basis"});
     if (bases.empty()) return;
@@ -232,45 +232,15 @@ void equation(File& file, const File&, Random& random) {
         words[1] = std::to_string(1 + random.below(30));
 }
 
-/// Another frame, or other degrees of the columns.
-void frame(File& file, const File&, Random& random) {
-    static const std::vector<std::string> names{"general", "line", "points", "lines"};
-    const auto heads = lines_of(file, {"template"});
-    if (heads.empty()) return;
-    Words& words = file[any_of(heads, random)];
-    if (words.size() < 4) return;
-    if (random.below(2) == 0) {
-        const bool had_two = words[1] != "general";
-        words[1] = any_of(names, random);
-        if (const bool has_two = words[1] != "general"; had_two && !has_two)
-            words.pop_back();
-        else if (has_two && !had_two)
-            words.push_back(words.back());
-    } else {
-        step(words[3 + random.below(words.size() - 3)], random);
-    }
-}
-
-/// A constraint of another kind or of none in the place of one: another type of registration.
-void constraint(File& file, const File& other, Random& random) {
-    const auto own = lines_of(file, {"star", "line", "incidence", "transversals"});
-    const auto others = lines_of(other, {"star", "line", "incidence", "transversals"});
-    if (own.empty() || others.empty()) return;
+/// Other degrees of the columns, or other variables.
+void groups(File& file, const File& other, Random& random) {
+    const auto own = lines_of(file, {"degree"}), others = lines_of(other, {"degree"});
+    if (own.empty() || others.empty() || lines_of(file, {"basis"}).empty()) return;
     Words& words = file[any_of(own, random)];
-    const std::size_t tail = words[0] == "transversals" ? 4 : 7; // behind the first vectors
-    switch (random.below(3)) {
-    case 0: // one pin or ray less
-        if (words.size() > tail + 8) words.resize(words.size() - 8);
-        return;
-    case 1: { // the last one again
-        if (words.size() < tail + 8) return;
-        const Words last(words.end() - 8, words.end());
-        words.insert(words.end(), last.begin(), last.end());
-        return;
-    }
-    default:
+    if (random.below(2) == 0)
+        step(words[1], random);
+    else
         words = other[any_of(others, random)];
-    }
 }
 
 constexpr std::array all{Mutator{"record", records},
@@ -283,8 +253,7 @@ constexpr std::array all{Mutator{"record", records},
                          Mutator{"monomials", monomials},
                          Mutator{"basis and rows", basis_and_rows},
                          Mutator{"equation", equation},
-                         Mutator{"frame", frame},
-                         Mutator{"constraint", constraint}};
+                         Mutator{"groups", groups}};
 
 } // namespace
 

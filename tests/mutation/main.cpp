@@ -2,12 +2,12 @@
 // which asks the second checker.
 //   mutation_tests [MUTANTS [SEED]]
 // MUTANTS mutants of classification and problem files, a quarter of this number of files of
-// problems in general, and a tenth each of degree files and of files of upper bounds. Before the
+// problems in general, and a tenth each of degree files and of files of models. Before the
 // mutants come the files as they are. For each file a line of JSON, then its bytes:
 //   kind, mutator ("none" for a file as it is), bytes, classes (of a classification: those that it
 //   numbers 0, 1, ...), conforms, refusal (the first; null if all holds), claims (what holds, as
-//   the judge spells it), and objection of the referee of degree files, which the second checker
-//   does not read.
+//   the judge spells it), and objection of the referee of degree files or models, which the second
+//   checker does not read.
 // At last spoils records of the whole archive, and expects that just these are refused: else
 // status 1.
 #include "checker/report/report.h"
@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -48,24 +49,35 @@ Claims claims_of(const checker::ProblemsFile& file) {
     return claims;
 }
 
-/// How many there are of each size, as a list of the sizes.
-template <class Counts>
-std::string sizes(const Counts& counts) {
-    std::string list;
-    for (std::size_t size = 0; size < counts.size(); ++size)
-        for (unsigned i = 0; i < counts[size]; ++i)
-            list += " " + std::to_string(size);
-    return list;
+Claims claims_of(const checker::ModelFile& file) {
+    if (!file.at_most) return {};
+    return {checker::say("at most ", *file.at_most)};
 }
 
-Claims claims_of(const checker::BoundsFile& file) {
-    Claims claims{checker::say(file.templates, " templates")};
-    for (const auto& [type, bound] : file.bounds)
-        claims.push_back(checker::say("stars", sizes(type.stars), ", lines ", type.lines,
-                                      ", incidences ", type.incidences, ", transversals",
-                                      sizes(type.groups), ": at most ", bound));
-    return claims;
-}
+/// Why a bound of a committed model cannot be true: it is smaller than the committed one, which
+/// solutions attain. Nothing if it can be.
+class ModelReferee {
+public:
+    ModelReferee() {
+        for (const Base& base : model_bases())
+            if (const auto* model = model_in(checker::replay({}, "model", base.text)))
+                known_[model->text] = *model->at_most;
+    }
+
+    std::optional<std::string> objection(const checker::ReplayedFile& file) const {
+        const auto* model = model_in(file);
+        const auto known = model ? known_.find(model->text) : known_.end();
+        if (known == known_.end() || !model->at_most || *model->at_most >= known->second) return {};
+        return checker::say("at most ", *model->at_most, " of ", known->second, " solutions");
+    }
+
+private:
+    static const checker::ModelFile* model_in(const checker::ReplayedFile& file) {
+        return std::get_if<checker::ModelFile>(&file.content);
+    }
+
+    std::map<std::string, std::size_t> known_;
+};
 
 Claims claims_of(const checker::DegreeFile& file) {
     Claims claims;
@@ -88,7 +100,7 @@ std::optional<checker::Complaint> refusal_of(const checker::ReplayedFile& file) 
     return refusals.count == 0 ? std::nullopt : std::optional(refusals.first[0]);
 }
 
-/// Makes the lists of templates ascend, so that other checks have to refuse.
+/// Makes the lists of eliminations ascend, so that other checks have to refuse.
 void sort_lists(File& file) {
     for (auto& words : file) {
         if (words.size() < 3 || (words[0] != "basis" && words[0] != "rows")) continue;
@@ -171,12 +183,14 @@ private:
         if (const auto* degrees = std::get_if<checker::DegreeFile>(&file.content))
             if (const auto objection = referee_.objection(text, degrees->bounds))
                 row["objection"] = *objection;
+        if (const auto objection = models_.objection(file)) row["objection"] = *objection;
         std::cout << row.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) << '\n'
                   << text;
     }
 
     const checker::Classification& all_;
     DegreeReferee referee_;
+    ModelReferee models_;
 };
 
 /// A record of the archive with a number changed so that it proves nothing: a minor, or what is
@@ -239,6 +253,6 @@ int main(int count, char** values) {
     trial.run("problem", problem_bases(), mutants - mutants / 2, seed);
     trial.run("problems", general_bases(), mutants / 4, seed);
     trial.run("degrees", degree_bases(), mutants / 10, seed);
-    trial.run("bounds", template_bases(), mutants / 10, seed);
+    trial.run("model", model_bases(), mutants / 10, seed);
     return spoil_archive(all, 1 + mutants / 10'000, seed) ? 0 : 1;
 }

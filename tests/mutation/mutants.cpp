@@ -11,8 +11,7 @@ bool number(const Words& words, std::size_t i) {
 }
 
 /// Lines with vectors: of cameras, of points, lines and pins in space, of images.
-constexpr std::array<std::string_view, 7> with_vectors{"camera", "feature",   "image",       "star",
-                                                       "line",   "incidence", "transversals"};
+constexpr std::array<std::string_view, 3> with_vectors{"camera", "feature", "image"};
 
 /// A coordinate of a vector.
 bool coordinate(const Words& words, std::size_t i) {
@@ -71,7 +70,7 @@ void scaled_vector(File& file, const File&, Random& random) {
 void indices(File& file, const File&, Random& random) {
     change(file, random,
            number_in({"delete", "pool", "reduce", "camera", "minimal", "deficient", "degree",
-                      "real", "pair", "template", "basis", "rows"}),
+                      "real", "pair", "basis", "rows"}),
            [&](std::string& word) { word = std::to_string(random.below(40)); });
 }
 

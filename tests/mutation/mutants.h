@@ -35,7 +35,7 @@ struct Mutator {
 };
 
 /// Those of what only some kinds of file have: problems with steps and verdicts; problems in
-/// general; records of solutions, and templates.
+/// general; records of solutions, and eliminations.
 std::span<const Mutator> problem_mutators();
 std::span<const Mutator> general_mutators();
 std::span<const Mutator> degree_mutators();

@@ -23,7 +23,7 @@ TEST_CASE("the two families are replayed, and their numbers confirm those of the
     for (const std::string family : {"plmp", "projective"}) {
         const std::string command = plcheck + " --family " + family + " " + certs;
         CHECK(run(command + family + ".plc").status == 0);
-        CHECK(run(command + "bounds.plc").status == 1);
+        CHECK(run(command + "models/p3p.plc").status == 1);
     }
     CHECK(run(plcheck + " --family pl1p " + certs + "plmp.plc").status == 3);
 }

@@ -43,8 +43,8 @@ TEST_CASE("the degree of the five-point problem follows from what plcheck certif
     CHECK(report["degree"] == 20);
     CHECK(report["essential_matrices"] == 10);
     const std::string certs = SOURCE_DIR "/certs/";
-    const Outcome check =
-        run(plcheck + " --json " + certs + "classification.plc " + certs + "bounds.plc " + file);
+    const Outcome check = run(plcheck + " --json " + certs + "classification.plc " + certs +
+                              "models/registrations/s_l0_i0_r5.plc " + file);
     CHECK(check.status == 0);
     const std::string number = std::to_string(report["extension"].get<int>());
     int solutions = 0;

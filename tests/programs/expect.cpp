@@ -28,7 +28,6 @@ public:
         write("point.plc", "plcert 2 problem\nproblem 7*P/P/P\nverdict over-constrained 10\n");
         write("wrong.plc", "plcert 2 problem\nproblem 7*P/P/P\nverdict over-constrained 9\n");
         write("no-degrees.plc", "plcert 2 degrees\n");
-        write("no-bounds.plc", "plcert 2 bounds\nmodulus 2305843009213693951\n");
         write("text", "hello\n");
         in("ln -s " + certs + " certs");
         write("degrees.plc", "plcert 2 degrees\n" + degree_record(2394) + degree_record(6725));
@@ -78,11 +77,10 @@ void ends(const Folder& folder, const std::string& arguments, int status) {
 TEST_CASE("exit status, last line and JSON report agree, for every kind of file") {
     const Folder folder;
     ends(folder, "chicago.plc", 0);
-    ends(folder, "certs/classification.plc certs/bounds.plc degrees.plc", 0);
+    ends(folder, "certs/classification.plc certs/models/registrations/*.plc degrees.plc", 0);
     ends(folder, "wrong.plc", 1);
     ends(folder, "chicago.plc no-degrees.plc", 1);
     ends(folder, "no-degrees.plc", 1);
-    ends(folder, "no-bounds.plc", 1);
     ends(folder, "text", 2);
     ends(folder, "chicago.plc nothing-there", 2);
     ends(folder, "nothing-there", 2);
@@ -114,7 +112,7 @@ TEST_CASE("what is expected is verified, or the last line says what is missing")
 
 TEST_CASE("details come on request, after a summary that fits a screen") {
     const Folder folder;
-    const std::string files = "certs/classification.plc certs/bounds.plc "
+    const std::string files = "certs/classification.plc "
                               "certs/degrees/three-points.plc";
     const Outcome summary = folder.check(files);
     CHECK(lines_of(summary.out).size() <= 24);
@@ -123,13 +121,14 @@ TEST_CASE("details come on request, after a summary that fits a screen") {
           " label classes\n", " of 74575 terminal problems\n", "counts confirmed, 3 differ"})
         CHECK(contains(summary.out, part));
     CHECK_FALSE(contains(summary.out, "camera-degrees"));
-    const std::string few = "certs/classification.plc certs/bounds.plc degrees.plc";
+    const std::string few =
+        "certs/classification.plc certs/models/registrations/s_l0_i0_r5.plc degrees.plc";
     const auto shows = [&](const std::string& option, const std::string& part) {
         return contains(folder.check(option + ' ' + few).out, part);
     };
     CHECK(shows("--table", "\ncamera-degrees"));
     CHECK(shows("--errata", "  Paper: 6300; certified: 6413;"));
-    CHECK(shows("--why", "\n- certs/bounds.plc: each minor leaves only the basis"));
+    CHECK(shows("--why", "\n- certs/models/registrations/s_l0_i0_r5.plc: solutions modulo q"));
 }
 
 TEST_CASE("the columns of a table stand below each other, in lines of at most 100 columns") {

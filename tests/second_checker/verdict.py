@@ -3,11 +3,9 @@
 import classification
 import general_file
 import problem_file
-import templates
 from grammar import Fault, Parser, Refused, parse
 
-KINDS = {"classification": classification, "problem": problem_file, "problems": general_file,
-         "bounds": templates}
+KINDS = {"classification": classification, "problem": problem_file, "problems": general_file}
 
 
 class OtherKind(Exception):

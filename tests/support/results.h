@@ -2,7 +2,9 @@
 // their certificates.
 #pragma once
 
+#include "checker/model/program.h"
 #include "checker/problem/notation.h"
+#include "checker/registration/model.h"
 #include "tests/support/all_classes.h"
 #include "tests/support/report.h"
 
@@ -35,8 +37,12 @@ inline checker::ReplayedFile degree_file(const std::vector<checker::LowerBound>&
     return {.name = "degrees.plc", .content = checker::DegreeFile{.bounds = bounds}};
 }
 
-/// A file of upper bounds that proves these.
-inline checker::ReplayedFile bounds_file(const checker::RegistrationBounds& bounds) {
-    return {.name = "bounds.plc",
-            .content = checker::BoundsFile{.templates = bounds.size(), .bounds = bounds}};
+/// A file of the model of a type of registration, which proves this upper bound.
+inline checker::ReplayedFile registration_file(const checker::Registration& type,
+                                               std::size_t bound) {
+    return {.name = "registration.plc",
+            .content = checker::ModelFile{.name = checker::name_of(type),
+                                          .text = checker::lines_of_model(checker::model_of(type)),
+                                          .at_most = bound,
+                                          .records = 1}};
 }

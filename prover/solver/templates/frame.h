@@ -1,4 +1,5 @@
-// The coordinates in which a registration problem is solved (certs/FORMAT.md, section 10).
+// The coordinates in which a registration problem is solved: the frames of certs/FORMAT.md, section
+// 10.
 #pragma once
 
 #include <array>

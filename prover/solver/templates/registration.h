@@ -1,5 +1,5 @@
 // Registration problems: what is left of an extension of the five-point problem when the relative
-// pose of two views with five points in common is known (proofs/templates.md, section 1).
+// pose of two views with five points in common is known (proofs/registrations.md, section 1).
 #pragma once
 
 #include "prover/problem/signature.h"

@@ -1,6 +1,6 @@
 // The ring of polynomial functions modulo q on the rotations of a frame: on all of SO(3), or on the
 // rotations that take a given direction into a given plane, a product of two circles. A function
-// is a sum of normal monomials (certs/FORMAT.md, section 10).
+// is a sum of normal monomials, in which w, or c and c', have exponents below 2.
 #pragma once
 
 #include "prover/geometry/flint.h"

@@ -1,5 +1,5 @@
-// The equations of a registration problem, the translation eliminated (certs/FORMAT.md, section 10;
-// proofs/templates.md), in the order of FORMAT. The entries of the rotation are polynomials, and
+// The equations of a registration problem, the translation eliminated (proofs/registrations.md), in
+// the order of certs/FORMAT.md, section 10. The entries of the rotation are polynomials, and
 // the data integers, where a template is sought; they are numbers where a camera is.
 #pragma once
 
@@ -165,7 +165,8 @@ private:
     }
 
     /// A multiple of the determinant of the conditions of two lines and two rays, made smaller in
-    /// degree by a multiple of the second line's other equation (proofs/templates.md, Lemma U4).
+    /// degree by a multiple of the second line's other equation (proofs/registrations.md, Lemma
+    /// U4).
     Function reduced_minor() const {
         const auto& line = data_.lines[1];
         const auto& first = data_.groups.front().rays.front();
@@ -199,7 +200,7 @@ private:
             rays += conditions_[i].is_ray ? 1 : 0;
             axis |= conditions_[i].is_axis;
         }
-        // Less than one for each ray: see proofs/templates.md, Lemma U5.
+        // Less than one for each ray: see proofs/registrations.md, Lemma U5.
         const int all = rays - (rays == 3 ? 1 : 0);
         return {(all - (rays == 2 && axis ? 1 : 0)) * unit_[0], all * unit_[1]};
     }

@@ -91,26 +91,14 @@ std::vector<std::size_t> basis_left_by(const ResidueMatrix& matrix,
     return basis;
 }
 
-/// Makes the chosen multiples the rows of the template, and sets the minor of the columns that are
-/// not in its basis. Assumes that their numbers are equal.
-void add_rows(Template& found, const Multiples& all, const std::vector<Monomial>& monomials,
-              const std::vector<int>& chosen) {
-    std::map<Monomial, int> column;
-    for (std::size_t i = 0; i < monomials.size(); ++i)
-        if (!std::ranges::binary_search(found.basis, i))
-            column.emplace(monomials[i], static_cast<int>(column.size()));
-    const int size = static_cast<int>(column.size());
-    ResidueMatrix square(size, size);
-    for (int row = 0; row < size; ++row) {
-        const auto index = static_cast<std::size_t>(chosen[static_cast<std::size_t>(row)]);
-        const auto& [equation, monomial] = all.names[index];
+/// Makes the chosen multiples the rows of the template.
+void add_rows(Template& found, const Multiples& all, const std::vector<int>& chosen) {
+    for (const int index : chosen) {
+        const auto& [equation, monomial] = all.names[static_cast<std::size_t>(index)];
         if (found.rows.empty() || found.rows.back().first != equation)
             found.rows.push_back({equation, {}});
         found.rows.back().second.push_back(monomial);
-        for (const auto& [m, x] : all.polynomials[index])
-            if (const auto at = column.find(m); at != column.end()) square.at(row, at->second) = x;
     }
-    found.minor = nmod_mat_det(square.get());
 }
 
 /// The template of this degree, if there is one with a smaller basis.
@@ -128,7 +116,7 @@ std::optional<Template> find_template(const RotationRing& ring,
     const auto fits = [&](std::size_t i) { return fits_basis(ring, monomials[i], degree); };
     if (!std::ranges::all_of(found.basis, fits)) return {};
     // The pivots of the transposed matrix are the first rows that are independent.
-    add_rows(found, all, monomials, pivots(transposed(matrix)));
+    add_rows(found, all, pivots(transposed(matrix)));
     return found;
 }
 

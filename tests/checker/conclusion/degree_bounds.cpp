@@ -1,10 +1,11 @@
 // Lower and upper bounds together: which classes have an exact degree, which contradict themselves.
-#include "checker/bounds/registration.h"
-#include "tests/checker/bounds/templates.h"
+#include "checker/conclusion/registrations.h"
+#include "checker/degrees/constraint_class.h"
+#include "tests/checker/registration/committed.h"
 #include "tests/support/degree_claims.h"
 
 using namespace checker;
-using namespace templates;
+using namespace registrations;
 
 namespace {
 const std::string point_and_line = "2*P/P/P + a/a/a + 3*-/P/P"; // a PL0P of degree 80
@@ -15,15 +16,9 @@ std::vector<bool> only(std::size_t number) {
     return minimal;
 }
 
-ReplayedFile committed_file() {
-    return {.name = "bounds.plc", .content = committed()};
-}
-
-/// Of an extension, templates of its registration and of relative poses.
-RegistrationBounds templates_of(std::size_t number, std::size_t registrations) {
-    const Signature& signature = all_classes().representatives[number];
-    const auto type = bound_by_registration(signature, committed().bounds)->type;
-    return {{relative_pose, 20}, {type, registrations}};
+/// The type of the registration of an extension.
+Registration type_of(std::size_t number) {
+    return bound_by_registration(all_classes().representatives[number], committed())->type;
 }
 } // namespace
 
@@ -63,34 +58,41 @@ TEST_CASE("of several files the largest lower and the smallest upper bounds coun
     for (const auto& lower : {std::vector<LowerBound>{{number, 60}, {number, 50}},
                               std::vector<LowerBound>{{number, 50}, {number, 60}}})
         CHECK(table_of({}, lower).at(key).at_least == 60);
-    RegistrationBounds bounds = templates_of(number, 5);
-    CHECK(table_of(bounds).at(key).at_most->solutions == 100);
-    for (const std::size_t registrations : {4U, 6U})
-        for (const auto& [type, bound] : templates_of(number, registrations))
-            add_bound(bounds, type, bound);
-    CHECK(table_of(bounds).at(key).at_most->solutions == 80);
+    const auto at_most = [&](std::vector<std::size_t> registrations) {
+        std::vector<ReplayedFile> files{registration_file(relative_pose, 20)};
+        for (const std::size_t bound : registrations)
+            files.push_back(registration_file(type_of(number), bound));
+        const auto bounds =
+            registration_bounds(find(all_classes(), files), all_classes(), only(number));
+        return table_of(bounds).at(key).at_most->solutions;
+    };
+    CHECK(at_most({5}) == 100);
+    CHECK(at_most({5, 4, 6}) == 80);
 }
 
-TEST_CASE("templates agree with the theorem for all 3,615 terminal extensions of five points") {
-    const Report report = summarize(all_classes(), {whole_classification(), committed_file()});
+TEST_CASE("models agree with the theorem for all 3,615 terminal extensions of five points") {
+    std::vector<ReplayedFile> files = committed_files();
+    files.push_back(whole_classification());
+    const Report report = summarize(all_classes(), files);
     CHECK(report.status == 0);
     std::size_t terminal = 0;
     for (const ExactDegree& exact : report.exact) {
         const Signature& signature = all_classes().representatives[exact.number];
-        const auto product = bound_by_registration(signature, committed().bounds);
+        const auto product = bound_by_registration(signature, committed());
         if (product) CHECK(product->bound == exact.degree);
         if (product) terminal += all_classes().represents_swap_class(exact.number);
     }
     CHECK(terminal == 3615);
 }
 
-TEST_CASE("templates that allow too few or enough solutions") {
+TEST_CASE("models that allow too few or enough solutions") {
     const std::size_t number = class_of(point_and_line);
     const auto refused = [&](std::size_t registrations, std::size_t counted) {
         const Report report =
             summarize(all_classes(),
-                      {problem_of_class(number), bounds_file(templates_of(number, registrations)),
-                       degree_file({{number, counted}})});
+                      {problem_of_class(number), registration_file(type_of(number), registrations),
+                       degree_file({{number, counted}}), registration_file(relative_pose, 20)});
+        CHECK(report.findings.objections[1].empty() == report.findings.objections[3].empty());
         CHECK(report.findings.objections[0].empty());
         CHECK((report.status == 0 || report.exact.empty()));
         return std::pair(!report.findings.objections[1].empty(),
@@ -106,15 +108,7 @@ TEST_CASE("templates that allow too few or enough solutions") {
 TEST_CASE("without a proof that the class is minimal, no bound contradicts another") {
     const std::size_t number = class_of(point_and_line);
     CHECK(summarize(all_classes(),
-                    {bounds_file(templates_of(number, 3)), degree_file({{number, 1000}})})
+                    {registration_file(relative_pose, 20), registration_file(type_of(number), 3),
+                     degree_file({{number, 1000}})})
               .status == 0);
-}
-
-TEST_CASE("a file without templates changes nothing") {
-    const ReplayedFile empty{.name = "empty", .content = BoundsFile{}};
-    const ReplayedFile degrees = degree_file({{class_of(point_and_line), 80}});
-    const Report report = summarize(all_classes(), {whole_classification(), empty, degrees});
-    CHECK(report.status == 1); // it proves nothing
-    CHECK(report.exact.size() ==
-          summarize(all_classes(), {whole_classification(), degrees}).exact.size());
 }

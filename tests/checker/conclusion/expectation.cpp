@@ -1,8 +1,8 @@
 // What a user expects is verified if the files prove just that, and not otherwise.
-#include "checker/bounds/registration.h"
 #include "checker/conclusion/proved.h"
 #include "checker/family/isomorphism.h"
 #include "checker/problem/notation.h"
+#include "checker/registration/registration.h"
 #include "prover/minimal/problem_file.h"
 #include "prover/problem/notation.h"
 #include "tests/support/random_problems.h"
@@ -231,20 +231,20 @@ TEST_CASE(
     const Registration type = registration(extension, 0b110);
     CHECK(shared_points(extension, 0b110) == 5);
     const ReplayedFile all = whole_classification();
-    const ReplayedFile bounds = bounds_file({{relative_pose, 20}, {type, 4}});
-    const ReplayedFile loose = bounds_file({{relative_pose, 20}, {type, 5}});
+    const ReplayedFile poses = registration_file(relative_pose, 20);
+    const ReplayedFile four = registration_file(type, 4), five = registration_file(type, 5);
     for (const std::string problem : {"5*P/P", "4*P/P + Pa/P + P/- + a/a"}) {
         const ReplayedFile own = certificate_of(problem);
-        CHECK(verified({all, bounds, own}, expect(problem, "", exact_degree(20))));
-        CHECK(verified({all, bounds, own}, expect(problem, "", at_least(20))));
-        CHECK_FALSE(verified({all, bounds, own}, expect(problem, "", exact_degree(10))));
-        CHECK_FALSE(verified({all, loose, own}, expect(problem, "", exact_degree(20))));
-        CHECK_FALSE(verified({all, loose, own}, expect(problem, "", at_least(1))));
-        CHECK_FALSE(verified({bounds, own}, expect(problem, "", exact_degree(20))));
-        CHECK_FALSE(verified({all, bounds}, expect(problem, "", exact_degree(20))));
+        CHECK(verified({all, poses, four, own}, expect(problem, "", exact_degree(20))));
+        CHECK(verified({all, poses, four, own}, expect(problem, "", at_least(20))));
+        CHECK_FALSE(verified({all, poses, four, own}, expect(problem, "", exact_degree(10))));
+        CHECK_FALSE(verified({all, poses, five, own}, expect(problem, "", exact_degree(20))));
+        CHECK_FALSE(verified({all, poses, five, own}, expect(problem, "", at_least(1))));
+        CHECK_FALSE(verified({poses, four, own}, expect(problem, "", exact_degree(20))));
+        CHECK_FALSE(verified({all, poses, four}, expect(problem, "", exact_degree(20))));
     }
     const ReplayedFile six = certificate_of("6*P/P");
-    CHECK_FALSE(verified({all, bounds, six}, expect("6*P/P", "", at_least(1))));
+    CHECK_FALSE(verified({all, poses, four, six}, expect("6*P/P", "", at_least(1))));
 }
 
 TEST_CASE("the files that are named are those that prove it") {

@@ -17,8 +17,6 @@ using namespace checker;
 namespace {
 constexpr std::size_t chicago = 2394; // 2*Pa/Pa/Pa + P/P/P
 
-const std::string empty_bounds = "plcert 2 bounds\nmodulus 2305843009213693951\n";
-
 using Exact = std::map<std::size_t, std::size_t>;
 
 /// The exact degrees of a report, by class.
@@ -29,20 +27,6 @@ Exact exact(const Report& report) {
     return degrees;
 }
 } // namespace
-
-TEST_CASE("a file without templates certifies no bound") {
-    const ReplayedFile empty = replay(all_classes(), "bounds.plc", empty_bounds);
-    REQUIRE(std::holds_alternative<BoundsFile>(empty.content));
-    CHECK(std::get<BoundsFile>(empty.content).bounds.empty());
-    for (const auto& files : {std::vector{empty}, std::vector{whole_classification(), empty},
-                              std::vector{problem_of_class(chicago), empty}}) {
-        const Report report = summarize(all_classes(), files);
-        CHECK(report.status == 1); // it proves nothing
-        CHECK(report.exact.empty());
-        CHECK(report.degrees.empty());
-    }
-    CHECK(finding(empty) == "bounds.plc: 0 templates hold, 0 refused\n");
-}
 
 TEST_CASE("no theorem is applied to a class that is not proved minimal in this run") {
     const ReplayedFile record = degree_file({{chicago, 312}});
@@ -87,7 +71,7 @@ TEST_CASE("a problem file of the class is enough: 2*Pa/Pa/Pa + P/P/P has exactly
 TEST_CASE("where a theorem and a degree file contradict each other, nothing follows of degrees") {
     const Report report =
         summarize(all_classes(), {whole_classification(), degree_file({{chicago, 313}}),
-                                  bounds_file({{relative_pose, 20}})});
+                                  registration_file(relative_pose, 20)});
     CHECK(report.status == 1);
     CHECK(report.degrees.empty());
     CHECK(report.exact.empty());
@@ -96,7 +80,7 @@ TEST_CASE("where a theorem and a degree file contradict each other, nothing foll
                                "proofs/three_views/4_classes.md";
     CHECK(report.findings.objections[0].empty());
     CHECK(report.findings.objections[1] == std::vector{reason});
-    CHECK(report.findings.objections[2].empty()); // the templates are not to blame
+    CHECK(report.findings.objections[2].empty()); // the model is not to blame
     CHECK(complaints(report) == say("degrees.plc:0: refused: ", reason, "\n"));
     CHECK(detailed(report).find("camera-degrees") == std::string::npos);
     // What the classification proves stays.

@@ -107,14 +107,6 @@ TEST_CASE("a solution in general that is refused takes an effort of 16 for each 
     check_effort(record, 32, "0 solution records hold, 1 refused");
 }
 
-TEST_CASE("a template takes an effort of 600") {
-    const std::string file = read(CERTS_DIR "/bounds.plc");
-    std::size_t end = 0; // of the third template
-    for (int i = 0; i < 3; ++i)
-        end = file.find("\nminor ", end + 1);
-    check_effort(file.substr(0, file.find('\n', end + 1) + 1), 1800, "3 templates hold");
-}
-
 TEST_CASE("a problem in general takes an effort of 10, and more for many coordinates") {
     const std::string head = "plcert 2 problems\nmodulus 2305843009213693951\n";
     const std::string unbalanced = "problem P/P\nunbalanced\n";

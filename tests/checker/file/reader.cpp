@@ -38,7 +38,7 @@ TEST_CASE("a file that is empty, or whose first line is wrong, does not conform"
 TEST_CASE("a file of format 1 is refused, and told what to do, whatever its kind") {
     const std::string advice = "1: this is a file of format 1: write it again with plprove 1.1 or "
                                "newer, or check it with plcheck 1.0";
-    for (const std::string kind : {"classification", "problem", "degrees", "bounds", "catalogue"})
+    for (const std::string kind : {"classification", "problem", "degrees", "model", "catalogue"})
         CHECK(complaint("plcert 1 " + kind + "\n") == advice);
     CHECK(complaint("plcert 1\n") == advice);
 }
@@ -58,8 +58,8 @@ TEST_CASE("a version of the format is a number from 1, without leading zeros") {
 
 TEST_CASE("a file of an unknown kind is refused") {
     const std::string kinds =
-        "`, expected `classification`, `problem`, `problems`, `solutions`, `at-most`, `degrees`, "
-        "`bounds` or `model`";
+        "`, expected `classification`, `problem`, `problems`, `solutions`, `at-most`, `degrees` "
+        "or `model`";
     for (const std::string kind :
          {"catalogue", "digests", "Problem", "problemss", "Problems", "degree"})
         CHECK(complaint("plcert 2 " + kind + "\n") == "1: found `" + kind + kinds);

@@ -120,7 +120,7 @@ TEST_CASE("header and modulus") {
     CHECK(malformed(altered(few_certificates(), "plcert 2 ", 0, "catalogue")) ==
           "found `catalogue`, expected `classification`, `problem`, `problems`, `solutions`, "
           "`at-most`, "
-          "`degrees`, `bounds` or `model`");
+          "`degrees` or `model`");
     CHECK(malformed(altered(few_certificates(), "modulus ", 0, "2305843009213693949")) ==
           "found `2305843009213693949`, expected `2305843009213693951`");
     CHECK(malformed(without_line(few_certificates(), "modulus")) ==

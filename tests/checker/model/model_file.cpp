@@ -138,7 +138,7 @@ TEST_CASE("what is altered in an elimination is refused, for its reason") {
         return fault(with(roots, old, by));
     };
     const std::string start = "12: an elimination: ";
-    CHECK(altered("minor 1", "minor 2") == start + "the determinant is not the minor");
+    CHECK(altered("minor 1", "minor 2") == start + "the minor is 1 modulo q");
     CHECK(altered("basis 1 2", "basis 1 3") ==
           start + "a monomial of the basis has a larger degree than that of a group");
     CHECK(altered("basis 1 2", "basis 1 4") == start + "there is no monomial 4");

@@ -135,7 +135,7 @@ TEST_CASE("the four problems that register a camera need the number of relative 
     std::vector<LowerBound> bounds;
     for (const paper::ClaimedDegree& claim : paper::registrations)
         bounds.push_back({class_of(claim.problem), 1});
-    const ReplayedFile poses = bounds_file({{relative_pose, 20}});
+    const ReplayedFile poses = registration_file(relative_pose, 20);
     const Report report =
         summarize(all_classes(), {whole_classification(), poses, degree_file(bounds)});
     CHECK(verdicts(report) == Counts{{"agrees", 4}});

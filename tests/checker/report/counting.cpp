@@ -98,11 +98,12 @@ TEST_CASE("a problem with an upper bound counts once, with the least that a reco
           "VERIFIED: upper bounds of the degrees of 2 problems in general");
 }
 
-TEST_CASE("templates of one type count once") {
-    const ReplayedFile poses = bounds_file({{relative_pose, 20}});
-    CHECK(statement({poses, poses}) == "VERIFIED: 1 template");
-    CHECK(statement({poses, bounds_file({{relative_pose, 20}, {{.lines = 3}, 8}})}) ==
-          "VERIFIED: 2 templates");
+TEST_CASE("a model counts once, with the least that a file proves") {
+    const ReplayedFile poses = registration_file(relative_pose, 20);
+    CHECK(statement({poses, registration_file(relative_pose, 21)}) ==
+          "VERIFIED: registration_s_l0_i0_r5 has at most 20 solutions");
+    CHECK(statement({poses, registration_file({.lines = 3}, 8)}) ==
+          "VERIFIED: what 2 models have of solutions");
 }
 
 TEST_CASE("more solutions than a theorem allows of a problem in general are refused") {

@@ -110,12 +110,6 @@ TEST_CASE("JSON of a degree file") {
     CHECK(report["certified_exactly"].empty());
 }
 
-TEST_CASE("JSON of a file of upper bounds") {
-    const Json file =
-        only_file(report_on({bounds_file({{relative_pose, 20}})}), "bounds", {"templates"}, 0);
-    CHECK(file["templates"] == 1);
-}
-
 TEST_CASE("JSON of a file that does not conform") {
     const Json report = report_on({replayed("old.plc", "plcert 1 problem\n")});
     const Json file = only_file(report, "", {}, 2);
@@ -137,7 +131,7 @@ TEST_CASE("JSON of a file that cannot be read") {
 
 TEST_CASE("JSON of the degrees that theorems give") {
     const Json report = report_on(
-        {whole_classification(), bounds_file({{relative_pose, 20}}), degree_file({{2394, 300}})});
+        {whole_classification(), registration_file(relative_pose, 20), degree_file({{2394, 300}})});
     CHECK(report["status"] == 0);
     CHECK(report["certified_exactly"] == Json::array({{2394, 312}}));
     for (const Json& claim : report["degree_claims"])

@@ -157,8 +157,9 @@ TEST_CASE("in a run with a file that is refused, no row of a table confirms anyt
     CHECK(conclusion(report) == "NOT VERIFIED: 1 of 3 files is refused (text)\n");
 }
 
-TEST_CASE("a degree file or a file of upper bounds without a record is refused") {
-    for (const ReplayedFile& empty : {degree_file({}), bounds_file({})}) {
+TEST_CASE("a degree file or a file of a model without a record is refused") {
+    const ReplayedFile model{.name = "model.plc", .content = ModelFile{.name = "m", .text = "m"}};
+    for (const ReplayedFile& empty : {degree_file({}), model}) {
         CHECK(summarize(all_classes(), {empty}).status == 1);
         const Report report = summarize(all_classes(), {problem_of_class(2394), empty});
         CHECK(report.status == 1);
