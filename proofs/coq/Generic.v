@@ -44,8 +44,9 @@ Let to : {rmorphism P -> K} := [rmorphism of @FracField.tofrac _].
 Definition xP k : P := if insub k is Some i then 'X_i else 0.
 Lemma genericE k : generic F n k = to (xP k).
 Proof. by rewrite /generic /xP; case: insub => // ; rewrite rmorph0. Qed.
-(** The point, in terms of the number of a parameter. *)
-Definition value_at k : F := if (k < o)%N then 0 else let i := (k - o)%N in
+(** The point, in terms of the number of a parameter. Parameter 9 moves camera 3, so that the three
+    centres differ. *)
+Definition value_at k : F := if (k < o)%N then (k == 9%N)%:R else let i := (k - o)%N in
   if i == 1%N then 0 else if odd i then 3%:R else 1.
 Let ev : {rmorphism P -> F} := [rmorphism of meval (fun i : 'I_n => value_at i)].
 Lemma evE k : (k < n)%N -> ev (xP k) = value_at k.
@@ -53,7 +54,7 @@ Proof. by move=> kn; rewrite /xP insubT /= mevalXU. Qed.
 Definition xF k : F := ev (xP k).
 Let own (R : idomainType) (x : nat -> R) k := x (o + k)%N.
 
-Lemma small_F k : (k < 11)%N -> xF k = 0.
+Lemma small_F k : (k < 11)%N -> xF k = (k == 9%N)%:R.
 Proof. by move=> h; rewrite /xF evE /value_at ?(leq_trans h o11) //; apply: leq_trans room;
   rewrite ltn_addr // (leq_trans h). Qed.
 Lemma own_F k : (k < dim3 f)%N -> xF (o + k) = if k == 1%N then 0 else if odd k then 3%:R else 1.
@@ -114,9 +115,52 @@ have e1 : (1 + 0) * 3%:R - (1 + 0) * 1 = 2%:R :> F by ring.
 have e2 : (1 + 0) * 3%:R - (1 + 1) * 1 = 1 :> F by ring.
 have e3 : (1 + 0) * 1 - (0 + 0) * 3%:R = 1 :> F by ring.
 have e4 : (1 + 1) * 1 - (0 + 0) * 3%:R = 2%:R :> F by ring.
+have e5 : (1 + 0) * 1 - (0 + 1) * 3%:R = - 2%:R :> F by ring.
 have : x2 (l F xF) != 0 /\ x3 (l F xF) != 0.
   rewrite /l /normal /project !turn_F -/XF XF_E dF_E // /cross.
-  by case: v {l0 l e eK eF}; rewrite /= ?small_F // ?e1 ?e2 ?e3 ?e4 two oner_neq0.
+  by case: v {l0 l e eK eF}; rewrite /= ?small_F // /= ?e1 ?e2 ?e3 ?e4 ?e5 ?oppr_eq0 two ?oner_neq0.
 rewrite -[l0]/(l K (generic F n)) eK eF /= => -[h2 h3]; split; exact: nonzero.
 Qed.
+
+(** The planes of two views through a pin meet in the pin only. *)
+Section Planes.
+Variables (u v : view) (j : nat).
+Hypothesis uv : u <> v.
+Hypothesis jp : (j < pins f)%N.
+Definition plane (R : idomainType) (x : nat -> R) w (i : vec R) :=
+  dot (normal (cameras_at R x w) (point_at f (own x)) (dir_at f (own x) j)) (turn (cameras_at R x w) i).
+Definition meeting (R : idomainType) (x : nat -> R) :=
+  plane x u (@Vec R 1 0 0) * plane x v (@Vec R 0 1 0) - plane x v (@Vec R 1 0 0) * plane x u (@Vec R 0 1 0).
+Lemma meeting_map (R' : idomainType) (g : {rmorphism P -> R'}) (x : nat -> P) x' :
+  (forall k, x' k = g (x k)) -> meeting x' = g (meeting x).
+Proof.
+move=> gx; have gdot (a b : vec P) : dot (gvec g a) (gvec g b) = g (dot a b).
+  by rewrite /dot /gvec /= !(rmorphD, rmorphM).
+have e w (i : vec P) : plane x' w (gvec g i) = g (plane x w i).
+  rewrite /plane !(gcameras gx) -gturn -gdot; congr (dot _ _).
+  have -> : point_at f (own x') = gvec g (point_at f (own x)) by rewrite /gvec /point_at nf /own /= -!gx.
+  have -> : dir_at f (own x') j = gvec g (dir_at f (own x) j)
+    by rewrite /gvec /dir_at nf /own /= -!gx rmorph1.
+  by rewrite -gnormal.
+have e1 : @Vec R' 1 0 0 = gvec g (@Vec P 1 0 0) by rewrite /gvec /= rmorph1 rmorph0.
+have e2 : @Vec R' 0 1 0 = gvec g (@Vec P 0 1 0) by rewrite /gvec /= rmorph1 rmorph0.
+by rewrite /meeting e1 e2 !e rmorphB !rmorphM.
+Qed.
+Lemma generic_meeting : meeting (generic F n) != 0.
+Proof.
+rewrite (meeting_map genericE); apply: nonzero; rewrite -(meeting_map (x' := xF) (fun=> erefl)).
+have two : 2%:R != 0 :> F by have /charf0P -> := char0.
+have lF w : normal (CF w) XF (dir_at f (own xF) j) =
+    by_view (@Vec F (-1) 2%:R 1) (@Vec F (-1) 1 2%:R) (@Vec F 0 2%:R (- 2%:R)) w.
+  rewrite /normal /project !turn_F XF_E dF_E // /cross; case: w; rewrite /= ?small_F // /=;
+    congr Vec; ring.
+have eF w i : plane xF w i =
+    dot (by_view (@Vec F (-1) 2%:R 1) (@Vec F (-1) 1 2%:R) (@Vec F 0 2%:R (- 2%:R)) w) i.
+  by rewrite /plane -/XF -/(CF w) lF turn_F.
+rewrite /meeting !eF /dot; move: uv; case: u; case: v => //= _;
+  rewrite !(mulr0, mul0r, mulr1, addr0, add0r, subr0, sub0r, mulN1r, opprK) -?opprD ?oppr_eq0 //.
+- by rewrite oppr0 !add0r (_ : 2%:R = 1 + 1 :> F) // addKr oner_neq0.
+- by rewrite oppr0 !add0r (_ : 2%:R = 1 + 1 :> F) // opprD addrNK oppr_eq0 oner_neq0.
+Qed.
+End Planes.
 End Generic.

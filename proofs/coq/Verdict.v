@@ -1,13 +1,14 @@
 (** * A verdict that is computed, and proved
 
-    [verdict A] says whether A is minimal, by counting degrees of freedom, and how often each of the
-    27 features occurs. [judge s] is the verdict on what the text s stands for: the program plcoq
-    computes it. *)
+    [verdict A] says whether A is minimal: by counting degrees of freedom, and how often each of the
+    27 features occurs when the pins that two views determine are forgotten. [judge s] is the
+    verdict on what the text s stands for: the program plcoq computes it. *)
 From Coq Require Import String List.
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.zify Require Import zify.
 From PL1P Require Import Statement Rigid Reducible Problems Reductions Forget Reduction Embedding Scenes
-  SameProblem Minimal ProblemClasses Theorem1 OneReduction Text Reader.
+  SameProblem Minimal ProblemClasses Theorem1 OneReduction Determined Text
+  Reader.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -20,11 +21,14 @@ Definition without f j : selection := (true, rem j (iota 0 (pins f))).
 Definition choices f := if pins f <= 2 then pairs (pins f) else [seq without f j | j <- iota 0 (pins f)].
 Definition loose f := has (fun c => feasible f c && (cost f c < dim3 f)) (choices f).
 Definition signature_by (ks : seq nat) : signature := mkseq (fun i => count_mem i ks) 27.
-Definition verdict (A : problem) : answer :=
+Definition answer_to (A : problem) : answer :=
   if sumn [seq dim2 f | f <- A] != parameters A then Unbalanced else
   let ks := [seq index_of f | f <- A] in
   if all (fun k => k < 27) ks then if obstructed (signature_by ks) then Obstructed else Minimal
   else if has loose A then Loose else Other_feature.
+(** Without the pins that two views determine. *)
+Definition verdict (A : problem) : answer :=
+  if sumn [seq dim2 f | f <- A] != parameters A then Unbalanced else answer_to (lighten A).
 Definition judge (s : string) : answer := if parse s is Some A then verdict A else Not_read.
 
 (** ** What is proved *)
@@ -74,9 +78,9 @@ Proof.
 move=> pA /(loose_selection pA)[cs sel lt] mA.
 by have := minimal_tight char0 pA mA sel; rewrite leqNgt lt.
 Qed.
-Lemma verdictP A : is_problem A -> right_answer F (verdict A) A.
+Lemma answer_toP A : is_problem A -> right_answer F (answer_to A) A.
 Proof.
-move=> pA; rewrite /verdict; case: eqP => [bA|nb] /=; last by move=> /(balanced_dominant char0)[].
+move=> pA; rewrite /answer_to; case: eqP => [bA|nb] /=; last by move=> /(balanced_dominant char0)[].
 rewrite all_map; case kA: (all _ A); last by case lA: (has loose A) => //; exact: loose_not_minimal.
 rewrite signature_byE.
 have sm := same_minimal char0 pA (problem_of_proper _) (known_same kA).
@@ -87,11 +91,12 @@ have bs : balanced (signature_of A).
 case ob: (obstructed _); first by move/sm/(minimal_iff char0 bs); rewrite ob.
 by apply/sm/(minimal_iff char0 bs); rewrite ob.
 Qed.
-Lemma same_right a A B : is_problem A -> is_problem B -> all2 same A B ->
-  right_answer F a B -> right_answer F a A.
+Lemma right_iff a A B : (minimal F A <-> minimal F B) -> right_answer F a B -> right_answer F a A.
+Proof. by move=> AB; case: a => //=; rewrite AB. Qed.
+Lemma verdictP A : is_problem A -> right_answer F (verdict A) A.
 Proof.
-move=> pA pB AB; have sm := same_minimal char0 pA pB (all2_same_problem AB).
-by case: a => //=; rewrite sm.
+move=> pA; rewrite /verdict; case: eqP => [bA|nb] /=; last by move=> /(balanced_dominant char0)[].
+exact: (right_iff (minimal_lighter char0 pA bA) (answer_toP (lighten_proper pA))).
 Qed.
 End Over.
 
@@ -104,5 +109,5 @@ have [mA pA] := r1 _ _ e; have vA := verdictP char0 pA; suff h : (exists A, mean
     forall B, means s B -> right_answer F (verdict A) B by case: (verdict A) h vA.
 split=> [|B mB]; first by exists A.
 have [A' e' BA] := r2 _ _ mB; move: e'; rewrite e => -[AA']; rewrite -AA' in BA.
-exact: (same_right char0 (means_problem mB) pA BA).
+exact: (right_iff (same_minimal char0 (means_problem mB) pA (all2_same_problem BA))).
 Qed.
