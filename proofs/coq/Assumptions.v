@@ -1,10 +1,11 @@
 (** Prints the axioms of each theorem; the Makefile compares them with those expected. *)
-From PL1P Require Import Main Reduction GenericImages ProblemClasses OneReduction Reader Verdict.
+From PL1P Require Import Main Reduction GenericImages ProblemClasses OneReduction Reader Verdict CameraMinimal.
 Print Assumptions main_theorem.
 Print Assumptions rigidity_theorem.
 Print Assumptions reduction_theorem.
 Print Assumptions five_points_theorem.
 Print Assumptions problems_theorem.
 Print Assumptions reductions_theorem.
+Print Assumptions camera_minimal_theorem.
 Print Assumptions reader_theorem.
 Print Assumptions verdicts_theorem.
