@@ -26,9 +26,13 @@ let status = function
   | Not_read -> 2
 
 let answer line =
-  let a = judge line in
-  print_endline (words a ^ ": " ^ line);
-  status a
+  match judge line with
+  | a ->
+    print_endline (words a ^ ": " ^ line);
+    status a
+  | exception Stack_overflow ->
+    print_endline ("no verdict (it has too many features): " ^ line);
+    1
 
 let rec answer_lines worst =
   match input_line stdin with

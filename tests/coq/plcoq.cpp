@@ -168,6 +168,13 @@ TEST_CASE("plcoq reads no more and no less than the notation") {
           "minimal: 2*P/P/P + a/Pa/Pa + a/a/a\nminimal:  2 * P/P/P+Pa/a/Pa+a/a/a \n");
     CHECK(run(PLCOQ " '1000*P/P/P(a)' '-/-/-(ab)' '-/-/-(P)' 'a/b/-' 'a/a/a(P)'").status == 0);
     CHECK(run(PLCOQ " --no-such-option").status == 3);
+
+    std::string large = "1000*P/P/P";
+    for (int i = 0; i < 1000; ++i)
+        large += " + 1000*P/P/P";
+    const TemporaryFolder folder;
+    write_file(folder / "problem", large + "\n");
+    CHECK(run(PLCOQ " <" + (folder / "problem").string()).status <= 1);
 }
 
 TEST_CASE("plcoq counts what the theorem says") {
