@@ -1,4 +1,4 @@
-// Verdicts and evidence of problem files, by the letter of FORMAT.md, section 7: which the checker
+// Verdicts and proofs in problem files, by the letter of FORMAT.md, section 7: which the checker
 // takes, and which it refuses although they come close.
 #include "tests/support/problem_outcome.h"
 
@@ -20,9 +20,19 @@ feature P/P point -2 -3 3
 minimal - 1 48372612341760
 )";
 
+/// How a pool of three views begins, with three points.
+const std::string of_three_points = R"(modulus 2305843009213693951
+pool 1
+camera 2 quaternion 0 0 1 0 translation 3 -2 -3
+camera 3 quaternion 1 0 -1 -1 translation -3 -1 -3
+feature P/P/P point 0 3 1
+feature P/P/P point -2 1 -1
+feature P/P/P point 0 2 -2
+)";
+
 } // namespace
 
-TEST_CASE("the verdict is a count of dimensions, or has the evidence that it needs") {
+TEST_CASE("the verdict is a count of dimensions, or has the proof that it needs") {
     CHECK(outcome_of_problem("problem 3*P/P/P\nverdict under-constrained 2\n") == "holds");
     CHECK(outcome_of_problem("problem 6*P/P\nverdict over-constrained 1\n") == "holds");
     for (const char* wrong : {"under-constrained 1", "under-constrained 3", "over-constrained 2",
@@ -38,7 +48,7 @@ TEST_CASE("the verdict is a count of dimensions, or has the evidence that it nee
     CHECK(outcome_of_problem(five_points.substr(0, five_points.find("modulus"))) != "holds");
 }
 
-TEST_CASE("the evidence of a problem in two views is refused if anything in it is altered") {
+TEST_CASE("the proof of a problem in two views is refused if anything in it is altered") {
     CHECK(outcome_of_problem(with(five_points, "3\nfeature",
                                   "3\ncamera 3 quaternion 1 0 0 0 translation 1 0 0"
                                   "\nfeature")) != "holds");
@@ -64,14 +74,7 @@ TEST_CASE("the evidence of a problem in two views is refused if anything in it i
 TEST_CASE("of a camera-minimal problem, just the own columns that make J square are deleted") {
     const std::string open = R"(problem 3*P/P/P + P/P/a
 verdict camera-minimal
-modulus 2305843009213693951
-pool 1
-camera 2 quaternion 0 0 1 0 translation 3 -2 -3
-camera 3 quaternion 1 0 -1 -1 translation -3 -1 -3
-feature P/P/P point 0 3 1
-feature P/P/P point -2 1 -1
-feature P/P/P point 0 2 -2
-feature P/P/a point 2 -2 3 pin 0 -3 -1
+)" + of_three_points + R"(feature P/P/a point 2 -2 3 pin 0 -3 -1
 camera-minimal 6723 1
 delete columns 14
 minor 988780599077191710
@@ -99,14 +102,7 @@ reduce 5 free-line nothing
 reduce 5 free-line nothing
 reduce 5 free-line nothing
 verdict camera-minimal
-modulus 2305843009213693951
-pool 1
-camera 2 quaternion 0 0 1 0 translation 3 -2 -3
-camera 3 quaternion 1 0 -1 -1 translation -3 -1 -3
-feature P/P/P point 0 3 1
-feature P/P/P point -2 1 -1
-feature P/P/P point 0 2 -2
-feature a/a/a point 2 -2 3 pin 0 -3 -1
+)" + of_three_points + R"(feature a/a/a point 2 -2 3 pin 0 -3 -1
 feature a/-/- point 3 3 0 pin 2 -2 3
 feature a/-/- point 2 0 -1 pin 0 0 1
 feature a/-/- point 0 2 0 pin 3 2 2

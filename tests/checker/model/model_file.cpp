@@ -91,6 +91,11 @@ std::string brackets(int count, const std::string& bracket) {
     return all;
 }
 
+/// What is wrong with the file of square roots if a part of it is replaced.
+std::string altered(const std::string& old, const std::string& by) {
+    return fault(with(roots, old, by));
+}
+
 } // namespace
 
 TEST_CASE("a fibre bounds from below, an elimination from above") {
@@ -107,9 +112,6 @@ TEST_CASE("a fibre bounds from below, an elimination from above") {
 }
 
 TEST_CASE("what is altered in a fibre is refused, for its reason") {
-    const auto altered = [](const std::string& old, const std::string& by) {
-        return fault(with(roots, old, by));
-    };
     CHECK(altered("unknown 0 1", "unknown 1 1") ==
           "7: a fibre: the sum of `separated by` is not t");
     CHECK(altered("\ndata 2", "\ndata 3") == "7: a fibre: equation 1 is not 0");
@@ -134,9 +136,6 @@ TEST_CASE("what is altered in a fibre is refused, for its reason") {
 }
 
 TEST_CASE("what is altered in an elimination is refused, for its reason") {
-    const auto altered = [](const std::string& old, const std::string& by) {
-        return fault(with(roots, old, by));
-    };
     const std::string start = "12: an elimination: ";
     CHECK(altered("minor 1", "minor 2") == start + "the minor is 1 modulo q");
     CHECK(altered("basis 1 2", "basis 1 3") ==
