@@ -4,10 +4,11 @@
 
 namespace checker {
 void RowSpace::reduce(Rest& rest, const Reduced& by) {
-    const std::uint64_t factor = (-Small::of(rest[by.pivot])).value;
+    const std::uint32_t factor = (-Small::of(rest[by.pivot])).value;
     if (factor == 0) return;
-    for (std::size_t k = 0; k < rest.size(); ++k)
-        rest[k] = (rest[k] & small_prime) + (rest[k] >> 31) + factor * by.row[k].value;
+    for (std::size_t k = by.pivot; k < rest.size(); ++k)
+        rest[k] =
+            (rest[k] & small_prime) + (rest[k] >> 31) + std::uint64_t{factor} * by.row[k].value;
 }
 
 /// Adds a row that is reduced by all rows.

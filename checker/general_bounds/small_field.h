@@ -80,7 +80,7 @@ private:
     using Rest = std::vector<std::uint64_t>;
 
     struct Reduced {
-        SmallRow row{}; // 1 at the pivot; 0 at those of the rows before
+        SmallRow row{}; // 1 at the pivot; 0 before it, and at those of the rows before
         std::size_t pivot = 0;
     };
 
