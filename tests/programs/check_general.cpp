@@ -1,17 +1,8 @@
 // plcheck asked about problems in general: what its statuses and its last line say of files that
 // hold, that are altered, and that are something else.
-#include "tests/support/program.h"
-#include "tests/support/text.h"
+#include "tests/support/programs.h"
 
 #include <doctest/doctest.h>
-
-namespace {
-
-const std::string plprove = PLPROVE;
-const std::string plcheck = PLCHECK;
-const std::string certs = SOURCE_DIR "/certs/";
-
-} // namespace
 
 TEST_CASE("the two families are replayed, and their numbers confirm those of the papers") {
     const Outcome both = run(plcheck + " " + certs + "plmp.plc " + certs + "projective.plc");

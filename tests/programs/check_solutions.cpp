@@ -1,7 +1,6 @@
 // Degrees of problems in general: what plprove writes, plcheck replays; and what plcheck says of
 // files of solutions that hold, that are altered, and that lack what is expected.
-#include "tests/support/program.h"
-#include "tests/support/text.h"
+#include "tests/support/programs.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -10,10 +9,6 @@
 #include <sstream>
 
 namespace {
-
-const std::string plprove = PLPROVE;
-const std::string plcheck = PLCHECK;
-const std::string certs = SOURCE_DIR "/certs/";
 
 /// The file that FORMAT.md, section 14, shows.
 std::string example() {

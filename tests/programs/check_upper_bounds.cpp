@@ -1,7 +1,6 @@
 // Upper bounds on degrees for projective cameras: what plprove writes, plcheck replays; and what
 // plcheck says of files that hold, that are altered, and together with files of solutions.
-#include "tests/support/program.h"
-#include "tests/support/text.h"
+#include "tests/support/programs.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -11,13 +10,10 @@
 
 namespace {
 
-const std::string plprove = PLPROVE;
-const std::string plcheck = PLCHECK;
-const std::string certs = SOURCE_DIR "/certs/";
 const std::string bounds = certs + "solutions/projective-at-most.plc";
 
 /// The file that FORMAT.md, section 15, shows.
-std::string example() {
+std::string example_of_fixed_forms() {
     const std::string format = read_file(certs + "FORMAT.md");
     const std::size_t start = format.find("\nplcert 2 at-most\n") + 1;
     return format.substr(start, format.find("```", start) - start);
@@ -55,7 +51,7 @@ TEST_CASE("the file of upper bounds in FORMAT.md holds, and is what plprove writ
     const TemporaryFolder folder;
     const std::string file = (folder / "six.plc").string();
     REQUIRE(run(plprove + " degree 'projective: 6*P/P/P' --at-most 1,2 -o " + file).status == 0);
-    CHECK(read_file(file) == example());
+    CHECK(read_file(file) == example_of_fixed_forms());
     const Outcome outcome = run("cd " + folder.path().string() + " && " + plcheck + " six.plc");
     CHECK(outcome.status == 0);
     CHECK(outcome.out ==
@@ -122,9 +118,9 @@ TEST_CASE("an altered file of upper bounds is refused with status 1 or 2") {
         write_file(file, text);
         return run(plcheck + " " + file).status;
     };
-    CHECK(status_of(example()) == 0);
-    CHECK(status_of(with(example(), "powers 1 2", "powers 1 1")) == 1);
-    CHECK(status_of(with(example(), "powers 1 2", "powers 1")) == 2);
-    CHECK(status_of(with(example(), "6*P/P/P", "7*P/P/P")) == 2);
+    CHECK(status_of(example_of_fixed_forms()) == 0);
+    CHECK(status_of(with(example_of_fixed_forms(), "powers 1 2", "powers 1 1")) == 1);
+    CHECK(status_of(with(example_of_fixed_forms(), "powers 1 2", "powers 1")) == 2);
+    CHECK(status_of(with(example_of_fixed_forms(), "6*P/P/P", "7*P/P/P")) == 2);
     CHECK(status_of("plcert 2 at-most\n") == 1); // it conforms, and proves nothing
 }

@@ -1,5 +1,5 @@
 // plcheck and degree files, as a user meets them: the example of FORMAT.md, alone and with others.
-#include "tests/support/program.h"
+#include "tests/support/programs.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -7,18 +7,11 @@
 
 namespace {
 
-const std::string plcheck = PLCHECK;
-const std::string source = SOURCE_DIR;
-
 /// The file that section 9 shows.
-std::string example() {
-    const std::string format = read_file(source + "/certs/FORMAT.md");
+std::string example_of_degrees() {
+    const std::string format = read_file(certs + "FORMAT.md");
     const std::size_t start = format.find("\nplcert 2 degrees\n") + 1;
     return format.substr(start, format.find("```", start) - start);
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 /// The word after the name of a row of the table.
@@ -41,7 +34,7 @@ std::size_t line_number(const std::string& text, std::size_t position) {
 
 TEST_CASE("the degree file in FORMAT.md holds") {
     const TemporaryFolder folder;
-    write_file(folder / "one.plc", example());
+    write_file(folder / "one.plc", example_of_degrees());
     const Outcome outcome = run("cd " + folder.path().string() + " && " + plcheck + " one.plc");
     CHECK(outcome.status == 0);
     CHECK(outcome.out == "one.plc: 1 degree record holds, 0 refused\n"
@@ -55,8 +48,8 @@ TEST_CASE("the degree file in FORMAT.md holds") {
 
 TEST_CASE("a degree file is compared with the paper where the classification is given") {
     const TemporaryFolder folder;
-    write_file(folder / "one.plc", example());
-    const std::string files = source + "/certs/classification.plc " + (folder / "one.plc").string();
+    write_file(folder / "one.plc", example_of_degrees());
+    const std::string files = certs + "classification.plc " + (folder / "one.plc").string();
     const Outcome text = run(plcheck + " --table " + files);
     CHECK(text.status == 0);
     CHECK(contains(text.out, "camera-degrees"));
@@ -83,7 +76,7 @@ TEST_CASE("a degree file is compared with the paper where the classification is 
 
 TEST_CASE("an altered degree file is refused, and says why") {
     const TemporaryFolder folder;
-    std::string altered = example();
+    std::string altered = example_of_degrees();
     const std::size_t last = altered.rfind("real ");
     write_file(folder / "twice.plc", altered + altered.substr(last));
     const Outcome twice = run("cd " + folder.path().string() + " && " + plcheck + " twice.plc");

@@ -1,13 +1,10 @@
 // From degrees to certificates to what plcheck makes of them, with the programs as they are built.
-#include "tests/support/program.h"
+#include "tests/support/programs.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
 namespace {
-
-const std::string plprove = PLPROVE;
-const std::string plcheck = PLCHECK;
 
 std::size_t lines_with(const std::string& text, const std::string& part) {
     std::size_t count = 0;
@@ -42,7 +39,6 @@ TEST_CASE("the degree of the five-point problem follows from what plcheck certif
     const auto report = nlohmann::json::parse(outcome.out);
     CHECK(report["degree"] == 20);
     CHECK(report["essential_matrices"] == 10);
-    const std::string certs = SOURCE_DIR "/certs/";
     const Outcome check = run(plcheck + " --json " + certs + "classification.plc " + certs +
                               "models/registrations/s_l0_i0_r5.plc " + file);
     CHECK(check.status == 0);

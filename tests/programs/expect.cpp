@@ -1,15 +1,11 @@
 // plcheck answers the question asked: the exit status, the last line and the JSON report say the
 // same, for every kind of file and of mistake.
-#include "tests/support/program.h"
-#include "tests/support/text.h"
+#include "tests/support/programs.h"
 
 #include <nlohmann/json.hpp>
 
 namespace {
 
-const std::string plcheck = PLCHECK;
-const std::string plprove = PLPROVE;
-const std::string certs = std::string(SOURCE_DIR) + "/certs/";
 const std::string schema = std::string(SOURCE_DIR) + "/docs/report.schema.json";
 const std::string validate = std::string(SOURCE_DIR) + "/tests/support/validate " + schema + ' ';
 

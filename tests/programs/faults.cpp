@@ -2,7 +2,7 @@
 // readers that have left. A file is under its name whole or not at all, and whoever lives to say so
 // says what is wrong, with a status other than 0.
 #include "tests/support/process.h"
-#include "tests/support/program.h"
+#include "tests/support/programs.h"
 
 #include <algorithm>
 #include <csignal>
@@ -20,10 +20,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string plprove = PLPROVE;
-const std::string plcheck = PLCHECK;
-const std::string committed = std::string(SOURCE_DIR) + "/certs/classification.plc";
 
 /// Starts plprove in a folder, silent, after `prepare` in the new process; the result is its id.
 pid_t start(
@@ -222,7 +218,7 @@ TEST_CASE("a full disk behind standard output is reported") {
     const Outcome help = run(plprove + " --help >/dev/full");
     CHECK(help.status == 1);
     CHECK(help.err.find("cannot write") != std::string::npos);
-    const Outcome check = run(plcheck + " " + committed + " >/dev/full");
+    const Outcome check = run(plcheck + " " + certs + "classification.plc >/dev/full");
     CHECK(check.status == 2);
     CHECK(check.err.find("cannot write") != std::string::npos);
 }
@@ -272,7 +268,7 @@ TEST_CASE("a reader that leaves ends the program, without a crash and not with s
         // Some that start programs, the runners of CI among them, let this signal be ignored.
         CHECK(into_closed_pipe("env --ignore-signal=PIPE " + plprove + arguments).status == 1);
     }
-    const Outcome check = into_closed_pipe(plcheck + " " + committed);
+    const Outcome check = into_closed_pipe(plcheck + " " + certs + "classification.plc");
     CHECK(check.status == 2);
     CHECK(check.err.find("cannot write the report") != std::string::npos);
     const Outcome first = run(plprove + " list --minimal | head -n 1");

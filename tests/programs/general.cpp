@@ -1,15 +1,7 @@
 // plprove asked about problems in general: other cameras, more views, shared lines, families.
-#include "tests/support/program.h"
-#include "tests/support/text.h"
+#include "tests/support/programs.h"
 
 #include <doctest/doctest.h>
-
-namespace {
-
-const std::string plprove = PLPROVE;
-const std::string certs = SOURCE_DIR "/certs/";
-
-} // namespace
 
 TEST_CASE("problems in general: verdict, JSON and certificate") {
     const TemporaryFolder folder;

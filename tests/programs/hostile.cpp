@@ -1,6 +1,6 @@
 // Hostile files: whatever plcheck is given, it answers soon, in bounded memory, with the status
 // that its help documents, and with a message that names file and line and is fit for a terminal.
-#include "tests/support/program.h"
+#include "tests/support/programs.h"
 #include "tests/support/sanitized.h"
 
 #include <algorithm>
@@ -11,7 +11,6 @@
 
 namespace {
 
-const std::string plcheck = PLCHECK;
 const std::string head = "plcert 2 classification\nmodulus 2305843009213693951\n";
 const std::string cameras = "camera 2 quaternion 1 2 3 4 translation 1 2 3\n"
                             "camera 3 quaternion 4 3 2 1 translation 3 2 1\n";

@@ -1,5 +1,5 @@
 // The lower bounds of all degrees, whose certificates are not on file: anyone gets them back.
-#include "tests/support/program.h"
+#include "tests/support/programs.h"
 
 #include <doctest/doctest.h>
 #include <map>
@@ -8,10 +8,6 @@
 #include <sstream>
 
 namespace {
-
-const std::string plprove = PLPROVE;
-const std::string plcheck = PLCHECK;
-const std::string certs = std::string(SOURCE_DIR) + "/certs";
 
 /// A line of a list of digests. The file is named PROBLEM-SOLUTIONS-SEED.plc; the problem is the
 /// number of a class or a name of PLMP.
@@ -25,7 +21,7 @@ struct ListedCertificate {
 std::vector<ListedCertificate> listed_in(const std::string& folder) {
     std::vector<ListedCertificate> certificates;
     for (const std::string& line :
-         lines_of(read_file(certs + "/" + folder + "/SHA256SUMS-lower-bounds"))) {
+         lines_of(read_file(certs + folder + "/SHA256SUMS-lower-bounds"))) {
         ListedCertificate& certificate = certificates.emplace_back();
         certificate.digest = line.substr(0, 64);
         certificate.file = line.substr(66);
@@ -50,9 +46,9 @@ std::string find_again(const ListedCertificate& certificate, const TemporaryFold
 }
 
 /// The degrees of certs/degrees.csv, by class.
-std::map<int, int> degrees_on_file() {
+std::map<int, int> degrees_by_class() {
     std::map<int, int> degrees;
-    for (const std::string& line : lines_of(read_file(certs + "/degrees.csv"))) {
+    for (const std::string& line : lines_of(read_file(certs + "degrees.csv"))) {
         int number = 0, degree = 0;
         char comma = 0;
         std::istringstream text(line);
@@ -65,9 +61,9 @@ std::map<int, int> degrees_on_file() {
 
 TEST_CASE("the list of lower bounds has for each class the degree on file, and plcheck "
           "reported it") {
-    const std::map<int, int> degrees = degrees_on_file();
+    const std::map<int, int> degrees = degrees_by_class();
     std::set<std::string> reported;
-    for (const std::string& line : lines_of(read_file(certs + "/degrees/lower-bounds.txt")))
+    for (const std::string& line : lines_of(read_file(certs + "degrees/lower-bounds.txt")))
         reported.insert(line);
     std::set<int> classes;
     for (const ListedCertificate& listed : listed_in("degrees")) {
@@ -115,8 +111,8 @@ TEST_CASE("plprove gives back the bytes of a dozen certificates of lower bounds,
 TEST_CASE(
     "the list of lower bounds in general has problems of PLMP with more than 600 solutions, as "
     "certified as their lines say, and plcheck reported it") {
-    const std::string table = read_file(certs + "/family-degrees.csv");
-    const std::string report = read_file(certs + "/solutions/lower-bounds.txt");
+    const std::string table = read_file(certs + "family-degrees.csv");
+    const std::string report = read_file(certs + "solutions/lower-bounds.txt");
     std::set<std::string> lines;
     for (const std::string& line : lines_of(table)) {
         std::istringstream columns(line);

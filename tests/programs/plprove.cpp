@@ -1,15 +1,7 @@
 // plprove as its users run it.
-#include "tests/support/program.h"
+#include "tests/support/programs.h"
 
 #include <doctest/doctest.h>
-
-namespace {
-
-const std::string plprove = PLPROVE;
-const std::string plcheck = PLCHECK;
-const std::string committed = std::string(SOURCE_DIR) + "/certs/classification.plc";
-
-} // namespace
 
 TEST_CASE("the committed archive is what plprove writes, byte for byte") {
     const TemporaryFolder folder;
@@ -17,7 +9,7 @@ TEST_CASE("the committed archive is what plprove writes, byte for byte") {
     const Outcome outcome = run(plprove + " classification -o " + path.string());
     CHECK(outcome.status == 0);
     CHECK(outcome.out.empty());
-    const bool same = read_file(path) == read_file(committed);
+    const bool same = read_file(path) == read_file(certs + "classification.plc");
     CHECK(same);
     CHECK(std::filesystem::file_size(path) <= 8'000'000);
 }
@@ -67,7 +59,7 @@ TEST_CASE("a failed write leaves the old file and nothing else") {
 }
 
 TEST_CASE("the configuration of the Coq proof is that of the committed archive") {
-    CHECK(run("cd " SOURCE_DIR "/proofs/coq && LC_ALL=C awk -f pool.awk " + committed +
-              " | cmp - Pool.v")
+    CHECK(run("cd " SOURCE_DIR "/proofs/coq && LC_ALL=C awk -f pool.awk " + certs +
+              "classification.plc | cmp - Pool.v")
               .status == 0);
 }

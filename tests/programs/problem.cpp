@@ -1,6 +1,6 @@
 // plprove problem, show and export of scripts, and plcheck on the certificates of verdicts, as
 // users run them.
-#include "tests/support/program.h"
+#include "tests/support/programs.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -8,18 +8,11 @@
 
 namespace {
 
-const std::string plprove = PLPROVE;
-const std::string plcheck = PLCHECK;
-
 nlohmann::json decide(const std::string& spec) {
     const Outcome outcome = run(plprove + " problem --json '" + spec + "'");
     CHECK(outcome.status == 0);
     CHECK(outcome.err.empty());
     return nlohmann::json::parse(outcome.out);
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // Models of registrations: `plprove model` writes the committed bytes, and `plcheck` reports them
 // to people and machines, with the degrees that follow.
-#include "tests/support/program.h"
+#include "tests/support/programs.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -10,9 +10,6 @@
 #include <vector>
 
 namespace {
-const std::string plprove = PLPROVE;
-const std::string plcheck = PLCHECK;
-const std::string certs = std::string(SOURCE_DIR) + "/certs/";
 const std::string committed = certs + "models/registrations/*.plc";
 const std::string classification = certs + "classification.plc ";
 

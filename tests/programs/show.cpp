@@ -1,12 +1,5 @@
 // plprove show as its users run it.
-#include "tests/support/program.h"
-#include "tests/support/text.h"
-
-namespace {
-
-const std::string plprove = PLPROVE;
-
-} // namespace
+#include "tests/support/programs.h"
 
 TEST_CASE("a problem is drawn in the terminal and as a picture") {
     CHECK(contains(run(plprove + " show 2394").out, "view 3"));

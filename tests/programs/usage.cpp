@@ -1,12 +1,5 @@
 // plprove where people call it otherwise than it expects.
-#include "tests/support/program.h"
-#include "tests/support/text.h"
-
-namespace {
-
-const std::string plprove = PLPROVE;
-
-} // namespace
+#include "tests/support/programs.h"
 
 TEST_CASE("a problem may begin with a dash, wherever it stands") {
     const std::string problem = "-/P/P + 3*P/P/P + P/-/P";
