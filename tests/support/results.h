@@ -46,3 +46,11 @@ inline checker::ReplayedFile registration_file(const checker::Registration& type
                                           .at_most = bound,
                                           .records = 1}};
 }
+
+/// A report on all classes, each proved minimal or not, with all degrees: computed once, as it
+/// takes ten seconds.
+inline const checker::Report& whole_report() {
+    static const checker::Report report =
+        checker::summarize(all_classes(), {whole_classification()}, {}, true);
+    return report;
+}

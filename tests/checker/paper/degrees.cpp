@@ -19,12 +19,6 @@ Report report_on(const std::vector<LowerBound>& bounds) {
     return summarize(all_classes(), {whole_classification(), degree_file(bounds)});
 }
 
-/// One with all degrees.
-const Report& whole_report() {
-    static const Report report = summarize(all_classes(), {whole_classification()}, {}, true);
-    return report;
-}
-
 std::size_t number_in(const std::string& cell) {
     return cell == "-" ? 0 : std::stoul(cell);
 }
