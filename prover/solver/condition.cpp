@@ -3,8 +3,8 @@
 #include "prover/solver/decompositions.h"
 #include "prover/three_views/images.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include <Eigen/Geometry>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -19,6 +19,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double step = 1e-5; ///< of central differences: errors of about its square
+constexpr double rounding = 1e-15;
 
 /// The derivatives of f at 0, one column for each of its arguments.
 MatrixXd jacobian(const std::function<VectorXd(const VectorXd&)>& f, Index arguments) {
@@ -31,11 +32,12 @@ MatrixXd jacobian(const std::function<VectorXd(const VectorXd&)>& f, Index argum
 }
 
 /// The largest change of the cameras for a change of the images of length 1, where the equations
-/// stay zero.
+/// stay zero: the largest singular value of the derivatives of the cameras.
 double largest_change(const MatrixXd& by_cameras, const MatrixXd& by_images) {
-    constexpr double rounding = 1e-15;
     const auto change = least_squares<double>(by_cameras, by_images, rounding);
-    return change ? change->operatorNorm() : std::numeric_limits<double>::infinity();
+    const auto squares = change ? eigensystem<double>(*change * change->transpose()) : std::nullopt;
+    if (!squares) return std::numeric_limits<double>::infinity();
+    return std::sqrt(squares->values.real().maxCoeff());
 }
 
 Matrix3d turned(const Matrix3d& R, const Vector3d& by) {
@@ -55,11 +57,11 @@ std::vector<Vector3d> moved(const std::vector<Vector3d>& images, const VectorXd&
     return result;
 }
 
-/// Directions in which a unit vector moves: an orthonormal basis of its complement.
-MatrixXd complement(const VectorXd& vector) {
-    const Eigen::HouseholderQR<MatrixXd> decomposition(vector);
-    const MatrixXd basis = decomposition.householderQ();
-    return basis.rightCols(vector.size() - 1);
+/// Directions in which a unit vector moves: an orthonormal basis of its complement. Zero for the
+/// vector 0: where that is, no cameras are determined.
+MatrixXd directions(const VectorXd& vector) {
+    const auto basis = complement(vector, rounding);
+    return basis ? *basis : MatrixXd::Zero(vector.size(), vector.size() - 1);
 }
 
 /// Three cameras near given ones: rotations turned, centres moved but for their scale.
@@ -76,7 +78,7 @@ Cameras near(const std::vector<Pose<double>>& poses, const VectorXd& change) {
         if (v > 0) centres.segment<3>(3 * static_cast<Index>(v) - 3) = c;
     }
     centres.normalize();
-    centres += complement(centres) * change.tail<5>();
+    centres += directions(centres) * change.tail<5>();
     for (std::size_t v = 0; v < 3; ++v) {
         const auto k = 3 * static_cast<Index>(v) - 3;
         cameras.R.push_back(v == 0 ? poses[v].R : turned(poses[v].R, change.segment<3>(k)));
@@ -145,7 +147,7 @@ double condition(const std::vector<Vector3d>& first, const std::vector<Vector3d>
         const std::vector<Vector3d> y = moved(second, change.tail(2 * count));
         const Matrix3d R = turned(pose.R, camera.head<3>());
         const VectorXd t = pose.t.normalized();
-        const Vector3d translation = t + complement(t) * camera.tail<2>();
+        const Vector3d translation = t + directions(t) * camera.tail<2>();
         VectorXd result(count);
         for (Index i = 0; i < count; ++i) {
             const auto k = static_cast<std::size_t>(i);

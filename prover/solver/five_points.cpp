@@ -215,7 +215,7 @@ Matrix3<Scalar> polished(const NullSpace& space, Vector4<Scalar> coefficients) {
         Eigen::Matrix<Scalar, 11, 1> right;
         right << -cubics.values(), Scalar(0);
         const Eigen::Matrix<Scalar, 4, 4> normal = jacobian.adjoint() * jacobian;
-        const Vector4<Scalar> change = normal.partialPivLu().solve(jacobian.adjoint() * right);
+        const Vector4<Scalar> change = normal.inverse() * (jacobian.adjoint() * right);
         if (!change.allFinite()) break;
         coefficients += change;
         change_size = change.norm();

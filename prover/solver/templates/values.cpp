@@ -1,8 +1,7 @@
 #include "prover/solver/templates/values.h"
 
+#include "prover/solver/decompositions.h"
 #include "prover/solver/templates/system.h"
-
-#include <Eigen/QR>
 
 namespace plprove {
 
@@ -36,17 +35,18 @@ template std::vector<Complex> equation_values(const KnownScene<Complex>&, templa
 Eigen::Vector3cd translation(const KnownScene<Complex>& scene, const Eigen::Matrix3cd& rotation) {
     const auto system = system_at(scene, templates::Frame::general, rotation);
     const auto rows = static_cast<Eigen::Index>(system.conditions().size());
-    Eigen::MatrixX3cd linear(rows, 3);
-    Eigen::VectorXcd free(rows);
+    Eigen::MatrixXcd linear(rows, 3), free(rows, 1);
     for (Eigen::Index row = 0; row < rows; ++row) {
         const auto& condition = system.conditions()[static_cast<std::size_t>(row)];
         const auto& [a, b, c] = condition.linear;
         const Eigen::Vector3cd coefficients(a, b, c);
         const double size = coefficients.norm();
         linear.row(row) = coefficients.transpose() / size;
-        free[row] = condition.free / size;
+        free(row, 0) = condition.free / size;
     }
-    return linear.colPivHouseholderQr().solve(-free);
+    constexpr double rounding = 1e-15;
+    const auto found = least_squares<Complex>(linear, -free, rounding);
+    return found ? Eigen::Vector3cd(found->col(0)) : Eigen::Vector3cd::Zero();
 }
 
 } // namespace plprove
