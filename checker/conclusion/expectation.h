@@ -24,7 +24,7 @@ struct WholeClassification {};
 
 /// That every problem of a family in general has a certificate.
 struct WholeFamily {
-    std::string name{}; // of one in the table of families
+    std::string name{}; // `plmp` or `projective`
 };
 
 /// That a model is minimal, and perhaps its degree.

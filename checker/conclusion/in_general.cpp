@@ -129,8 +129,8 @@ DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& proble
 
 const ReplayedFile* file_of_family(const Findings& findings, std::string_view family) {
     for (const ReplayedFile* file : files_of<ProblemsFile>(findings)) {
-        const Family* complete = complete_family(std::get<ProblemsFile>(file->content));
-        if (complete && complete->name == family) return file;
+        const auto& content = std::get<ProblemsFile>(file->content);
+        if (content.family == family && content.missing == 0) return file;
     }
     return nullptr;
 }

@@ -1,122 +1,108 @@
 #include "checker/family/family.h"
 
-#include "checker/family/degree_bound.h"
-#include "checker/minimal/part.h"
+#include <algorithm>
 
 namespace checker {
-using Verdict = ProblemVerdict;
-
-static bool any(const Verdict&) {
-    return true;
+static std::vector<Problem> list_of(const Problems& problems) {
+    std::vector<Problem> list;
+    problems.for_each([&](const Problem& problem, auto) { list.push_back(problem); });
+    return list;
 }
 
-static bool is_minimal(const Verdict& verdict) {
-    return verdict.minimal;
+static void put(Problem& problem, std::size_t point, std::size_t line) {
+    problem.lines[line].points.push_back(point);
+    problem.points[point].lines.push_back(line);
 }
 
-static int views_of(const Verdict& verdict) {
-    return std::popcount(verdict.problem.views);
+static bool have_common_line(const Problem& problem, std::size_t p, std::size_t q) {
+    const auto holds_q = [&](std::size_t n) {
+        return std::ranges::count(problem.lines[n].points, q) > 0;
+    };
+    return std::ranges::any_of(problem.points[p].lines, holds_q);
 }
 
-template <int views> static bool is_minimal_in(const Verdict& verdict) {
-    return verdict.minimal && views_of(verdict) == views;
+/// Adds the problems that one more point makes of this one, whose lines have three points or more.
+/// By item 4 it is free, on a line, or on the line through two points that had none.
+static void add_point(Problems& found, Problem problem) {
+    const std::size_t point = problem.points.size();
+    problem.points.emplace_back();
+    found[problem] = {};
+    for (std::size_t n = 0; n < problem.lines.size(); ++n) {
+        Problem on_line = problem;
+        put(on_line, point, n);
+        found[on_line] = {};
+    }
+    for (std::size_t q = 0; q < point; ++q)
+        for (std::size_t p = 0; p < q; ++p) {
+            if (have_common_line(problem, p, q)) continue;
+            Problem on_new_line = problem;
+            on_new_line.lines.emplace_back();
+            for (const std::size_t each : {p, q, point})
+                put(on_new_line, each, problem.lines.size());
+            found[on_new_line] = {};
+        }
 }
 
-static bool has_few_points(const Verdict& verdict) {
-    return verdict.problem.points.size() < 7;
+/// By the number of points, up to 8: how points lie on lines with three points or more.
+static std::vector<std::vector<Problem>> arrangements() {
+    std::vector<std::vector<Problem>> all{{Problem{}}};
+    for (int points = 1; points <= 8; ++points) {
+        Problems found;
+        for (const Problem& problem : all.back())
+            add_point(found, problem);
+        all.push_back(list_of(found));
+    }
+    return all;
 }
 
-static bool few_points_minimal(const Verdict& verdict) {
-    return has_few_points(verdict) && verdict.minimal;
-}
-
-static bool few_points_not_minimal(const Verdict& verdict) {
-    return has_few_points(verdict) && !verdict.minimal;
-}
-
-static bool four_on_a_line(const Problem& problem) {
-    const auto has_four = [](const Line& line) { return line.points.size() >= 4; };
-    return std::ranges::any_of(problem.lines, has_four);
-}
-
-/// Whether all points, six of them, lie in the span of some three.
-static bool six_in_a_plane(const Problem& problem) {
-    const std::size_t count = problem.points.size();
-    if (count != 6) return false;
-    for (std::size_t k = 0; k < count; ++k)
-        for (std::size_t j = 0; j < k; ++j)
-            for (std::size_t i = 0; i < j; ++i) {
-                const Span span = span_of(problem, {i, j, k}, {});
-                if (std::ranges::count(span.points, true) == 6) return true;
+/// Adds the problems with `pins` pins more.
+static void add_with_pins(Problems& found, const Problem& problem, int pins) {
+    std::vector<Problem> with_pins{problem};
+    for (; pins > 0; --pins) {
+        Problems one_more;
+        for (Problem& before : with_pins)
+            for (std::size_t p = 0; p < problem.points.size(); ++p) {
+                Problem after = before;
+                after.lines.push_back({.seen_by = problem.views});
+                put(after, p, before.lines.size());
+                one_more[after] = {};
             }
-    return false;
+        with_pins = list_of(one_more);
+    }
+    for (const Problem& each : with_pins)
+        found[each] = {};
 }
 
-static bool not_minimal_in_general_position(const Verdict& verdict) {
-    return few_points_not_minimal(verdict) && !four_on_a_line(verdict.problem) &&
-           !six_in_a_plane(verdict.problem);
+/// Adds the balanced problems with these points in `views` views, which all see everything. In
+/// two views lines are seen for nothing; in more a free line adds 2 (m - 2) to the surplus, a pin
+/// m - 2.
+static void add_balanced(Problems& found, Problem problem, int views) {
+    problem.views = (1U << views) - 1;
+    for (Point& point : problem.points)
+        point.seen_by = problem.views;
+    for (Line& line : problem.lines)
+        line.seen_by = problem.views;
+    const int missing = -surplus(problem);
+    if (missing == 0) found[problem] = {};
+    if (missing <= 0 || views == 2 || missing % (views - 2) != 0) return;
+    for (int pins = missing / (views - 2); pins >= 0; pins -= 2) {
+        add_with_pins(found, problem, pins);
+        problem.lines.push_back({.seen_by = problem.views});
+    }
 }
 
-template <int views> static bool seven_points_minimal_in(const Verdict& verdict) {
-    return is_minimal_in<views>(verdict) && verdict.problem.points.size() == 7;
-}
-
-/// Problems with seven points that are minimal in any number of views count in two.
-static bool minimal_once(const Verdict& verdict) {
-    return verdict.minimal && (has_few_points(verdict) || views_of(verdict) == 2);
-}
-
-static bool one_solution(const Verdict& verdict) {
-    return minimal_once(verdict) && degree_bound(verdict.problem) == 1U;
-}
-
-static constexpr std::array numbers_of_plmp{
-    FamilyNumber{"balanced", any},
-    FamilyNumber{"minimal", is_minimal},
-    FamilyNumber{"minimal, in 2 views", is_minimal_in<2>},
-    FamilyNumber{"minimal, in 3 views", is_minimal_in<3>},
-    FamilyNumber{"minimal, in 4 views", is_minimal_in<4>},
-    FamilyNumber{"minimal, in 5 views", is_minimal_in<5>},
-    FamilyNumber{"minimal, in 6 views", is_minimal_in<6>},
-};
-
-static constexpr std::array numbers_of_projective{
-    FamilyNumber{"balanced, fewer than seven points", has_few_points},
-    FamilyNumber{"minimal, fewer than seven points", few_points_minimal},
-    FamilyNumber{"not minimal, fewer than seven points", few_points_not_minimal},
-    FamilyNumber{"- no four on a line, no six in a plane", not_minimal_in_general_position},
-    FamilyNumber{"minimal, seven points in two views", seven_points_minimal_in<2>},
-    FamilyNumber{"minimal, seven points in three views", seven_points_minimal_in<3>},
-    FamilyNumber{"minimal", minimal_once},
-    FamilyNumber{"- with one solution", one_solution},
-};
-
-static bool all_sizes(std::size_t, int) {
-    return true;
-}
-
-static bool few_points_or_views(std::size_t points, int views) {
-    return points < 7 || views <= 3;
-}
-
-static constexpr std::array table{
-    Family{"plmp", &calibrated_cameras, all_sizes, numbers_of_plmp},
-    Family{"projective", &projective_cameras, few_points_or_views, numbers_of_projective},
-};
-
-std::span<const Family> families() {
-    return table;
-}
-
-const Family* find_family(std::string_view name) {
-    const auto* const found = std::ranges::find(table, name, &Family::name);
-    return found != table.end() ? found : nullptr;
-}
-
-std::string names_of_families() {
-    std::string names;
-    for (const Family& family : table)
-        names += (names.empty() ? "" : ", ") + std::string(family.name);
-    return names;
+Problems family(std::string_view name) {
+    const CameraModel& cameras = name == "projective" ? projective_cameras : calibrated_cameras;
+    const std::vector<std::vector<Problem>> by_points = arrangements();
+    Problems found;
+    for (std::size_t points = 0; points < by_points.size(); ++points)
+        for (int views = 2; views <= static_cast<int>(most_views); ++views) {
+            if (&cameras == &projective_cameras && points >= 7 && views > 3) continue;
+            for (Problem problem : by_points[points]) {
+                problem.cameras = &cameras;
+                add_balanced(found, problem, views);
+            }
+        }
+    return found;
 }
 } // namespace checker

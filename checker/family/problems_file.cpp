@@ -1,19 +1,18 @@
 #include "checker/family/problems_file.h"
 
-#include "checker/family/enumeration.h"
+#include "checker/family/family.h"
 #include "checker/minimal/record_lines.h"
 #include "checker/problem/notation.h"
 
 namespace checker {
-/// Takes the family, if the file claims one.
-static const Family* read_family(Reader& reader) {
-    if (!reader.comes("family")) return nullptr;
+/// Takes the family's name, if the file claims one.
+static std::string read_family(Reader& reader) {
+    if (!reader.comes("family")) return {};
     reader.take("family");
     const std::string name(reader.word());
-    const Family* family = find_family(name);
-    if (!family) reader.fail(name, "a family: " + names_of_families());
+    if (name != "plmp" && name != "projective") reader.fail(name, "`plmp` or `projective`");
     reader.end_line();
-    return family;
+    return name;
 }
 
 /// How many coordinates there are.
@@ -35,7 +34,8 @@ ProblemsFile replay_problems(Reader& reader, const Execution& execution) try {
     ProblemsFile file{.family = read_family(reader)};
     Records records(file.refusals, execution);
     reader.take(say("modulus ", modulus, " $"));
-    const Problems all = file.family ? problems_of(*file.family) : Problems{};
+    const bool has_family = !file.family.empty();
+    const Problems all = has_family ? family(file.family) : Problems{};
     Problems decided; // of the family
     while (!reader.at_end()) {
         const std::size_t line = reader.line();
@@ -46,29 +46,20 @@ ProblemsFile replay_problems(Reader& reader, const Execution& execution) try {
         const Record record = read_record(reader, line, problem);
         records.replay(line, printable(notation, 200) + ": ", [&] {
             records.spend(effort_of(record));
-            if (file.family && !all.find(problem))
-                throw Refused("it is not in the family ", file.family->name);
+            if (has_family && !all.find(problem))
+                throw Refused("it is not in the family ", file.family);
             if (decided.find(problem)) throw Refused("a record before decides it");
             check_record(record, problem);
-            if (file.family) decided[problem] = {};
+            if (has_family) decided[problem] = {};
             file.verdicts.push_back({notation, problem, record.minimal()});
         });
     }
     file.missing = all.count() - decided.count();
     if (file.missing > 0)
-        file.refusals.add(reader.line(),
-                          say("the family ", file.family->name, " has ", file.missing,
-                              " more problems; each needs a record that holds"));
+        file.refusals.add(reader.line(), say("the family ", file.family, " has ", file.missing,
+                                             " more problems; each needs a record that holds"));
     return file;
 } catch (const TooMuchEffort& too_much) {
     return {.refusals = too_much.refusals()};
-}
-
-const Family* complete_family(const ProblemsFile& file) {
-    return file.missing == 0 ? file.family : nullptr;
-}
-
-std::size_t value_of(const FamilyNumber& number, const ProblemsFile& file) {
-    return static_cast<std::size_t>(std::ranges::count_if(file.verdicts, number.counts));
 }
 } // namespace checker

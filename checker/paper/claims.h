@@ -36,7 +36,6 @@ std::vector<Claim> compare_counts(const Classification& classes, const Verdicts&
 
 /// A degree for which a paper only says that it is larger than a number.
 struct FamilyDegree {
-    std::string_view family;
     std::string_view name;         // of the problem, as in the paper
     std::string_view problem;      // in notation
     std::size_t claimed_above = 0; // by the paper
@@ -50,7 +49,7 @@ void set_certified(FamilyDegree& degree, std::size_t at_least);
 
 /// The numbers of a family of problems in general, beside those of its paper.
 struct FamilyTable {
-    std::string_view family{}; // its name
+    std::string family{}; // `plmp` or `projective`
     std::vector<Claim> claims{};
     std::vector<FamilyDegree> degrees{};
     std::map<std::size_t, std::size_t> lower_bounds{}; // of degrees: how many problems have each

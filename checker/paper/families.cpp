@@ -1,3 +1,4 @@
+#include "checker/family/rows.h"
 #include "checker/paper/claims.h"
 
 namespace checker::paper {
@@ -22,13 +23,10 @@ static constexpr std::array claimed_numbers{
 };
 
 /// Of PLMP, Table 1: "> 450k".
-static constexpr std::array claimed_degrees{
-    FamilyDegree{.family = "plmp",
-                 .name = "1021_1",
-                 .problem = "Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a",
-                 .claimed_above = 450'000,
-                 .evidence = 186'368},
-};
+static constexpr FamilyDegree claimed_degree{.name = "1021_1",
+                                             .problem = "Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a",
+                                             .claimed_above = 450'000,
+                                             .evidence = 186'368};
 
 void set_certified(FamilyDegree& degree, std::size_t at_least) {
     degree.at_least = at_least;
@@ -37,27 +35,24 @@ void set_certified(FamilyDegree& degree, std::size_t at_least) {
                                                      : "differs by evidence";
 }
 
-static Claim compare(const Family& family, std::string_view name, std::size_t certified) {
-    Claim line{.claim = std::string(name),
+static Claim compare(std::string_view family, const FamilyRow& row) {
+    Claim line{.claim = std::string(row.name),
                .claimed = "-",
-               .certified = say(certified),
+               .certified = say(row.number),
                .verdict = "no claim"};
     for (const ClaimedNumber& claim : claimed_numbers) {
-        if (claim.family != family.name || claim.row != name) continue;
+        if (claim.family != family || claim.row != row.name) continue;
         line.claimed = say(claim.number);
-        line.verdict = claim.number == certified ? "confirmed" : "differs: not explained";
+        line.verdict = claim.number == row.number ? "confirmed" : "differs: not explained";
     }
     return line;
 }
 
 FamilyTable compare_family(const ProblemsFile& file) {
-    const Family* family = complete_family(file);
-    if (!family) return {};
-    FamilyTable table{.family = family->name};
-    for (const FamilyNumber& number : family->numbers)
-        table.claims.push_back(compare(*family, number.name, value_of(number, file)));
-    for (const FamilyDegree& degree : claimed_degrees)
-        if (degree.family == family->name) table.degrees.push_back(degree);
+    FamilyTable table{.family = file.family};
+    for (const FamilyRow& row : rows_of(file))
+        table.claims.push_back(compare(file.family, row));
+    if (table.family == "plmp") table.degrees.push_back(claimed_degree);
     return table;
 }
 } // namespace checker::paper

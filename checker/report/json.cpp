@@ -88,8 +88,8 @@ static std::string members(const ProblemsFile& file) {
     for (const auto& [notation, problem, minimal] : file.verdicts)
         items.push_back(
             say("{\"problem\": ", json_string(notation), ", \"minimal\": ", truth(minimal), "}"));
-    return say(", \"family\": ", json_string(file.family ? file.family->name : ""),
-               ", \"missing\": ", file.missing, ", \"problems\": ", array_of(items));
+    return say(", \"family\": ", json_string(file.family), ", \"missing\": ", file.missing,
+               ", \"problems\": ", array_of(items));
 }
 
 static std::string members(const SolutionsFile& file) {

@@ -106,10 +106,10 @@ template <class Item> static void add_once(std::vector<Item>& list, const Item& 
 
 /// Adds a family, or single problems.
 static void add(Proofs& proofs, const ProblemsFile& file) {
-    if (file.family) {
+    if (!file.family.empty()) {
         const auto minimal = std::ranges::count_if(file.verdicts, &ProblemVerdict::minimal);
         add_once(proofs.families, say("all ", file.verdicts.size(), " problems of the family ",
-                                      file.family->name, ", ", minimal, " minimal"));
+                                      file.family, ", ", minimal, " minimal"));
         return;
     }
     for (const auto& [notation, problem, minimal] : file.verdicts)
