@@ -15,7 +15,8 @@ static std::array<Vector3<T>, 3> rotation(const T& a, const T& b, const T& c, co
 }
 
 /// Turns as [ω]× R does at ω = 0. The first coordinate of the second translation is fixed.
-template <class T> static CameraMatrix<Dual<T>> place(Source<T>& source, bool second) {
+template <class T>
+static CameraMatrix<Dual<T>> place(Source<T>& source, SharedNumbers<T>, bool second) {
     const Dual<T> a = source.fixed(), b = source.fixed(), c = source.fixed(), d = source.fixed();
     const auto columns = rotation(a, b, c, d);
     const Vector3<Dual<T>> turn{source.varied(T{}), source.varied(T{}), source.varied(T{})};
@@ -49,7 +50,7 @@ static std::string_view objection(std::span<const int> numbers, bool second) {
 const CameraModel calibrated_cameras{.name = "calibrated",
                                      .numbers = 7,
                                      .unknowns = 6,
-                                     .motions_of_space = 7,
+                                     .unknowns_of_second = 5,
                                      .objection = objection,
                                      .place_modulo = place<Residue>,
                                      .place = place<mpz_class>,

@@ -10,7 +10,8 @@ static std::size_t fixed_entries(bool second) {
     return second ? 5 : 1;
 }
 
-template <class T> static CameraMatrix<Dual<T>> place(Source<T>& source, bool second) {
+template <class T>
+static CameraMatrix<Dual<T>> place(Source<T>& source, SharedNumbers<T>, bool second) {
     CameraMatrix<Dual<T>> camera;
     for (std::size_t entry = 0; entry < 12; ++entry) {
         const bool fixed = entry < fixed_entries(second);
@@ -40,7 +41,7 @@ const CameraModel projective_cameras{.name = "projective",
                                      .prefix = "projective:",
                                      .numbers = 12,
                                      .unknowns = 11,
-                                     .motions_of_space = 15,
+                                     .unknowns_of_second = 7,
                                      .all_matrices = true,
                                      .objection = objection,
                                      .place_modulo = place<Residue>,

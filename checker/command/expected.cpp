@@ -1,5 +1,6 @@
 #include "checker/command/expected.h"
 
+#include "checker/family/family.h"
 #include "checker/model/program.h"
 #include "checker/problem/notation.h"
 
@@ -66,9 +67,13 @@ static Expectation family_of(const ExpectedWords& words) {
     if (words.problem || words.verdict || words.degree || words.classification)
         throw WrongUsage{"--family expects a whole family; leave out --expect, --verdict, --degree "
                          "and --classification"};
-    if (*words.family != "plmp" && *words.family != "projective")
-        throw WrongUsage{say("unknown family ", printable(*words.family, 40),
-                             "; choose one of plmp, projective")};
+    if (!cameras_of_family(*words.family)) {
+        std::string names;
+        for (const CameraModel* cameras : camera_models())
+            names += say(names.empty() ? "" : ", ", family_name(*cameras));
+        throw WrongUsage{
+            say("unknown family ", printable(*words.family, 40), "; choose one of ", names)};
+    }
     return WholeFamily{std::string(*words.family)};
 }
 

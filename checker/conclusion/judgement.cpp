@@ -117,7 +117,7 @@ Judgement judge(const Findings& findings, const WholeFamily& expected) {
     const ReplayedFile* file = file_of_family(findings, expected.name);
     if (!file) {
         judgement.statement =
-            say("the family ", expected.name, ": no file has all its problems; add certs/",
+            say("the family ", expected.name, ": no file has all its problems; add its archive, ",
                 expected.name, ".plc");
         return judgement;
     }

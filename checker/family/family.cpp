@@ -91,13 +91,24 @@ static void add_balanced(Problems& found, Problem problem, int views) {
     }
 }
 
-Problems family(std::string_view name) {
-    const CameraModel& cameras = name == "projective" ? projective_cameras : calibrated_cameras;
+std::string_view family_name(const CameraModel& cameras) {
+    return &cameras == &calibrated_cameras ? "plmp" : cameras.name;
+}
+
+const CameraModel* cameras_of_family(std::string_view name) {
+    for (const CameraModel* cameras : camera_models())
+        if (family_name(*cameras) == name) return cameras;
+    return nullptr;
+}
+
+Problems family(const CameraModel& cameras) {
+    const int of_two = columns_of(cameras, 2);
     const std::vector<std::vector<Problem>> by_points = arrangements();
     Problems found;
     for (std::size_t points = 0; points < by_points.size(); ++points)
         for (int views = 2; views <= static_cast<int>(most_views); ++views) {
-            if (&cameras == &projective_cameras && points >= 7 && views > 3) continue;
+            if (views == 2 && of_two > columns_of(projective_cameras, 2)) continue;
+            if (views > 3 && static_cast<int>(points) >= of_two) continue;
             for (Problem problem : by_points[points]) {
                 problem.cameras = &cameras;
                 add_balanced(found, problem, views);

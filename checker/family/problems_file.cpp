@@ -6,18 +6,19 @@
 
 namespace checker {
 /// Takes the family's name, if the file claims one.
-static std::string read_family(Reader& reader) {
-    if (!reader.comes("family")) return {};
+static const CameraModel* read_family(Reader& reader) {
+    if (!reader.comes("family")) return nullptr;
     reader.take("family");
-    const std::string name(reader.word());
-    if (name != "plmp" && name != "projective") reader.fail(name, "`plmp` or `projective`");
+    const std::string_view name = reader.word();
+    const CameraModel* cameras = cameras_of_family(name);
+    if (!cameras) reader.fail(name, "`plmp` or a kind of cameras");
     reader.end_line();
-    return name;
+    return cameras;
 }
 
 /// How many coordinates there are.
 static std::size_t size_of(const Placement& placement) {
-    std::size_t size = placement.scene.size();
+    std::size_t size = placement.shared.size() + placement.scene.size();
     for (const Numbers& camera : placement.cameras)
         size += camera.size();
     return size;
@@ -31,11 +32,12 @@ static std::uint64_t effort_of(const Record& record) {
 }
 
 ProblemsFile replay_problems(Reader& reader, const Execution& execution) try {
-    ProblemsFile file{.family = read_family(reader)};
+    const CameraModel* cameras = read_family(reader);
+    ProblemsFile file{.family = cameras ? std::string(family_name(*cameras)) : ""};
     Records records(file.refusals, execution);
     reader.take(say("modulus ", modulus, " $"));
-    const bool has_family = !file.family.empty();
-    const Problems all = has_family ? family(file.family) : Problems{};
+    const bool has_family = cameras != nullptr;
+    const Problems all = has_family ? family(*cameras) : Problems{};
     Problems decided; // of the family
     while (!reader.at_end()) {
         const std::size_t line = reader.line();

@@ -34,18 +34,17 @@ static std::size_t count(const ProblemsFile& file, const Condition& condition) {
     return static_cast<std::size_t>(std::ranges::count_if(file.verdicts, condition));
 }
 
-static std::vector<FamilyRow> plmp_rows(const ProblemsFile& file) {
-    constexpr std::array<std::string_view, 5> names{"minimal, in 2 views", "minimal, in 3 views",
-                                                    "minimal, in 4 views", "minimal, in 5 views",
-                                                    "minimal, in 6 views"};
+static std::vector<FamilyRow> rows_by_views(const ProblemsFile& file) {
     std::vector<FamilyRow> rows{{"balanced", file.verdicts.size()},
                                 {"minimal", count(file, &ProblemVerdict::minimal)}};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const int views = static_cast<int>(i) + 2;
+    int most = 0;
+    for (const ProblemVerdict& verdict : file.verdicts)
+        if (verdict.minimal) most = std::max(most, views_of(verdict));
+    for (int views = 2; views <= most; ++views) {
         const auto counts = [&](const ProblemVerdict& v) {
             return v.minimal && views_of(v) == views;
         };
-        rows.push_back({names[i], count(file, counts)});
+        rows.push_back({say("minimal, in ", views, " views"), count(file, counts)});
     }
     return rows;
 }
@@ -82,6 +81,6 @@ static std::vector<FamilyRow> projective_rows(const ProblemsFile& file) {
 
 std::vector<FamilyRow> rows_of(const ProblemsFile& file) {
     if (file.family.empty() || file.missing > 0) return {};
-    return file.family == "plmp" ? plmp_rows(file) : projective_rows(file);
+    return file.family == projective_cameras.name ? projective_rows(file) : rows_by_views(file);
 }
 } // namespace checker

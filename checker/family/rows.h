@@ -7,7 +7,7 @@
 
 namespace checker {
 struct FamilyRow {
-    std::string_view name;
+    std::string name;
     std::size_t number = 0;
 };
 

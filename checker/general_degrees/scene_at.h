@@ -14,7 +14,7 @@ public:
     /// Goes to the cameras and depths with these coordinates.
     void move_to(const std::vector<T>& z) {
         cameras_.clear();
-        std::size_t next = 0;
+        std::size_t next = system_.second.shared;
         for (std::size_t n = 0; n < system_.cameras; ++n) {
             cameras_.push_back(camera_at(system_.form_of(n), z, next));
             next += system_.form_of(n).coordinates;
@@ -71,15 +71,19 @@ private:
         std::vector<Change> changes{};
     };
 
-    /// The camera whose coordinates begin at this one.
+    /// The camera whose own coordinates begin at this one; the shared ones are the first of all.
     static CameraAt camera_at(const CameraForm& form, const std::vector<T>& z, std::size_t first) {
+        std::vector<T> own(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(form.shared));
+        for (std::size_t k = 0; k < form.coordinates; ++k)
+            own.push_back(z[first + k]);
         CameraAt at;
         for (std::size_t column = 0; column < 4; ++column)
             for (std::size_t row = 0; row < 3; ++row)
-                at.columns[column][row] = value_at(&z[first], form.matrix[column][row]);
-        for (const auto& [coordinate, row, column, derivative] : form.changes)
-            at.changes.push_back(
-                {first + coordinate, row, column, value_at(&z[first], derivative)});
+                at.columns[column][row] = value_at(own.data(), form.matrix[column][row]);
+        for (const auto& [k, row, column, derivative] : form.changes) {
+            const std::size_t coordinate = k < form.shared ? k : first + k - form.shared;
+            at.changes.push_back({coordinate, row, column, value_at(own.data(), derivative)});
+        }
         return at;
     }
 

@@ -149,8 +149,10 @@ static void add_equations(SceneSystem& system, const Problem& problem, const Pic
 }
 
 CameraForm camera_form(const CameraModel& model, bool second) {
-    CameraForm form{.coordinates = model.unknowns_of(second), .matrix = model.of_solution(second)};
-    for (std::size_t k = 0; k < form.coordinates; ++k)
+    CameraForm form{.shared = model.shared,
+                    .coordinates = model.unknowns_of(second),
+                    .matrix = model.of_solution(second)};
+    for (std::size_t k = 0; k < form.shared + form.coordinates; ++k)
         for (std::size_t column = 0; column < 4; ++column)
             for (std::size_t row = 0; row < 3; ++row) {
                 const CoordinatePolynomial change = derivative(form.matrix[column][row], k);

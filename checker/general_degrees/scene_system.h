@@ -31,14 +31,15 @@ struct SceneEquation {
 
 /// An entry of a camera matrix that changes with a coordinate of the camera.
 struct ChangingEntry {
-    std::size_t coordinate = 0;
+    std::size_t coordinate = 0; // shared ones come first
     std::size_t row = 0, column = 0;
     CoordinatePolynomial derivative{};
 };
 
-/// A camera [M | t] by its coordinates.
+/// A camera [M | t] by the shared coordinates and its own.
 struct CameraForm {
-    std::size_t coordinates = 0;
+    std::size_t shared = 0;
+    std::size_t coordinates = 0; // its own
     CameraMatrix<CoordinatePolynomial> matrix{};
     std::vector<ChangingEntry> changes{};
 };
@@ -60,7 +61,7 @@ struct SceneSystem {
 
     /// How many coordinates all cameras have: these come first.
     std::size_t camera_coordinates() const {
-        return second.coordinates + (cameras - 1) * other.coordinates;
+        return second.shared + second.coordinates + (cameras - 1) * other.coordinates;
     }
 };
 

@@ -29,6 +29,13 @@ static std::size_t coordinates_of(const Problem& problem) {
     return static_cast<std::size_t>(camera_columns(problem)) + depths_of(problem);
 }
 
+/// How many different cameras so many coordinates are, at least.
+static std::size_t different(const Problem& problem, std::size_t count) {
+    const int twofold = problem.cameras->twofold ? problem.view_count() - 1 : 0; // cameras
+    const std::size_t copies = std::size_t{1} << twofold;
+    return (count + copies - 1) / copies;
+}
+
 SolutionsFile replay_solutions(Reader& reader, const Execution& execution) try {
     SolutionsFile file;
     if (!has_arb) {
@@ -47,7 +54,7 @@ SolutionsFile replay_solutions(Reader& reader, const Execution& execution) try {
         };
         const auto count = solutions.run({coordinates_of(problem), "problem"}, record.line,
                                          printable(notation, 200), prepare);
-        if (count) file.counts.push_back({notation, problem, *count});
+        if (count) file.counts.push_back({notation, problem, different(problem, *count)});
     }
     return file;
 } catch (const TooMuchEffort& too_much) {

@@ -103,16 +103,27 @@ static void add_rows_of_view(Jacobian<T>& j, const Problem& problem, const Scene
     }
 }
 
+template <class T>
+static std::vector<Dual<T>> place_shared(const Placement& placement, Source<T>& source) {
+    source.read(placement.shared);
+    std::vector<Dual<T>> shared;
+    while (shared.size() < placement.shared.size())
+        shared.push_back(source.unknown());
+    return shared;
+}
+
 template <class T> Jacobian<T> jacobian(const Problem& problem, const Placement& placement) {
     Jacobian<T> j;
     Source<T> source;
     source.read(placement.scene);
     const Scene<T> scene = place_scene(problem, source);
     j.own = source.unknowns();
+    const std::vector<Dual<T>> shared = place_shared(placement, source);
     add_rows_of_view(j, problem, scene, first_camera<T>(), 0);
     for (unsigned view = 1; view <= placement.cameras.size(); ++view) {
         source.read(placement.cameras[view - 1]);
-        const CameraMatrix<Dual<T>> camera = place_camera(*problem.cameras, source, view == 1);
+        const CameraMatrix<Dual<T>> camera =
+            place_camera(*problem.cameras, source, shared, view == 1);
         add_rows_of_view(j, problem, scene, camera, view);
     }
     for (std::vector<T>& row : j.rows)
@@ -154,7 +165,7 @@ void require_section_2(const Problem& problem, const Placement& placement) {
     require_images(problem, scene, first_camera<mpz_class>(), 0);
     for (unsigned view = 1; view <= placement.cameras.size(); ++view) {
         source.read(placement.cameras[view - 1]);
-        require_images(problem, scene, place_camera(*problem.cameras, source, view == 1), view);
+        require_images(problem, scene, place_camera(*problem.cameras, source, {}, view == 1), view);
     }
 }
 } // namespace checker

@@ -10,12 +10,14 @@ namespace checker {
 struct Placement {
     std::vector<Numbers> cameras{}; // from the second
     Numbers scene{};
+    Numbers shared{}; // by all cameras
 };
 
 template <class T> using Rows = std::vector<std::vector<T>>;
 
-/// The columns are those of the scene, points before lines, and then those of the cameras; the
-/// rows are those of the views in order, and in a view those of points before those of lines.
+/// The columns are those of the scene, points before lines, then what all cameras share, and then
+/// those of each camera; the rows are those of the views in order, and in a view those of points
+/// before those of lines.
 template <class T> struct Jacobian {
     std::size_t own = 0; // columns of the scene
     Rows<T> rows{};

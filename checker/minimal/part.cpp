@@ -187,9 +187,25 @@ static int kernel_dimension(const Problem& part, const Motion& motion) {
            gain(part, motion, span.rank) - cost_of(costly, part, motion, span);
 }
 
+/// What is left over when the directions of the lines are counted, and the cameras without their
+/// translations.
+static int excess_of_directions(const Problem& part) {
+    if (part.cameras->all_matrices) throw Refused("projective cameras have no `directions`");
+    int excess = 3 * part.view_count() - 4 - camera_columns(part);
+    for (const Line& line : part.lines) {
+        if (line.points.size() > 1) throw Refused("a line of the part has two points");
+        excess += std::max(0, std::popcount(line.seen_by) - 2);
+    }
+    return excess;
+}
+
 int excess_of(const Problem& problem, const Selection& selection, const Motion& motion) {
     if (!arises(problem, selection)) throw Refused("the part does not arise by leaving out");
-    const Problem part = part_of(problem, selection);
+    Problem part = part_of(problem, selection);
+    if (motion.projective && part.cameras->all_matrices)
+        throw Refused("its cameras are projective");
+    if (motion.projective) part.cameras = &projective_cameras;
+    if (motion.kind == Motion::Kind::directions) return excess_of_directions(part);
     if (motion.kind == Motion::Kind::none) return surplus(part);
     return surplus(part) + kernel_dimension(part, motion_in(selection, motion));
 }

@@ -15,12 +15,13 @@ struct Selection {
     Indices lines{};
 };
 
-/// A motion of cameras that keeps the images of a part.
+/// A motion of cameras that keeps the images of a part; or none, but a reason to count anew.
 struct Motion {
-    enum class Kind { none, plane, star };
+    enum class Kind { none, plane, star, directions };
     Kind kind = Kind::none;
-    std::size_t centre = 0; // O, a point: of a star
-    Selection moved{};      // the moving views, and the generators
+    bool projective = false; // the cameras are taken as projective ones
+    std::size_t centre = 0;  // O, a point: of a star
+    Selection moved{};       // the moving views, and the generators
 };
 
 /// Not minimal: two views see four points of a line.

@@ -73,18 +73,24 @@ static Selection read_selection(Reader& reader, const Problem& problem, std::siz
     return selection;
 }
 
+/// Takes the word, so many numbers, and the end of the line.
+static Numbers read_numbers(Reader& reader, std::string_view word, std::size_t count) {
+    reader.take(word);
+    Numbers numbers;
+    while (numbers.size() < count)
+        numbers.push_back(reader.small_integer(-999'999, 999'999));
+    reader.end_line();
+    return numbers;
+}
+
 /// Takes a minor, and the cameras and the scene where J has it.
 static MinorClaim read_placed_minor(Reader& reader, const Problem& problem) {
     MinorClaim claim{.minor = read_minor(reader)};
-    std::string pattern = "camera";
-    for (std::size_t i = 0; i < problem.cameras->numbers; ++i)
-        pattern += " @";
+    const CameraModel& cameras = *problem.cameras;
+    if (cameras.shared > 0) claim.placement.shared = read_numbers(reader, "shared", cameras.shared);
     for (int view = 1; view < problem.view_count(); ++view)
-        claim.placement.cameras.push_back(reader.take(pattern + " $"));
-    reader.take("scene");
-    for (std::size_t left = scene_size(problem); left > 0; --left)
-        claim.placement.scene.push_back(reader.small_integer(-999'999, 999'999));
-    reader.end_line();
+        claim.placement.cameras.push_back(read_numbers(reader, "camera", cameras.numbers));
+    claim.placement.scene = read_numbers(reader, "scene", scene_size(problem));
     return claim;
 }
 
@@ -105,12 +111,16 @@ static PartClaim read_part(Reader& reader, const Problem& problem) {
     reader.take("$ part");
     claim.part = read_selection(reader, problem, 2);
     reader.take("motion");
+    claim.motion.projective = reader.comes("projective");
+    if (claim.motion.projective) reader.take("projective");
     const std::string_view kind = reader.word();
-    if (kind == "none") {
+    if (kind == "directions") claim.motion.kind = Motion::Kind::directions;
+    if (kind == "none" || kind == "directions") {
         reader.end_line();
         return claim;
     }
-    if (kind != "plane" && kind != "star") reader.fail(kind, "`none`, `plane` or `star`");
+    if (kind != "plane" && kind != "star")
+        reader.fail(kind, "`none`, `plane`, `star` or `directions`");
     claim.motion.kind = kind == "star" ? Motion::Kind::star : Motion::Kind::plane;
     if (kind == "star") {
         const auto points = static_cast<int>(problem.points.size());

@@ -24,8 +24,13 @@ Problem problem_of(const Feature& feature, unsigned views) {
     return problem;
 }
 
+int columns_of(const CameraModel& cameras, int views) {
+    return static_cast<int>(cameras.shared) + cameras.unknowns_of_second +
+           cameras.unknowns * (views - 2);
+}
+
 int camera_columns(const Problem& problem) {
-    return problem.cameras->unknowns * problem.view_count() - problem.cameras->motions_of_space;
+    return columns_of(*problem.cameras, problem.view_count());
 }
 
 std::size_t earlier_points(const Problem& problem, std::size_t line, std::size_t point,

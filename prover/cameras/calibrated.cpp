@@ -10,7 +10,7 @@ using Complex = CameraModel::Complex;
 
 /// [R | t] of a quaternion and t.
 struct QuaternionAndTranslation {
-    static constexpr int numbers = 7;
+    static constexpr int numbers = 7, shared = 0;
 
     template <class T>
     static CameraMatrix<T> matrix(const T* n) {
@@ -29,7 +29,7 @@ MovingCamera<T> placed(const CameraModel&, const Coordinates& numbers, bool seco
     std::array<T, QuaternionAndTranslation::numbers> values;
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = T(numbers[i]);
-    MovingCamera<T> camera{QuaternionAndTranslation::matrix(values.data()), {}};
+    MovingCamera<T> camera{QuaternionAndTranslation::matrix(values.data()), {}, {}};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
         CameraMatrix<T> turn{};
@@ -71,7 +71,7 @@ constinit const CameraModel calibrated_cameras =
     with_map<QuaternionAndTranslation>({.name = "calibrated",
                                         .prefix = "",
                                         .unknowns = 6,
-                                        .motions_of_space = 7,
+                                        .unknowns_of_second = 5,
                                         .scaled = quaternion,
                                         .scaled_in_second = quaternion_and_translation,
                                         .normalise = normalise,

@@ -21,11 +21,12 @@ namespace plprove {
 template <class T>
 using CameraMatrix = std::array<std::array<T, 4>, 3>;
 
-/// A camera and its derivatives by its own unknowns.
+/// A camera and its derivatives by its own unknowns, and by those that all cameras share.
 template <class T>
 struct MovingCamera {
     CameraMatrix<T> matrix{};
     std::vector<CameraMatrix<T>> derivative;
+    std::vector<CameraMatrix<T>> by_shared{};
 };
 
 using Coordinates = std::vector<std::int64_t>;
@@ -42,9 +43,10 @@ struct CameraModel {
     using Complex = std::complex<double>;
 
     std::string_view name;
-    std::string_view prefix;  ///< of a notation; empty for the usual kind
-    int unknowns = 0;         ///< of a camera
-    int motions_of_space = 0; ///< dimension of the group of these
+    std::string_view prefix; ///< of a notation; empty for the usual kind
+    int unknowns = 0;        ///< of a camera from the third
+    int unknowns_of_second = 0;
+    int shared = 0; ///< unknowns that all cameras have in common, such as a focal length
 
     /// Whether all matrices of rank 3 are such cameras. Then a camera may also move so that it
     /// keeps the images of a plane, or of a subspace (certs/FORMAT.md, section 13, *Not minimal*).
@@ -66,25 +68,33 @@ struct CameraModel {
     /// equations of all images. None: they always do.
     bool (*is_camera)(const Complex* numbers) = nullptr;
 
+    /// Whether a camera has its coordinates twice: those with a number r, and others with -r. Then
+    /// it is found twice, too.
+    bool twofold = false;
+
     TrackedForm tracked = TrackedForm::polynomials;
 
     // What follows from the map from numbers to matrices: camera_map.h fills it in.
 
-    int numbers = 0; ///< that make a camera
+    int numbers = 0; ///< of a camera itself; with the shared ones, after these, they make it
     /// The matrix, and its derivative along a direction.
     CameraMatrix<Complex> (*matrix)(const Complex* numbers) = nullptr;
     CameraMatrix<Complex> (*derivative)(const Complex* numbers, const Complex* direction) = nullptr;
     CameraMatrix<NumberPolynomial> (*polynomials)(const NumberPolynomial* numbers) = nullptr;
 
-    /// The camera that the numbers of a certificate place, and how it moves with its unknowns.
-    /// Entries of the derivatives are integers, or residues modulo q.
+    /// The camera that the numbers of a certificate place, with the shared ones after its own, and
+    /// how it moves with its unknowns. Entries of the derivatives are integers, or residues modulo
+    /// q.
     MovingCamera<std::int64_t> (*over_integers)(const CameraModel& model,
                                                 const Coordinates& numbers, bool second) = nullptr;
     MovingCamera<Modular> (*modulo_q)(const CameraModel& model, const Coordinates& numbers,
                                       bool second) = nullptr;
 
     /// Parameters of `views` cameras, two or more, up to the motions of space.
-    int dimension(int views) const { return unknowns * views - motions_of_space; }
+    int dimension(int views) const { return shared + unknowns_of_second + unknowns * (views - 2); }
+    int all_numbers() const { return numbers + shared; }
+    /// How often the coordinates of `views` cameras show one solution.
+    int copies(int views) const { return twofold ? 1 << (views - 1) : 1; }
 
     std::span<const ScaledRun> scaled_runs(bool second) const {
         return second ? scaled_in_second : scaled;
@@ -108,9 +118,11 @@ extern const CameraModel projective_cameras;
 /// All kinds.
 std::span<const CameraModel* const> camera_models();
 
-/// T is std::int64_t or Modular.
+/// The camera of these numbers and the shared ones. T is std::int64_t or Modular.
 template <class T>
-MovingCamera<T> place(const CameraModel& model, const Coordinates& numbers, bool second) {
+MovingCamera<T> place(const CameraModel& model, Coordinates numbers, const Coordinates& shared,
+                      bool second) {
+    numbers.insert(numbers.end(), shared.begin(), shared.end());
     if constexpr (std::is_same_v<T, Modular>)
         return model.modulo_q(model, numbers, second);
     else

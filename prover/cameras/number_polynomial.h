@@ -13,6 +13,7 @@ struct NumberPolynomial {
     std::map<std::vector<int>, int> terms{};
 
     static NumberPolynomial number(int k) { return {{{{k}, 1}}}; }
+    static NumberPolynomial constant(int value) { return {{{{}, value}}}; }
 
     void add(const std::vector<int>& factors, int coefficient) {
         const auto term = terms.try_emplace(factors, 0).first;

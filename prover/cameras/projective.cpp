@@ -9,7 +9,7 @@ using Complex = CameraModel::Complex;
 
 /// The matrix, row by row.
 struct Entries {
-    static constexpr int numbers = 12;
+    static constexpr int numbers = 12, shared = 0;
 
     template <class T>
     static CameraMatrix<T> matrix(const T* n) {
@@ -43,7 +43,7 @@ constinit const CameraModel projective_cameras =
     with_map<Entries>({.name = "projective",
                        .prefix = "projective:",
                        .unknowns = 11,
-                       .motions_of_space = 15,
+                       .unknowns_of_second = 7,
                        .all_matrices = true,
                        .start_of_second = first_row,
                        .scaled = all_entries,

@@ -43,11 +43,12 @@ std::vector<ProblemRecord> certify_all(const std::vector<Problem>& problems) {
 
 } // namespace
 
-const Family& family_named(const std::string& name) {
-    return **std::ranges::find(listed_families, name, &Family::name);
+const CameraModel& family_named(const std::string& name) {
+    return **std::ranges::find_if(
+        camera_models(), [&](const CameraModel* cameras) { return family_name(*cameras) == name; });
 }
 
-std::vector<ProblemRecord> certify_family(const Family& family) {
+std::vector<ProblemRecord> certify_family(const CameraModel& family) {
     return certify_all(family_problems(family));
 }
 
@@ -60,8 +61,8 @@ std::vector<ProblemRecord> certify_listed(const std::string& path) {
 
 CLI::Option* add_family_option(CLI::App& app, std::string& family, const std::string& help) {
     std::vector<std::string> names;
-    for (const Family* known : listed_families)
-        names.emplace_back(known->name);
+    for (const CameraModel* cameras : camera_models())
+        names.emplace_back(family_name(*cameras));
     return app.add_option("--family", family, help)->type_name("NAME")->check(CLI::IsMember(names));
 }
 

@@ -7,10 +7,10 @@
 namespace plprove {
 
 /// The family with this name, which add_family_option allows.
-const Family& family_named(const std::string& name);
+const CameraModel& family_named(const std::string& name);
 
 /// Certificates of all problems of the family; shows progress on a terminal.
-std::vector<ProblemRecord> certify_family(const Family& family);
+std::vector<ProblemRecord> certify_family(const CameraModel& family);
 
 /// Certificates of the problems in a file, or in standard input for the name "-": one a line, as
 /// parse_general_spec and parse_problem read it; empty lines and lines that begin with # mean

@@ -35,6 +35,11 @@ void require_complete_visibility(const Problem& problem) {
                    "one point on a line: let all views see everything");
 }
 
+/// How often a solution is found.
+int copies(const Problem& problem) {
+    return problem.cameras->copies(problem.views);
+}
+
 int all_threads() {
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
@@ -47,10 +52,11 @@ many_views::MonodromyResult computed(const Problem& problem,
     if (request.at_least > 0) {
         constexpr int ways_that_find_all = 3; // usually
         settings.edges = ways_that_find_all;
-        settings.most_solutions = request.at_least;
+        settings.most_solutions = request.at_least * copies(problem);
     }
     settings.report = [&](int known, int edges) {
-        line.show(static_cast<std::size_t>(known), " so far, " + std::to_string(edges) + " ways");
+        line.show(static_cast<std::size_t>(known / copies(problem)),
+                  " so far, " + std::to_string(edges) + " ways");
     };
     return many_views::run_monodromy(problem, request.seed, settings);
 }
@@ -58,7 +64,8 @@ many_views::MonodromyResult computed(const Problem& problem,
 many_views::SolutionsRecord record_of(const many_views::MonodromyResult& found,
                                       const ManyViewsDegreeRequest& request) {
     const int all = static_cast<int>(std::ssize(found.points));
-    const int wanted = request.at_least > 0 ? request.at_least : all;
+    const int wanted =
+        request.at_least > 0 ? request.at_least * copies(found.system.problem()) : all;
     return many_views::certify(found, wanted, request.seed, all_threads());
 }
 
@@ -76,7 +83,7 @@ std::string json_report(const Problem& problem, const many_views::MonodromyResul
                         int certified) {
     const nlohmann::ordered_json report = {{"problem", notation(problem)},
                                            {"name", name(problem)},
-                                           {"solutions", found.solutions},
+                                           {"solutions", found.solutions / copies(problem)},
                                            {"complete", completeness(problem, found)},
                                            {"ways", found.ways},
                                            {"ways_that_agree", found.edges},
@@ -91,7 +98,8 @@ std::string text_report(const Problem& problem, const many_views::MonodromyResul
     std::ostringstream out;
     section(out, "problem") << notation(problem) << '\n';
     const std::string complete = completeness(problem, found);
-    section(out, "degree") << (complete == "unknown" ? "at least " : "") << found.solutions
+    section(out, "degree") << (complete == "unknown" ? "at least " : "")
+                           << found.solutions / copies(problem)
                            << (complete == "certified" ? " certified, all found" : " by evidence")
                            << '\n';
     section(out, "ways") << found.edges << " of " << found.ways
@@ -128,7 +136,7 @@ int find_many_views_degree(const Problem& problem, const ManyViewsDegreeRequest&
     int certified = 0;
     if (!request.path.empty()) {
         const auto record = record_of(found, request);
-        certified = record.count();
+        certified = (record.count() + copies(problem) - 1) / copies(problem);
         if (certified == 0)
             throw std::runtime_error("the run found no certificate: try another --seed");
         if (certified < request.at_least)

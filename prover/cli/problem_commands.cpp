@@ -92,7 +92,7 @@ struct CertifyRequest {
 
 std::string certificate_text(const CertifyRequest& request) {
     if (!request.family.empty()) {
-        const Family& family = family_named(request.family);
+        const CameraModel& family = family_named(request.family);
         return write(certify_family(family), family);
     }
     if (!request.list.empty()) return write(certify_listed(request.list));

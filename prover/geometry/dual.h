@@ -8,6 +8,8 @@ struct Dual {
     T value{};
     T slope{};
 
+    static Dual constant(int value) { return {T(value), T{}}; }
+
     friend Dual operator+(const Dual& a, const Dual& b) {
         return {a.value + b.value, a.slope + b.slope};
     }

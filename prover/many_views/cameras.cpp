@@ -72,7 +72,7 @@ void CameraChart::add(Chart chart) {
     charts_.push_back(std::move(chart));
 }
 
-CameraChart::CameraChart(const CameraModel& model, int views, Random& random) : model_(&model) {
+CameraChart::CameraChart(const CameraModel& model, int views, Random& random) : CameraChart(model) {
     for (int view = 1; view < views; ++view)
         add(make_chart(model, view == 1, [&](Index size) { return random_slice(size, random); }));
 }
@@ -86,18 +86,27 @@ CameraChart CameraChart::standard(const CameraModel& model, int views) {
 
 VectorXcd CameraChart::numbers(std::size_t view, const VectorXcd& coordinates) const {
     const Chart& chart = charts_[view - 1];
-    return chart.origin + chart.basis * coordinates;
+    VectorXcd numbers(chart.origin.size() + shared());
+    numbers << chart.origin +
+                   chart.basis * coordinates.segment(offset(view), this->coordinates(view)),
+        coordinates.head(shared());
+    return numbers;
 }
 
 CameraWithDerivatives CameraChart::camera(std::size_t view, const VectorXcd& coordinates) const {
     const Chart& chart = charts_[view - 1];
     const VectorXcd numbers = this->numbers(view, coordinates);
-    CameraWithDerivatives result{in_eigen(model_->matrix(numbers.data())), {}};
+    const auto derivative = [&](const VectorXcd& direction) {
+        return in_eigen(model_->derivative(numbers.data(), direction.data()));
+    };
+    CameraWithDerivatives result{in_eigen(model_->matrix(numbers.data())), {}, {}};
+    VectorXcd direction = VectorXcd::Zero(numbers.size());
     for (Index k = 0; k < chart.basis.cols(); ++k) {
-        const VectorXcd direction = chart.basis.col(k);
-        result.by_coordinate.push_back(
-            in_eigen(model_->derivative(numbers.data(), direction.data())));
+        direction.head(chart.basis.rows()) = chart.basis.col(k);
+        result.by_coordinate.push_back(derivative(direction));
     }
+    for (Index k = chart.basis.rows(); k < numbers.size(); ++k)
+        result.by_shared.push_back(derivative(VectorXcd::Unit(numbers.size(), k)));
     return result;
 }
 

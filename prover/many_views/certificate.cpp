@@ -29,12 +29,13 @@ Point in_standard_chart(const System& system, const Point& point) {
     const CameraChart& chart = system.chart();
     Point result(point.size());
     Complex depths = 1;
+    const Point coordinates = point.tail(chart.dimension());
+    result.segment(system.depths(), chart.shared()) = coordinates.head(chart.shared());
     for (std::size_t view = 1; view < static_cast<std::size_t>(chart.views()); ++view) {
-        const Index first = system.depths() + chart.offset(view);
-        const Index size = chart.coordinates(view);
-        Eigen::VectorXcd numbers = chart.numbers(view, point.segment(first, size));
+        Eigen::VectorXcd numbers = chart.numbers(view, coordinates);
         model.normalise(numbers.data(), view == 1, depths);
-        result.segment(first, size) = numbers(model.coordinates(view == 1));
+        result.segment(system.depths() + chart.offset(view), chart.coordinates(view)) =
+            numbers(model.coordinates(view == 1));
     }
     result.head(system.depths()) = point.head(system.depths()) * depths;
     return result;
@@ -97,7 +98,7 @@ Point second_camera_with_depths(const CameraModel& model, const Images<Complex>&
                                 const std::vector<Complex>& numbers) {
     const auto chart = CameraChart::standard(model, 2);
     const Eigen::Map<const Eigen::VectorXcd> all(numbers.data(), std::ssize(numbers));
-    const Point coordinates = all(model.coordinates(true));
+    const Point coordinates = all(model.coordinates(true)); // nothing is shared
     const Camera matrix = chart.camera(1, coordinates).camera;
     const std::size_t count = images[0].points.size();
     Point point(static_cast<Index>(count) + coordinates.size());

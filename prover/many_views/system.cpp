@@ -106,10 +106,9 @@ void System::evaluate(const Images<Moving>& images, const Point& point, Evaluati
     result.speeds.resize(size);
     result.jacobian.setZero(size, unknowns());
     std::vector<CameraWithDerivatives> cameras(1); // none of view 0
-    for (std::size_t view = 1; view < images.size(); ++view) {
-        const Index first = depths_ + chart_.offset(view);
-        cameras.push_back(chart_.camera(view, point.segment(first, chart_.coordinates(view))));
-    }
+    const Point coordinates = point.tail(chart_.dimension());
+    for (std::size_t view = 1; view < images.size(); ++view)
+        cameras.push_back(chart_.camera(view, coordinates));
     for (Index e = 0; e < size; ++e)
         evaluate_row(e, equations[static_cast<std::size_t>(e)], cameras, point, result);
 }
@@ -117,7 +116,7 @@ void System::evaluate(const Images<Moving>& images, const Point& point, Evaluati
 void System::evaluate_row(Index row, const Incidence<Moving>& equation,
                           const std::vector<CameraWithDerivatives>& cameras, const Point& point,
                           Evaluation& result) const {
-    const auto& [camera, by_coordinate] = cameras[equation.view];
+    const auto& [camera, by_coordinate, by_shared] = cameras[equation.view];
     const Vector<Moving>& l = equation.l;
     const Vector<Moving>& x = equation.x;
     const Moving depth = depth_at(equation, point);
@@ -130,10 +129,12 @@ void System::evaluate_row(Index row, const Incidence<Moving>& equation,
     result.speeds[row] = (line_speed * camera * place + ray * place_speed).value();
     for (Index k = 0; k < depths_; ++k)
         result.jacobian(row, k) = equation.depth[static_cast<std::size_t>(k)].value * ray[3];
-    const Index first = depths_ + chart_.offset(equation.view);
-    for (std::size_t k = 0; k < by_coordinate.size(); ++k)
-        result.jacobian(row, first + static_cast<Index>(k)) =
-            (line * by_coordinate[k] * place).value();
+    const auto set = [&](const std::vector<Camera>& derivatives, Index column) {
+        for (const Camera& derivative : derivatives)
+            result.jacobian(row, column++) = (line * derivative * place).value();
+    };
+    set(by_shared, depths_);
+    set(by_coordinate, depths_ + chart_.offset(equation.view));
 }
 
 Point System::newton_step(const Images<Moving>& images, const Point& point,
@@ -145,11 +146,9 @@ Point System::newton_step(const Images<Moving>& images, const Point& point,
 bool System::has_cameras(const Point& point) const {
     const auto is_camera = problem_.cameras->is_camera;
     if (is_camera == nullptr) return true;
-    for (std::size_t view = 1; view < static_cast<std::size_t>(chart_.views()); ++view) {
-        const Index first = depths_ + chart_.offset(view);
-        const Point coordinates = point.segment(first, chart_.coordinates(view));
+    const Point coordinates = point.tail(chart_.dimension());
+    for (std::size_t view = 1; view < static_cast<std::size_t>(chart_.views()); ++view)
         if (!is_camera(chart_.numbers(view, coordinates).data())) return false;
-    }
     return true;
 }
 
@@ -158,9 +157,8 @@ SolvedImages System::random_scene(Random& random) const {
     for (Complex& x : solution)
         x = random.complex();
     SolvedImages scene{{random_view(problem_, random)}, solution};
+    const Point coordinates = solution.tail(chart_.dimension());
     for (std::size_t view = 1; view < static_cast<std::size_t>(problem_.views); ++view) {
-        const Index first = depths_ + chart_.offset(view);
-        const Point coordinates = solution.segment(first, chart_.coordinates(view));
         const Camera camera = chart_.camera(view, coordinates).camera;
         scene.images.push_back(seen_by(problem_, camera, scene.images[0], solution));
     }

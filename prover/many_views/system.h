@@ -29,7 +29,7 @@ public:
 
     const Problem& problem() const { return problem_; }
     const CameraChart& chart() const { return chart_; }
-    /// The depths come first.
+    /// The depths come first, then what all cameras share, then the coordinates of each.
     Eigen::Index depths() const { return depths_; }
     Eigen::Index unknowns() const { return depths_ + chart_.dimension(); }
 

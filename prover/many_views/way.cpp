@@ -23,6 +23,8 @@ Way::Way(const System& system, const Images<Complex>& from, const Images<Complex
     way_.form = problem.cameras->tracked;
     if (way_.form == TrackedForm::polynomials) add_entries(*problem.cameras);
     way_.depths = static_cast<int>(system.depths());
+    way_.shared = problem.cameras->shared;
+    way_.numbers = problem.cameras->numbers;
     way_.unknowns = static_cast<int>(system.unknowns());
     for (std::size_t view = 1; view < from.size(); ++view)
         add_camera(system, view);
@@ -44,7 +46,7 @@ Way::Way(const System& system, const Images<Complex>& from, const Images<Complex
 /// The entries of the camera matrix that are not 0, each with its derivatives.
 void Way::add_entries(const CameraModel& model) {
     std::vector<NumberPolynomial> numbers;
-    for (int k = 0; k < model.numbers; ++k)
+    for (int k = 0; k < model.all_numbers(); ++k)
         numbers.push_back(NumberPolynomial::number(k));
     const auto matrix = model.polynomials(numbers.data());
     const auto add = [&](int entry, int number, const NumberPolynomial& polynomial) {
@@ -59,7 +61,7 @@ void Way::add_entries(const CameraModel& model) {
     for (std::size_t i = 0; i < 12; ++i) {
         const NumberPolynomial& entry = matrix[i / 4][i % 4];
         add(static_cast<int>(i), -1, entry);
-        for (int k = 0; k < model.numbers; ++k)
+        for (int k = 0; k < model.all_numbers(); ++k)
             add(static_cast<int>(i), k, entry.derivative(k));
     }
     way_.entries = static_cast<int>(entries_.size());

@@ -51,11 +51,11 @@ public:
         // up to 4,096 choices of moving views.
         const int most_lines = moving == part.views ? 2 : 0;
         if (cameras.all_matrices) {
-            CameraMotion plane{MotionKind::plane, 0, moving, seen_by(part, moving), {}};
+            CameraMotion plane{MotionKind::plane, false, 0, moving, seen_by(part, moving), {}};
             consider_with_lines(part, plane, 0, most_lines);
         }
         for (const int centre : part.points) {
-            CameraMotion star{MotionKind::star, centre, moving, {}, {}};
+            CameraMotion star{MotionKind::star, false, centre, moving, {}, {}};
             if (cameras.all_matrices) star.points = seen_by(part, moving);
             std::erase(star.points, centre);
             consider_with_lines(part, star, 0, cameras.all_matrices ? most_lines : 0);
@@ -123,18 +123,30 @@ Subproblem densest(const Problem& problem, Subproblem part) {
     return part;
 }
 
-} // namespace
+/// The lines of the part with one point at most: with all points, or without any.
+void consider_directions(Search& search, const Problem& problem, ViewSet views) {
+    Subproblem part = whole(problem);
+    part.views = views;
+    std::erase_if(part.lines, [&](int number) {
+        return problem.lines[static_cast<std::size_t>(number)].points.size() > 1;
+    });
+    Subproblem lines_alone = part;
+    lines_alone.points.clear();
+    for (const Subproblem& candidate : {part, lines_alone})
+        if (is_part(problem, candidate))
+            search.consider(candidate, {.kind = MotionKind::directions});
+}
 
-std::optional<Reason> find_reason(const Problem& problem) {
-    if (const std::optional<FourCollinear> four = four_collinear(problem)) return *four;
+std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) {
     Search search(problem);
     const ViewSet all = all_views(problem.views);
     search.consider(whole(problem), {});
     search.consider_motions(whole(problem), all);
-    if (std::optional<OverconstrainedPart> found = search.take()) return *std::move(found);
+    if (std::optional<OverconstrainedPart> found = search.take()) return found;
     for (ViewSet views = 1; views <= all; ++views) {
         if (views != all) search.consider_motions(whole(problem), views);
         if (std::popcount(views) < 2) continue;
+        consider_directions(search, problem, views);
         Subproblem in_these_views = whole(problem);
         in_these_views.views = views;
         for (const Subproblem& part :
@@ -144,8 +156,22 @@ std::optional<Reason> find_reason(const Problem& problem) {
             search.consider_motions(part, views);
         }
     }
-    if (std::optional<OverconstrainedPart> found = search.take()) return *std::move(found);
-    return std::nullopt;
+    return search.take();
+}
+
+} // namespace
+
+std::optional<Reason> find_reason(const Problem& problem) {
+    if (const std::optional<FourCollinear> four = four_collinear(problem)) return *four;
+    if (std::optional<OverconstrainedPart> found = overconstrained_part(problem))
+        return *std::move(found);
+    if (problem.cameras->all_matrices) return std::nullopt;
+    Problem projective = problem;
+    projective.cameras = &projective_cameras;
+    std::optional<OverconstrainedPart> found = overconstrained_part(projective);
+    if (!found) return std::nullopt;
+    found->motion.projective = true;
+    return *std::move(found);
 }
 
 } // namespace plprove

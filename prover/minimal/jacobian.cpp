@@ -114,7 +114,7 @@ template <class T>
 MovingCamera<T> camera_of_view(const Problem& problem, int view, const Instance& instance) {
     if (view > 0)
         return place<T>(*problem.cameras, instance.cameras[static_cast<std::size_t>(view - 1)],
-                        view == 1);
+                        instance.shared, view == 1);
     MovingCamera<T> first;
     for (std::size_t i = 0; i < 3; ++i)
         first.matrix[i][i] = T(1);
@@ -136,8 +136,8 @@ Vector3Of<T> image(const CameraMatrix<T>& camera, const Vector3Of<T>& x, int wei
 template <class T>
 class RowWriter {
 public:
-    RowWriter(Matrix<T>& matrix, int scene_unknowns)
-        : matrix_(matrix), next_column_(scene_unknowns) {}
+    RowWriter(Matrix<T>& matrix, int scene_unknowns, int shared)
+        : matrix_(matrix), first_shared_(scene_unknowns), next_column_(scene_unknowns + shared) {}
 
     void write_view(const Problem& problem, const Scene<T>& scene, int view,
                     MovingCamera<T> camera) {
@@ -185,15 +185,22 @@ private:
             pulled[j] = dot<T>(l, {p[0][j], p[1][j], p[2][j]});
         for (std::size_t k = 0; k < x.derivative.size(); ++k)
             matrix_.at(next_row_, static_cast<int>(k)) = dot(pulled, x.derivative[k]);
-        for (std::size_t k = 0; k < camera_.derivative.size(); ++k)
-            matrix_.at(next_row_, next_column_ + static_cast<int>(k)) =
-                dot(l, image(camera_.derivative[k], x.value, weight));
+        write_derivatives(camera_.by_shared, first_shared_, l, x.value, weight);
+        write_derivatives(camera_.derivative, next_column_, l, x.value, weight);
         ++next_row_;
+    }
+
+    /// l . dP (X, weight) for each of these dP, from a column on.
+    void write_derivatives(const std::vector<CameraMatrix<T>>& derivatives, int column,
+                           const Vector3Of<T>& l, const Vector3Of<T>& x, int weight) {
+        for (const CameraMatrix<T>& derivative : derivatives)
+            matrix_.at(next_row_, column++) = dot(l, image(derivative, x, weight));
     }
 
     Matrix<T>& matrix_;
     MovingCamera<T> camera_;
     int next_row_ = 0;
+    int first_shared_;
     int next_column_;
 };
 
@@ -214,7 +221,7 @@ Matrix<T> jacobian(const Problem& problem, const Instance& instance) {
     Matrix<T> matrix(dimension_in_views(problem),
                      scene_unknowns + problem.cameras->dimension(problem.views));
     const Scene<T> scene = SceneBuilder<T>(problem, instance).build();
-    RowWriter<T> rows(matrix, scene_unknowns);
+    RowWriter<T> rows(matrix, scene_unknowns, problem.cameras->shared);
     for (int view = 0; view < problem.views; ++view)
         rows.write_view(problem, scene, view, camera_of_view<T>(problem, view, instance));
     return matrix;

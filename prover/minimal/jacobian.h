@@ -8,12 +8,14 @@ namespace plprove {
 
 /// Coordinates of cameras and scene.
 struct Instance {
+    /// What all cameras have in common: CameraModel::shared of them.
+    Coordinates shared{};
     /// Of each camera but the first: CameraModel::numbers of them.
-    std::vector<Coordinates> cameras;
+    std::vector<Coordinates> cameras{};
     /// Of the points in order: the coordinates of a free point, or the s of A + s (B - A), where A
     /// and B are the first two points of the line. Then of the lines in order: a point and a
     /// direction of a line without points, the direction of a line with one point.
-    Coordinates scene;
+    Coordinates scene{};
 };
 
 /// How many integers Instance::scene has.
@@ -36,8 +38,9 @@ struct Matrix {
 };
 
 /// The Jacobian: dimension_in_views(problem) rows; dimension_in_space(problem) columns, and then
-/// those of the cameras. Assumes the order of construction, and the number of coordinates that the
-/// problem needs. T is Modular; or std::int64_t, if no entry is too large for it.
+/// those of the cameras, shared ones first. Assumes the order of construction, and the number of
+/// coordinates that the problem needs. T is Modular; or std::int64_t, if no entry is too large for
+/// it.
 template <class T>
 Matrix<T> jacobian(const Problem& problem, const Instance& instance);
 

@@ -35,6 +35,7 @@ private:
 Instance random_instance(const Problem& problem, unsigned seed, std::int64_t largest) {
     RandomCoordinates coordinates(seed, largest);
     Instance instance;
+    instance.shared = coordinates.take(problem.cameras->shared);
     for (int view = 1; view < problem.views; ++view)
         instance.cameras.push_back(coordinates.take(problem.cameras->numbers));
     std::ranges::copy(problem.cameras->start_of_second, instance.cameras.front().begin());
@@ -108,11 +109,19 @@ struct Explain {
     }
 
     std::string what_happens(const CameraMotion& motion) const {
+        if (motion.projective) return "before projective cameras " + kept_by(motion, true);
+        if (motion.kind == MotionKind::directions)
+            return "has fewer directions of lines, and rotations and calibrations of cameras, than "
+                   "its images say";
+        return kept_by(motion, problem.cameras->all_matrices);
+    }
+
+    static std::string kept_by(const CameraMotion& motion, bool all_matrices) {
         if (motion.kind == MotionKind::none) return "has fewer parameters than its images";
         if (motion.kind == MotionKind::plane)
             return "looks the same when cameras move and keep the images of a plane";
         const std::string point = " point " + std::to_string(motion.centre + 1);
-        return !problem.cameras->all_matrices
+        return !all_matrices
                    ? "looks the same when cameras slide along their rays to" + point
                    : "looks the same when cameras move and keep the images of all lines through" +
                          point;

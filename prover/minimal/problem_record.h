@@ -35,9 +35,9 @@ std::string explanation(const ProblemRecord& certificate);
 /// no point of the search has full rank, and no reason is found.
 ProblemRecord certify(const Problem& problem);
 
-/// The file with these certificates; as an archive of a family, if one is named. Throws FormatLimit
-/// if the format does not allow it.
+/// The file with these certificates; as an archive of the family of a kind of cameras, if one is
+/// given. Throws FormatLimit if the format does not allow it.
 std::string write(std::span<const ProblemRecord> certificates);
-std::string write(std::span<const ProblemRecord> certificates, const Family& family);
+std::string write(std::span<const ProblemRecord> certificates, const CameraModel& family);
 
 } // namespace plprove

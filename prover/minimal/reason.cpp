@@ -211,8 +211,30 @@ std::optional<int> motions(const Problem& problem, const Subproblem& part,
     return result;
 }
 
+/// What the images say of directions, less the parameters of these and of cameras without their
+/// translations. Lines of the part may have one point at most.
+static std::optional<int> excess_of_directions(const Problem& part) {
+    if (part.cameras->all_matrices) return std::nullopt;
+    int result = 3 * part.views - 4 - part.cameras->dimension(part.views);
+    for (const Line& line : part.lines) {
+        if (line.points.size() > 1) return std::nullopt;
+        result += std::max(0, std::popcount(line.seen) - 2);
+    }
+    return result;
+}
+
 std::optional<int> excess(const Problem& problem, const Subproblem& part,
                           const CameraMotion& motion) {
+    if (motion.projective) {
+        if (problem.cameras->all_matrices) return std::nullopt;
+        Problem projective = problem;
+        projective.cameras = &projective_cameras;
+        CameraMotion of_these = motion;
+        of_these.projective = false;
+        return excess(projective, part, of_these);
+    }
+    if (motion.kind == MotionKind::directions)
+        return excess_of_directions(problem_of(problem, part));
     const std::optional<int> kept = motions(problem, part, motion);
     if (!kept) return std::nullopt;
     const Problem alone = problem_of(problem, part);

@@ -25,14 +25,17 @@ struct Subproblem {
     std::vector<int> lines;  ///< ascending
 };
 
-/// Which cameras move, and the points and lines that span what they keep (W).
-enum class MotionKind : std::uint8_t { none, plane, star };
+/// Which cameras move, and the points and lines that span what they keep (W). Or `directions`: none
+/// moves, but the directions of lines have fewer parameters, with those of rotations and
+/// calibrations, than what the images say of them.
+enum class MotionKind : std::uint8_t { none, plane, star, directions };
 struct CameraMotion {
     MotionKind kind = MotionKind::none;
-    int centre = 0; ///< the point O of a star
+    bool projective = false; ///< the cameras are taken as projective ones
+    int centre = 0;          ///< the point O of a star
     ViewSet moving = 0;
-    std::vector<int> points; ///< the generators of W, points and lines of the part, ascending
-    std::vector<int> lines;
+    std::vector<int> points{}; ///< the generators of W, points and lines of the part, ascending
+    std::vector<int> lines{};
 };
 
 /// The images of the part satisfy at least `excess` conditions, as the motion keeps them.
@@ -60,7 +63,7 @@ std::optional<int> motions(const Problem& problem, const Subproblem& part,
                            const CameraMotion& motion);
 
 /// How many conditions the images of the part satisfy at least; 0 or less says nothing. Nothing if
-/// motions() gives nothing.
+/// the motion is not as FORMAT.md requires.
 std::optional<int> excess(const Problem& problem, const Subproblem& part,
                           const CameraMotion& motion);
 

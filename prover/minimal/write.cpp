@@ -91,6 +91,8 @@ struct WriteClaim {
 
     void operator()(const Minor& minor) const {
         text.line("minimal", minor.value);
+        if (!minor.instance.shared.empty())
+            text.line("shared", coordinates(minor.instance.shared));
         for (const Coordinates& camera : minor.instance.cameras)
             text.line("camera", coordinates(camera));
         text.line("scene", coordinates(minor.instance.scene));
@@ -111,11 +113,13 @@ struct WriteClaim {
     }
 
     void write_motion(const CameraMotion& motion) const {
-        if (motion.kind == MotionKind::none) return text.line("motion none");
+        const std::string motion_of = motion.projective ? "motion projective" : "motion";
+        if (motion.kind == MotionKind::none) return text.line(motion_of, "none");
+        if (motion.kind == MotionKind::directions) return text.line(motion_of, "directions");
         const std::string kind = motion.kind == MotionKind::plane
                                      ? "plane"
                                      : "star " + std::to_string(motion.centre + 1);
-        text.line("motion", kind, "views", numbered_views(motion.moving), "points",
+        text.line(motion_of, kind, "views", numbered_views(motion.moving), "points",
                   numbered(motion.points), "lines", numbered(motion.lines));
     }
 };
@@ -172,9 +176,9 @@ std::string write(std::span<const ProblemRecord> certificates) {
     return problems_file(certificates, {});
 }
 
-std::string write(std::span<const ProblemRecord> certificates, const Family& family) {
+std::string write(std::span<const ProblemRecord> certificates, const CameraModel& family) {
     CertificateText text;
-    text.line("family", std::string(family.name));
+    text.line("family", std::string(family_name(family)));
     return problems_file(certificates, std::move(text));
 }
 

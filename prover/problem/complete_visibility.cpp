@@ -57,14 +57,22 @@ void add_balanced(const Skeleton& skeleton, const CameraModel& model, int views,
 
 } // namespace
 
-std::vector<Problem> family_problems(const Family& family) {
-    const std::vector<std::vector<Skeleton>> by_points = skeletons(family.most_points);
+std::string_view family_name(const CameraModel& cameras) {
+    return &cameras == &calibrated_cameras ? "plmp" : cameras.name;
+}
+
+/// The bounds are those of proofs/families.md, Theorem 10.
+std::vector<Problem> family_problems(const CameraModel& cameras) {
+    const int of_two = cameras.dimension(2);
+    const bool two_views = of_two <= projective_cameras.dimension(2);
+    const int of_skeletons = std::max(two_views ? of_two : 0, (cameras.unknowns + of_two - 2) / 2);
+    const std::vector<std::vector<Skeleton>> by_points = skeletons(of_skeletons);
     std::vector<Problem> problems;
-    for (int views = 2; views <= family.most_views; ++views)
+    for (int views = two_views ? 2 : 3; views <= std::min(of_two + 2, most_views); ++views)
         for (const std::vector<Skeleton>& same_size : by_points)
             for (const Skeleton& skeleton : same_size)
-                if (skeleton.points() < 7 || views <= family.most_views_of_seven_points)
-                    add_balanced(skeleton, *family.cameras, views, problems);
+                if (skeleton.points() < of_two || views <= 3)
+                    add_balanced(skeleton, cameras, views, problems);
     return problems;
 }
 

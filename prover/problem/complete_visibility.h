@@ -1,6 +1,7 @@
-// The balanced problems of two papers with complete visibility: calibrated cameras (PLMP: Duff,
-// Kohn, Leykin, Pajdla, ICCV 2019) and projective ones (Kiehn, Ahlbaeck, Kohn, ICCV 2025).
-// proofs/families.md proves that these lists are complete.
+// The balanced problems with complete visibility, of each kind of cameras: those of two papers,
+// calibrated cameras (PLMP: Duff, Kohn, Leykin, Pajdla, ICCV 2019) and projective ones (Kiehn,
+// Ahlbaeck, Kohn, ICCV 2025), and of cameras that are calibrated in part. proofs/families.md proves
+// that these lists are complete.
 #pragma once
 
 #include "prover/problem/problem.h"
@@ -10,25 +11,12 @@
 
 namespace plprove {
 
-/// All balanced problems for a kind of cameras. That the first two bounds leave none out is a
-/// theorem: proofs/families.md, section 6. The third one is part of the definition.
-struct Family {
-    std::string_view name;
-    const CameraModel* cameras = nullptr;
-    int most_views = 0;
-    int most_points = 0;
-    int most_views_of_seven_points = 0; ///< or more
+/// The name of the family of a kind: `plmp`, or that of the cameras.
+std::string_view family_name(const CameraModel& cameras);
 
-    static const Family plmp, projective;
-};
-
-inline constexpr Family Family::plmp{"plmp", &calibrated_cameras, 6, 5, 0};
-inline constexpr Family Family::projective{"projective", &projective_cameras, 9, 8, 3};
-inline constexpr std::array listed_families{&Family::plmp, &Family::projective};
-
-/// The family's problems as certs/FORMAT.md, section 13, defines them: one of each class of
+/// The problems of a kind's family as certs/FORMAT.md, section 13, defines it: one of each class of
 /// isomorphic problems, by ascending numbers of views, of points, and of lines without points.
-std::vector<Problem> family_problems(const Family& family);
+std::vector<Problem> family_problems(const CameraModel& cameras);
 
 /// The numbers in a problem's name: with `alpha`, `3002_1` in PLMP.
 struct PlmpNumbers {

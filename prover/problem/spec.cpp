@@ -97,7 +97,7 @@ bool looks_like_plmp_name(std::string_view text) {
 
 std::optional<Problem> problem_of_plmp(std::string_view text) {
     if (!looks_like_plmp_name(text) || problem_named(text)) return std::nullopt;
-    const std::vector<Problem> problems = family_problems(Family::plmp);
+    const std::vector<Problem> problems = family_problems(calibrated_cameras);
     const auto found = std::ranges::find(problems, text, name);
     if (found == problems.end()) return std::nullopt;
     return *found;

@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
         return 3;
     }
     const std::string name = argv[1];
-    const auto family = name == "plmp" ? Family::plmp : Family::projective;
+    const CameraModel& family = name == "plmp" ? calibrated_cameras : projective_cameras;
     const auto known = argc > 3 ? problems_in(argv[3]) : std::set<std::string>{};
     for (const Problem& problem : family_problems(family)) {
         const std::string notation = plprove::notation(problem);

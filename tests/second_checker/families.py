@@ -2,6 +2,7 @@
 
 from itertools import combinations, permutations
 
+from cameras import dimension
 from parts import span
 
 
@@ -47,14 +48,26 @@ def distributions(total, count):
             for rest in distributions(total - first, count - 1)]
 
 
+def kind_of(family):
+    """Its cameras."""
+    return "calibrated" if family == "plmp" else family
+
+
+def has_size(kind, points, views):
+    of_two = dimension(kind, 2)
+    return of_two <= 7 if views == 2 else views == 3 or points < of_two
+
+
 def family_classes(family):
     """{(number of views, canonical form)} of all problems of a family."""
-    projective, found = family == "projective", set()
-    for p in range(9 if projective else 6):
+    kind, found = kind_of(family), set()
+    for p in range(9):
         for lines in configurations(p):
             d = sum(len(on) - 2 for on in lines)
-            for m in range(2, (4 if p >= 7 else 10) if projective else 7):
-                cameras = 11 * m - 15 if projective else 6 * m - 7
+            for m in range(2, 13):
+                cameras = dimension(kind, m)
+                if not has_size(kind, p, m):
+                    continue
                 # 3p - 2d + 4f + 2a + D = m (2p - d + 2f + a): what f and a may be.
                 left = 3 * p - 2 * d + cameras - m * (2 * p - d)
                 pairs = [(f, (left - (2 * m - 4) * f) // (m - 2))
@@ -69,10 +82,10 @@ def family_classes(family):
 def member(family, problem):
     """The class of a problem if it is of the family, else None."""
     sizes, p = [len(on) for on in problem.on], len(problem.points)
-    if 2 in sizes or problem.projective != (family == "projective") or \
+    if 2 in sizes or problem.cameras != kind_of(family) or \
             not problem.balanced() or not problem.sees_everything() or \
             problem.views == 2 and min(sizes, default=3) < 3 or \
-            problem.projective and p >= 7 and problem.views > 3:
+            not has_size(problem.cameras, p, problem.views):
         return None
     pins = [problem.on.count([i]) for i in range(p)]
     long_lines = [on for on in problem.on if len(on) > 2]
@@ -110,9 +123,10 @@ def family_numbers(family, records):
     def minimal(records, views=None):
         return sum(r.minimal and views in (None, r.problem.views) for r in records)
 
-    if family == "plmp":
+    if family != "projective":
+        most = max((r.problem.views for r in records if r.minimal), default=1)
         return {"balanced": len(records), "minimal": minimal(records),
-                **{f"minimal, in {m} views": minimal(records, m) for m in range(2, 7)}}
+                **{f"minimal, in {m} views": minimal(records, m) for m in range(2, most + 1)}}
     few = [r for r in records if len(r.problem.points) < 7]
     seven = [r for r in records if len(r.problem.points) == 7]
     counted = [r for r in records if r.minimal and (len(r.problem.points) < 7 or

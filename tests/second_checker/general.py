@@ -3,7 +3,8 @@
 import re
 from itertools import combinations
 
-from algebra import Sum, apply, cross, dot, quaternion_matrix
+from algebra import Sum, apply, cross, dot
+from cameras import KINDS, dimension, matrices
 from grammar import Fault
 
 LETTER = "[A-OQ-Za-z]"
@@ -48,9 +49,9 @@ class Problem:
     """`points[i]` and `lines[j]` are the sets of views that see them; `on[j]` lists the points of a
     line, ascending; `carrier[i]` is the line with two earlier points on it, or None."""
 
-    def __init__(self, features, views, projective=False):
+    def __init__(self, features, views, cameras="calibrated"):
         """Of features as (point, {letter: views}), copies written out."""
-        self.views, self.projective = views, projective
+        self.views, self.cameras = views, cameras
         self.points, self.lines, self.on, self.shared = [], [], [], {}
         for point, letters in features:
             if point is not None:
@@ -88,13 +89,13 @@ class Problem:
                        for j in lines if v in self.lines[j]) for v in views)
         return space, seen
 
-    def camera_dimension(self, views=None):
-        return (11 if self.projective else 6) * (views or self.views) - \
-            (15 if self.projective else 7)
+    @property
+    def projective(self):
+        return self.cameras == "projective"
 
     def balanced(self):
         space, seen = self.dimensions()
-        return space + self.camera_dimension() == seen
+        return space + dimension(self.cameras, self.views) == seen
 
     def sees_everything(self):
         return all(len(seen) == self.views for seen in self.points + self.lines)
@@ -103,13 +104,16 @@ class Problem:
 def general_problem(text):
     """The problem of a NOTATION of section 13, if it conforms."""
     features, views = [], set()
-    for count, name in multiplicities(text.removeprefix("projective: ")):
+    prefix, _, terms = text.rpartition(": ")
+    if prefix and (prefix not in KINDS or prefix == "calibrated"):
+        raise Fault(f"{prefix} are no cameras")
+    for count, name in multiplicities(terms):
         of_views, point, letters = parse(name)
         features += [(point, letters)] * count
         views.add(of_views)
     if len(views) > 1 or max(views) > 12:
         raise Fault("the number of views")
-    problem = Problem(features, max(views), text.startswith("projective: "))
+    problem = Problem(features, max(views), prefix or "calibrated")
     if len(problem.points) > 100 or len(problem.lines) > 100 or \
             any(len(set(a) & set(b)) > 1 for a, b in combinations(problem.on, 2)):
         raise Fault("too many points or lines, or two lines that share two points")
@@ -144,22 +148,6 @@ def value(vector):
     return [x.terms.get(None, 0) for x in vector]
 
 
-def cameras_of(problem, integers, chart):
-    """The camera matrices with their motions."""
-    found = [[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]]
-    for view, numbers in enumerate(integers, 1):
-        first = view == 1
-        if problem.projective:
-            entries = chart.moving(numbers, 5 if first else 1)
-            found.append([entries[i:i + 4] for i in (0, 4, 8)])
-        else:
-            turn = chart.moving([0, 0, 0])
-            columns = [[x + y for x, y in zip(column, cross(turn, column))]
-                       for column in zip(*quaternion_matrix(*numbers[:4]))]
-            found.append(list(zip(*columns, chart.moving(numbers[4:], 1 if first else 0))))
-    return found
-
-
 def scene_of(problem, integers, chart):
     """(points, lines as pairs A, E), with their motions."""
     numbers, points, lines = iter(integers), [], []
@@ -182,17 +170,17 @@ def scene_of(problem, integers, chart):
     return points, lines
 
 
-def jacobian(problem, cameras, scene):
+def jacobian(problem, cameras, scene, shared=()):
     """J of section 13 at a point; of a single feature it is that of section 3, too."""
     chart, rows = Chart(), []
     points, lines = scene_of(problem, scene, chart)
-    matrices = cameras_of(problem, cameras, chart)
+    seen_by = matrices(problem.cameras, shared, cameras, chart)
 
     def equation(line, image):
         terms = dot(line, image).terms
         rows.append([terms.get(column, 0) for column in range(chart.width)])
 
-    for view, matrix in enumerate(matrices):
+    for view, matrix in enumerate(seen_by):
         for i, point in enumerate(points):
             if view in problem.points[i]:
                 image = apply(matrix, point + [1])

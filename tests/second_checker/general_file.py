@@ -1,6 +1,7 @@
 """Section 13: files of problems, and their records."""
 
 from algebra import determinant
+from cameras import IN_PART, counts
 from families import family_classes, family_numbers, member
 from general import general_problem, jacobian
 from grammar import Fault, require
@@ -29,9 +30,10 @@ class Record:
         self.cameras = [camera["INT"] for camera in self.claim["camera"]]
         scene = sum(3 if carrier is None else 1 for carrier in problem.carrier)
         scene += sum(6 if not on else 3 for on in problem.on if len(on) < 2)
-        size = 12 if problem.projective else 7
-        if [len(camera) for camera in self.cameras] != [size] * (problem.views - 1) or \
-                len(self.claim["INT"]) != scene:
+        self.shared = self.claim["shared"][0]["INT"] if self.claim["shared"] else []
+        of_all, of_one = counts(problem.cameras)
+        if [len(camera) for camera in self.cameras] != [of_one] * (problem.views - 1) or \
+                len(self.shared) != of_all or len(self.claim["INT"]) != scene:
             raise Fault("the number of cameras, or of integers")
 
     def check(self):
@@ -39,7 +41,11 @@ class Record:
         if self.minimal:
             require(problem.balanced(), "the problem is not balanced")
             require(not problem.projective or self.cameras[0][:4] == [0, 0, 0, 1], "camera 2")
-            rows, _ = jacobian(problem, self.cameras, claim["INT"])
+            if problem.cameras in IN_PART:
+                turn = IN_PART[problem.cameras][1]
+                require(all(any(camera[:turn]) for camera in self.cameras) and
+                        self.cameras[0][turn] != 0, "a turn 0, or a translation that begins with 0")
+            rows, _ = jacobian(problem, self.cameras, claim["INT"], self.shared)
             require(determinant(rows) == claim["MINOR"][0], "the determinant")
         elif self.kind == "count-record":
             require(not problem.balanced(), "the problem is balanced")
@@ -51,8 +57,8 @@ class Record:
             motion, = claim["motion"]
             centre = motion["POINT"][0] - 1 if motion["POINT"] else None
             moved = (centre, *named(motion["moved"][0])) if motion["moved"] else None
-            require(conditions(problem, named(claim["part"][0]), moved) == claim["CONDITIONS"][0],
-                    "CONDITIONS")
+            require(conditions(problem, named(claim["part"][0]), motion["words"][1:], moved) ==
+                    claim["CONDITIONS"][0], "CONDITIONS")
 
 
 def from_zero(numbers):

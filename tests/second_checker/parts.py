@@ -1,5 +1,6 @@
 """Section 13: why a problem in general is not minimal: parts and their motions."""
 
+from cameras import dimension
 from grammar import require
 
 
@@ -36,12 +37,20 @@ def span(on, points_given, lines_given):
     return rank, points, lines
 
 
-def conditions(problem, part, motion):
-    """How many conditions the images of the part satisfy: Y' - X' - D' + κ."""
+def conditions(problem, part, words, motion):
+    """How many conditions the images of the part satisfy: Y' - X' - D' + κ, or by `directions`."""
     views, points, lines = part
     require(arises(problem, points, lines), "what is left out of the part")
+    require("projective" not in words or not problem.projective, "the cameras are projective")
+    cameras = "projective" if "projective" in words else problem.cameras
+    projective = cameras == "projective"
     space, seen = problem.dimensions(points, lines, views)
-    due = seen - space - problem.camera_dimension(len(views))
+    due = seen - space - dimension(cameras, len(views))
+    if "directions" in words:
+        require(not projective, "directions of projective cameras")
+        require(all(len(points & set(problem.on[j])) <= 1 for j in lines), "a line with two points")
+        return sum(max(0, len(problem.lines[j] & views) - 2) for j in lines) - \
+            (dimension(cameras, len(views)) - 3 * len(views) + 4)
     if motion is None:
         return due
     centre, moving, *given = motion
@@ -50,14 +59,14 @@ def conditions(problem, part, motion):
             (not star or centre in points), "a motion of other views, points or lines")
     on = {j: [i for i in problem.on[j] if i in points] for j in lines}
     rank, points_within, lines_within = span(on, *given)
-    require(rank <= 3 and (problem.projective or star and not any(given)), "no such motion")
+    require(rank <= 3 and (projective or star and not any(given)), "no such motion")
     costing = [j for j in lines - lines_within
                if problem.lines[j] & moving and centre not in on[j]]
     counting = {i for i in points if problem.points[i] & moving or any(i in on[j] for j in costing)}
     require(counting <= points_within | {centre}, "a point that counts is not in W")
-    scale = 3 if not star else 4 - rank if problem.projective else 1
+    scale = 3 if not star else 4 - rank if projective else 1
     gained = {0: 4 if not star else scale, 1: 0 if star else 1}.get(len(views - moving), 0)
-    once = not star or not problem.projective or rank == 3
+    once = not star or not projective or rank == 3
     cost = sum((1 if once or points_within & set(on[j]) else 2) *
                max(0, len(problem.lines[j] & views) - 2) for j in costing)
     return due + scale * len(moving) - gained - cost

@@ -50,8 +50,9 @@ inline void evaluate(const TrackedPlace& place, const Number* point, Real time, 
     result.x[3] = depth;
 }
 
-/// The numbers of a camera at a point of its chart.
-inline void evaluate(const TrackedCamera& camera, const Number* point, Number* numbers) {
+/// The numbers of a camera at a point of its chart, shared ones last.
+inline void evaluate(const TrackedWay& way, const TrackedCamera& camera, const Number* point,
+                     Number* numbers) {
     for (int i = 0; i < most_camera_numbers; ++i)
         numbers[i] = constant(camera.origin[i]);
     for (int i = 0; i < camera.basis_entries; ++i) {
@@ -60,6 +61,8 @@ inline void evaluate(const TrackedCamera& camera, const Number* point, Number* n
         number =
             add(number, constant(entry.factor), point[camera.first_coordinate + entry.coordinate]);
     }
+    for (int i = 0; i < way.shared; ++i)
+        numbers[way.numbers + i] = point[way.depths + i];
 }
 
 /// An entry of the camera matrix, or a derivative of one.
@@ -191,17 +194,17 @@ struct PolynomialForm {
     }
 };
 
-/// Sets a row: derivatives by the camera's coordinates, by the depths, the value, and, if wanted,
-/// the derivative by time.
+/// Sets a row: derivatives by the camera's coordinates, by the depths, by the shared numbers, the
+/// value, and, if wanted, the derivative by time.
 template <bool Moving, class Form>
-void set_row(const TrackedCamera& camera, const Form& form, int depths,
+void set_row(const TrackedWay& way, const TrackedCamera& camera, const Form& form,
              const TrackedEquation& equation, const TrackedPlace& tracked, const Place& place,
              Real time, Number* row) {
     const Pair l[3] = {evaluate(equation.l[0], time), evaluate(equation.l[1], time),
                        evaluate(equation.l[2], time)};
     Terms terms;
     form.template set<Moving>(l, place, terms);
-    const int value = camera.coordinates + depths;
+    const int value = camera.coordinates + way.common();
     for (int k = 0; k < value; ++k)
         row[k] = zero();
     for (int i = 0; i < camera.basis_entries; ++i) {
@@ -212,6 +215,8 @@ void set_row(const TrackedCamera& camera, const Form& form, int depths,
     for (int k = 0; k < tracked.depths; ++k)
         row[camera.coordinates + tracked.unknowns[k]] =
             evaluate(tracked.factors[k], time).value * terms.by_depth;
+    for (int i = 0; i < way.shared; ++i)
+        row[camera.coordinates + way.depths + i] = terms.by_number[way.numbers + i];
     row[value] = terms.value;
     if constexpr (Moving)
         row[value + 1] = terms.speed;

@@ -5,16 +5,16 @@ namespace plprove::many_views {
 int rows_size(const TrackedWay& way) {
     int size = 0;
     for (int v = 0; v < way.cameras; ++v)
-        size += way.camera[v].equations * (way.camera[v].coordinates + way.depths + 2);
+        size += way.camera[v].equations * (way.camera[v].coordinates + way.common() + 2);
     return size;
 }
 
 std::size_t workspace_size(const TrackedWay& way) {
-    const int rows_of_depths = way.depths * (way.depths + 2);
+    const int common_rows = way.common() * (way.common() + 2);
     const int points = 10; // three with their speeds, and what a step needs
     const int numbers_of_place = 8;
     return static_cast<std::size_t>(points * way.unknowns + numbers_of_place * way.places +
-                                    way.entries + rows_size(way) + rows_of_depths);
+                                    way.entries + rows_size(way) + common_rows);
 }
 
 TrackFunction* fastest_tracker() {

@@ -62,17 +62,22 @@ struct TrackedCamera {
     const TrackedEquation* equation = nullptr;
 };
 
-/// The unknowns are the depths, then the coordinates of the cameras.
+/// The unknowns are the depths and the numbers that all cameras share, which all rows have, and
+/// then the coordinates of each camera.
 struct TrackedWay {
     TrackedForm form = TrackedForm::polynomials;
     int entries = 0; ///< of the form `polynomials`: those of the matrix, and their derivatives
     const TrackedEntry* entry = nullptr;
     int depths = 0;
+    int shared = 0;
+    int numbers = 0; ///< of a camera itself; the shared ones come after them
     int unknowns = 0;
     int cameras = 0; ///< without that of view 1
     const TrackedCamera* camera = nullptr;
     int places = 0;
     const TrackedPlace* place = nullptr;
+
+    int common() const { return depths + shared; }
 };
 
 /// For any number of views: a little more careful than the defaults.
@@ -88,7 +93,7 @@ struct alignas(64) LaneNumber {
 };
 
 /// How many entries the rows of all views have: a row is an equation, its columns are the
-/// coordinates of the camera, the depths, and two right sides.
+/// coordinates of the camera, the common unknowns, and two right sides.
 int rows_size(const TrackedWay& way);
 
 /// How many LaneNumbers a tracker needs to work with.

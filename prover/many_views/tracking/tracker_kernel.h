@@ -20,7 +20,7 @@ public:
           correction_(take(way.unknowns)), step_speed_(take(way.unknowns)),
           places_(reinterpret_cast<Place*>(take(8 * way.places))), inverse_(take(way.unknowns)),
           entries_(take(way.entries)), rows_(take(rows_size(way))),
-          depth_rows_(take(way.depths * (way.depths + 2))) {}
+          common_rows_(take(way.common() * (way.common() + 2))) {}
 
     struct History {
         explicit History(EquationsOnWay& system) {
@@ -66,7 +66,7 @@ private:
         Number* entries = rows_;
         for (int v = 0; v < way_.cameras; ++v) {
             const TrackedCamera& camera = way_.camera[v];
-            const Rows rows{entries, camera.equations, camera.coordinates + way_.depths + 2};
+            const Rows rows{entries, camera.equations, camera.coordinates + way_.common() + 2};
             visit(camera, rows);
             entries += rows.rows * rows.columns;
         }
@@ -78,7 +78,7 @@ private:
             evaluate(way_.place[p], step_point_, time, places_[p]);
         for_each_camera([&](const TrackedCamera& camera, const Rows& rows) {
             Number numbers[most_camera_numbers];
-            evaluate(camera, step_point_, numbers);
+            evaluate(way_, camera, step_point_, numbers);
             if (way_.form == TrackedForm::quaternion) {
                 set_rows<Moving>(camera, QuaternionForm{numbers}, time, rows);
             } else if (way_.form == TrackedForm::entries) {
@@ -95,7 +95,7 @@ private:
     void set_rows(const TrackedCamera& camera, const Form& form, Real time, const Rows& rows) {
         for (int e = 0; e < camera.equations; ++e) {
             const TrackedEquation& equation = camera.equation[e];
-            set_row<Moving>(camera, form, way_.depths, equation, way_.place[equation.place],
+            set_row<Moving>(way_, camera, form, equation, way_.place[equation.place],
                             places_[equation.place], time, rows[e]);
         }
     }
@@ -103,27 +103,27 @@ private:
     /// Solves for the correction, and for the speed.
     template <bool Moving>
     void solve() {
-        const int depths = way_.depths;
-        const Rows of_depths{depth_rows_, depths, depths + 2};
-        Number* next = depth_rows_;
+        const int common = way_.common();
+        const Rows of_common{common_rows_, common, common + 2};
+        Number* next = common_rows_;
         for_each_camera([&](const TrackedCamera& camera, const Rows& rows) {
             eliminate(rows, camera.coordinates, inverse_ + camera.first_coordinate);
             for (int i = camera.coordinates; i < rows.rows; ++i)
                 for (int c = camera.coordinates; c < rows.columns; ++c)
                     *next++ = rows[i][c];
         });
-        eliminate(of_depths, depths, inverse_);
-        substitute_all(of_depths, 0, correction_);
-        if constexpr (Moving) substitute_all(of_depths, 1, step_speed_);
+        eliminate(of_common, common, inverse_);
+        substitute_all(of_common, 0, correction_);
+        if constexpr (Moving) substitute_all(of_common, 1, step_speed_);
     }
 
     /// Solves with the right sides in the last column but one, or in the last one.
-    void substitute_all(const Rows& of_depths, int side, Number* out) {
-        const int depths = way_.depths;
-        substitute(of_depths, depths, inverse_, nullptr, 0, depths + side, out);
+    void substitute_all(const Rows& of_common, int side, Number* out) {
+        const int common = way_.common();
+        substitute(of_common, common, inverse_, nullptr, 0, common + side, out);
         for_each_camera([&](const TrackedCamera& camera, const Rows& rows) {
-            substitute(rows, camera.coordinates, inverse_ + camera.first_coordinate, out, depths,
-                       camera.coordinates + depths + side, out + camera.first_coordinate);
+            substitute(rows, camera.coordinates, inverse_ + camera.first_coordinate, out, common,
+                       camera.coordinates + common + side, out + camera.first_coordinate);
         });
     }
 
@@ -131,7 +131,7 @@ private:
     Number* next_; // of the workspace
     Number *step_point_, *correction_, *step_speed_;
     Place* places_;
-    Number *inverse_, *entries_, *rows_, *depth_rows_;
+    Number *inverse_, *entries_, *rows_, *common_rows_;
 };
 
 } // namespace

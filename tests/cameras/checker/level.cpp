@@ -14,7 +14,7 @@ static CameraMatrix<T> matrix(const T& a, const T& b, const Vector3<T>& t, const
 
 /// a stays, and the first coordinate of the second translation.
 template <class T>
-static CameraMatrix<Dual<T>> place(Source<T>& source, bool second) {
+static CameraMatrix<Dual<T>> place(Source<T>& source, SharedNumbers<T>, bool second) {
     const Dual<T> a = source.fixed(), b = source.unknown();
     const Dual<T> x = second ? source.fixed() : source.unknown();
     const Dual<T> y = source.unknown(), z = source.unknown();
@@ -41,7 +41,7 @@ const CameraModel level_cameras{.name = "level",
                                 .prefix = "level:",
                                 .numbers = 5,
                                 .unknowns = 4,
-                                .motions_of_space = 5,
+                                .unknowns_of_second = 3,
                                 .objection = objection,
                                 .place_modulo = place<Residue>,
                                 .place = place<mpz_class>,

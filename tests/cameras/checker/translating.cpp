@@ -5,7 +5,7 @@
 namespace checker {
 /// The first coordinate of the second translation is fixed.
 template <class T>
-static CameraMatrix<Dual<T>> place(Source<T>& source, bool second) {
+static CameraMatrix<Dual<T>> place(Source<T>& source, SharedNumbers<T>, bool second) {
     CameraMatrix<Dual<T>> camera = first_camera<T>();
     camera[3][0] = second ? source.fixed() : source.unknown();
     camera[3][1] = source.unknown();
@@ -34,7 +34,7 @@ const CameraModel translating_cameras{.name = "translating",
                                       .prefix = "translating:",
                                       .numbers = 3,
                                       .unknowns = 3,
-                                      .motions_of_space = 4,
+                                      .unknowns_of_second = 2,
                                       .objection = objection,
                                       .place_modulo = place<Residue>,
                                       .place = place<mpz_class>,

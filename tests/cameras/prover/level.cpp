@@ -12,7 +12,7 @@ using Complex = CameraModel::Complex;
 
 /// [R | t] of the quaternion (a, 0, b, 0) and t.
 struct TurnAndTranslation {
-    static constexpr int numbers = 5;
+    static constexpr int numbers = 5, shared = 0;
 
     template <class T>
     static CameraMatrix<T> matrix(const T* n) {
@@ -49,7 +49,7 @@ constinit const CameraModel level_cameras =
     with_map<TurnAndTranslation>({.name = "level",
                                   .prefix = "level:",
                                   .unknowns = 4,
-                                  .motions_of_space = 5,
+                                  .unknowns_of_second = 3,
                                   .scaled = turn,
                                   .scaled_in_second = turn_and_translation,
                                   .normalise = normalise,

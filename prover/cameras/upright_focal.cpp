@@ -1,0 +1,10 @@
+// Cameras whose vertical direction is known, with an unknown focal length each.
+#include "prover/cameras/pinhole.h"
+
+namespace plprove {
+
+extern const CameraModel upright_focal_cameras;
+constinit const CameraModel upright_focal_cameras =
+    Pinhole<OwnFocal, true>::model("upright-focal", "upright-focal:");
+
+} // namespace plprove
