@@ -90,3 +90,29 @@ TEST_CASE("problems in general: certificates of a list") {
     CHECK(run(plprove + " certify").status == 3);
     CHECK(run(plprove + " certify 2394 --family plmp").status == 3);
 }
+
+TEST_CASE("cameras known in part: families and known numbers of solutions") {
+    const TemporaryFolder folder;
+    for (const std::string family : {"upright", "upright-shared-focal", "shared-focal"}) {
+        CAPTURE(family);
+        const std::string file = (folder / "family.plc").string();
+        CHECK(run(plprove + " certify --family " + family + " -o " + file).status == 0);
+        CHECK(read_file(file) == read_file(certs + "families/" + family + ".plc"));
+    }
+    CHECK(contains(run(plprove + " problem 'shared-focal: 6*P/P'").out,
+                   "cameras     2 shared-focal\n"
+                   "dimensions  scene 18 + cameras 6 = images 24: balanced\n"
+                   "verdict     minimal\n"));
+    // Stewenius et al. (2005): 15 focal lengths, each with two poses. Hartley: 3 matrices F, of
+    // which each has two focal lengths and two poses. Fraundorfer et al. (2010): 4.
+    for (const auto& [problem, solutions] :
+         {std::pair{"shared-focal: 6*P/P", "30"}, {"focal: 7*P/P", "6"}, {"upright: 3*P/P", "4"}}) {
+        CAPTURE(problem);
+        const std::string file = (folder / "solutions.plc").string();
+        const Outcome found = run(plprove + " degree '" + problem + "' -o " + file);
+        CHECK(contains(found.out, std::string("\ndegree      ") + solutions + " by evidence\n"));
+        const Outcome checked = run(PLCHECK + std::string(" ") + file);
+        if (!contains(run(std::string(PLCHECK) + " --version").out, "without Arb"))
+            CHECK(contains(checked.out, std::string("at least ") + solutions + " solutions"));
+    }
+}

@@ -197,3 +197,58 @@ TEST_CASE("a refused record leaves the others") {
     CHECK(!content.verdicts[0].minimal);
     CHECK(content.verdicts[1].notation.starts_with("projective: PLMN/PLMN + PLO/PLO"));
 }
+
+TEST_CASE("cameras known in part have shared numbers, once for all") {
+    const std::string four_points = "problem upright-shared-focal: 4*P/P\n"
+                                    "minimal 1817093796227484055\n"
+                                    "shared 2\n"
+                                    "camera -6 4 3 -9 7\n"
+                                    "scene -6 4 -7 0 -7 5 1 -5 7 4 -8 9\n";
+    CHECK(outcome_of_record(four_points) == "holds");
+    CHECK(contains(altered(four_points, "shared 2", "shared 3"), "the minor is "));
+    CHECK(altered(four_points, "shared 2\n", "").starts_with("syntax"));
+    CHECK(altered(four_points, "shared 2", "shared 2 3").starts_with("syntax"));
+    CHECK(altered(four_points, "-9 7\n", "-9 7 1\n").starts_with("syntax"));
+    CHECK(altered(five_points, "camera", "shared 2\ncamera").starts_with("syntax"));
+    CHECK(contains(altered(four_points, "-6 4 3", "0 0 3"), "a rotation is zero"));
+    CHECK(contains(altered(four_points, "-6 4 3", "-6 4 0"),
+                   "the translation of camera 2 begins with 0"));
+    // Three points are enough where the focal length is known, and four are too many.
+    CHECK(outcome_of_record("problem upright: 4*P/P\nunbalanced\n") == "holds");
+    CHECK(outcome_of_record("problem sideways: 4*P/P\nunbalanced\n").starts_with("syntax"));
+}
+
+TEST_CASE("cameras known in part satisfy the conditions of projective ones") {
+    const std::string six_in_a_plane =
+        "problem shared-focal: PLM/PLM + PLN/PLN + PMN/PMN + PL/PL + PM/PM + PN/PN\n"
+        "excess 1\n"
+        "part views 1 2 points 1 2 3 4 5 6 lines 1 2 3\n"
+        "motion projective plane views 1 2 points 1 2 3 4 5 6 lines\n";
+    CHECK(outcome_of_record(six_in_a_plane) == "holds");
+    CHECK(contains(altered(six_in_a_plane, "excess 1", "excess 2"), "the excess is 1"));
+    CHECK(contains(altered(six_in_a_plane, "projective plane", "plane"),
+                   "shared-focal cameras have no `plane`"));
+    CHECK(contains(altered(plane, "motion plane", "motion projective plane"),
+                   "its cameras are projective"));
+    CHECK(altered(six_in_a_plane, "projective plane", "projective").starts_with("syntax"));
+}
+
+TEST_CASE("directions of lines say too much of few rotations") {
+    const std::string four_lines = "problem upright-shared-focal: 4*a/a/a\n"
+                                   "excess 1\n"
+                                   "part views 1 2 3 points lines 1 2 3 4\n"
+                                   "motion directions\n";
+    CHECK(outcome_of_record(four_lines) == "holds");
+    CHECK(contains(altered(four_lines, "excess 1", "excess 2"), "the excess is 1"));
+    CHECK(contains(altered(four_lines, "lines 1 2 3 4", "lines 1 2 3"), "the excess is 0"));
+    CHECK(
+        contains(altered(four_lines, "upright-shared-focal", "upright-focal"), "the excess is -1"));
+    CHECK(contains(altered(four_lines, "directions", "projective directions"),
+                   "projective cameras have no `directions`"));
+    CHECK(contains(outcome_of_record("problem upright: 2*PL/PL/PL + 3*a/a/a\n"
+                                     "excess 1\n"
+                                     "part views 1 2 3 points 1 2 lines 1 2 3 4\n"
+                                     "motion directions\n"),
+                   "a line of the part has two points"));
+    CHECK(altered(four_lines, "directions", "directions views 1").starts_with("syntax"));
+}
