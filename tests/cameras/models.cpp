@@ -17,10 +17,17 @@ using Numbers = std::vector<Complex>;
 Numbers random_camera(const CameraModel& model, bool second, std::mt19937& engine) {
     std::uniform_real_distribution<double> real(-1, 1);
     Numbers numbers;
-    for (int i = 0; i < model.numbers; ++i)
+    for (int i = 0; i < model.all_numbers(); ++i)
         numbers.emplace_back(real(engine), real(engine));
     if (second) std::ranges::copy(model.start_of_second, numbers.begin());
     return numbers;
+}
+
+/// Shared numbers are those of the conic I.
+void make_conic_round(const CameraModel& model, Numbers& numbers) {
+    const std::vector<std::vector<Complex>> round{{}, {1}, {}, {0, 0, 1}, {}, {0, 1, 0, 0, 1}};
+    std::ranges::copy(round[static_cast<std::size_t>(model.shared)],
+                      numbers.begin() + model.numbers);
 }
 
 /// The distance of two matrices, where the first is multiplied so that one entry agrees.
@@ -46,14 +53,16 @@ TEST_CASE("the list of kinds has those of the prover and the new one") {
     std::vector<std::string_view> names;
     for (const CameraModel* model : camera_models())
         names.push_back(model->name);
-    CHECK(names == std::vector<std::string_view>{"calibrated", "projective", "level"});
+    CHECK(names == std::vector<std::string_view>{
+                       "calibrated", "focal", "projective", "shared-focal", "shared-focal-center",
+                       "shared-k", "upright", "upright-focal", "upright-shared-focal", "level"});
 }
 
 TEST_CASE("a camera has as many coordinates as unknowns, the second one less by the motions") {
     for (const CameraModel* model : camera_models()) {
         CAPTURE(model->name);
         CHECK(std::ssize(model->coordinates(false)) == model->unknowns);
-        CHECK(std::ssize(model->coordinates(true)) == model->dimension(2));
+        CHECK(std::ssize(model->coordinates(true)) + model->shared == model->dimension(2));
     }
 }
 
@@ -81,6 +90,7 @@ TEST_CASE("numbers of no camera are told") {
         std::mt19937 engine(2);
         Numbers numbers = random_camera(*model, false, engine);
         CHECK(model->is_camera(numbers.data()));
+        make_conic_round(*model, numbers);
         std::fill(numbers.begin(), numbers.begin() + model->scaled[0].count, Complex(0));
         numbers[0] = 1;
         numbers[1] = Complex(0, 1); // 1 + i i = 0

@@ -51,8 +51,10 @@ TEST_CASE("the list of kinds has those of the checker and the new ones") {
     std::vector<std::string_view> names;
     for (const CameraModel* model : camera_models())
         names.push_back(model->name);
-    CHECK(names ==
-          std::vector<std::string_view>{"calibrated", "projective", "level", "translating"});
+    CHECK(names == std::vector<std::string_view>{"calibrated", "focal", "projective",
+                                                 "shared-focal", "shared-focal-center", "shared-k",
+                                                 "upright", "upright-focal", "upright-shared-focal",
+                                                 "level", "translating"});
 }
 
 TEST_CASE("problems of a new kind are decided") {
