@@ -85,7 +85,9 @@ std::vector<Base> problem_bases() {
 
 std::vector<Base> general_bases() {
     std::vector<Base> bases;
-    for (const char* name : {"plmp.plc", "projective.plc"}) {
+    for (const char* name :
+         {"plmp.plc", "projective.plc", "families/focal.plc", "families/shared-focal-center.plc",
+          "families/upright-shared-focal.plc"}) {
         std::istringstream stream(committed(name));
         for (std::string line; std::getline(stream, line);) {
             if (line.starts_with("problem "))

@@ -46,21 +46,30 @@ void foreign_problem(File& file, const File& other, Random&) {
     if (in_record(file) && in_record(other)) file[2] = other[2];
 }
 
-/// The same of projective cameras, or of calibrated ones.
-void other_cameras(File& file, const File&, Random&) {
+/// The same of calibrated cameras, or of others.
+void other_cameras(File& file, const File&, Random& random) {
     if (!in_record(file) || file[2].size() < 2) return;
-    if (file[2][1] == "projective:")
+    const std::vector<std::string> prefixes{
+        "projective:", "focal:", "shared-focal:", "shared-k:", "upright:", "upright-focal:"};
+    if (file[2][1].ends_with(':'))
         file[2].erase(at(file[2], 1));
     else
-        file[2].insert(at(file[2], 1), "projective:");
+        file[2].insert(at(file[2], 1), any_of(prefixes, random));
 }
 
 /// The motion made simpler, or another one.
 void motion(File& file, const File&, Random& random) {
     for (Words& words : file) {
         if (words[0] != "motion" || words.size() < 2) continue;
-        if (random.below(3) == 0)
+        const auto chosen = random.below(6);
+        if (chosen == 0)
             words = {"motion", "none"};
+        else if (chosen == 1)
+            words = {"motion", "directions"};
+        else if (chosen < 4 && words[1] == "projective")
+            words.erase(at(words, 1));
+        else if (chosen < 4)
+            words.insert(at(words, 1), "projective");
         else if (words[1] == "plane" || random.below(2) == 0)
             words = {"motion", "star", "1", "views", "1", "2", "points", "lines"};
         else

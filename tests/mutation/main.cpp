@@ -59,9 +59,10 @@ Claims claims_of(const checker::ModelFile& file) {
 class ModelReferee {
 public:
     ModelReferee() {
-        for (const Base& base : model_bases())
-            if (const auto* model = model_in(checker::replay({}, "model", base.text)))
-                known_[model->text] = *model->at_most;
+        for (const Base& base : model_bases()) {
+            const checker::ReplayedFile file = checker::replay({}, "model", base.text);
+            if (const auto* model = model_in(file)) known_[model->text] = *model->at_most;
+        }
     }
 
     std::optional<std::string> objection(const checker::ReplayedFile& file) const {
