@@ -61,9 +61,15 @@ std::vector<ProblemRecord> certify_listed(const std::string& path) {
 
 CLI::Option* add_family_option(CLI::App& app, std::string& family, const std::string& help) {
     std::vector<std::string> names;
-    for (const CameraModel* cameras : camera_models())
+    std::string list;
+    for (const CameraModel* cameras : camera_models()) {
         names.emplace_back(family_name(*cameras));
-    return app.add_option("--family", family, help)->type_name("NAME")->check(CLI::IsMember(names));
+        list += (list.empty() ? " (" : ", ") + names.back();
+    }
+    // In the help the list has blanks, so that lines can break.
+    return app.add_option("--family", family, help + list + ')')
+        ->type_name("NAME")
+        ->check(CLI::IsMember(names).description(""));
 }
 
 } // namespace plprove

@@ -66,9 +66,7 @@ Images<Complex> ImagesInPencil::at(const Complex& time) const {
 Vector3 ImagesInPencil::direction(const Point& solution) const {
     const auto view = static_cast<std::size_t>(system_.problem().views) - 1;
     const CameraChart& chart = system_.chart();
-    const Eigen::Index first = system_.depths() + chart.offset(view);
-    const Point coordinates = solution.segment(first, chart.coordinates(view));
-    const Camera camera = chart.camera(view, coordinates).camera;
+    const Camera camera = chart.camera(view, solution.tail(chart.dimension())).camera;
     const Vector3 point = vector(images_[0].points[0]);
     const Vector3 second = vector(images_[0].lines[line_][1]);
     return camera.leftCols<3>() * (solution[0] * second - solution[depth_] * point);

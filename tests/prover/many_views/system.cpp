@@ -87,8 +87,7 @@ TEST_CASE("a camera whose quaternion has norm zero is told from one that is near
     point.segment(last, 3) << Complex(0), Complex(0), Complex(0, 1); // 1 + i i = 0
     CHECK(!system.has_cameras(point));
     // The matrix has rank 1 there: what is left of the camera is its translation.
-    const Camera camera =
-        system.chart().camera(3, point.segment(last, system.chart().coordinates(3))).camera;
+    const Camera camera = system.chart().camera(3, point.tail(system.chart().dimension())).camera;
     CHECK(camera.leftCols<3>().fullPivLu().rank() == 1);
     point[last + 2] += 1e-5;
     CHECK(system.has_cameras(point));
