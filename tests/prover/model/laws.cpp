@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -150,11 +151,13 @@ TEST_CASE("the models of the literature have as many solutions as is claimed") {
 }
 
 TEST_CASE("each model of the literature has a solution that is found by solving for data") {
+    // Two equations without data are in the same unknowns; or an equation is linear in no data.
+    const std::set<std::string> exceptions{"radial_absolute_pose", "four_spheres",
+                                           "two_views_triangulation"};
     for (const auto& [name, model] : models_of_literature()) {
         CAPTURE(name);
         const auto found = find_solution_point(model, compile(model));
-        // Here two equations without data are in the same unknowns.
-        CHECK(found.has_value() == (model.name != "radial_absolute_pose"));
+        CHECK(found.has_value() == !exceptions.contains(name));
         if (found) CHECK(found->count() == 1);
     }
 }
