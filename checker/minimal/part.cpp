@@ -1,6 +1,7 @@
 #include "checker/minimal/part.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace checker {
 static bool contains(const Indices& list, std::size_t index) {
@@ -102,8 +103,10 @@ static Problem part_of(const Problem& problem, const Selection& part) {
 /// The motion in the numbers of the part.
 static Motion motion_in(const Selection& part, const Motion& motion) {
     Motion result = motion;
-    if (motion.kind == Motion::Kind::star)
+    if (motion.kind == Motion::Kind::star || motion.kind == Motion::Kind::pencils)
         result.centre = place_in(part.points, motion.centre, "point");
+    for (std::size_t& p : result.joins)
+        p = place_in(part.points, p, "point");
     for (std::size_t& p : result.moved.points)
         p = place_in(part.points, p, "point");
     for (std::size_t& n : result.moved.lines)
@@ -187,15 +190,51 @@ static int kernel_dimension(const Problem& part, const Motion& motion) {
            gain(part, motion, span.rank) - cost_of(costly, part, motion, span);
 }
 
-/// What is left over when the directions of the lines are counted, and the cameras without their
-/// translations.
-static int excess_of_directions(const Problem& part) {
+/// What so many views say of a line in a known direction, beyond the two numbers of the direction.
+static int conditions_in(Views views) {
+    return std::max(0, std::popcount(views) - 2);
+}
+
+/// Throws Refused unless the joins, pairs of points, form a forest.
+static void require_forest(const Indices& joins, std::size_t points) {
+    Indices tree(points);
+    std::iota(tree.begin(), tree.end(), std::size_t{0});
+    for (std::size_t i = 0; i < joins.size(); i += 2) {
+        const std::size_t a = tree[joins[i]], b = tree[joins[i + 1]];
+        if (a == b) throw Refused("the joins close a circle");
+        std::ranges::replace(tree, a, b);
+    }
+}
+
+/// What is left over when the directions of lines and joins are counted, and the cameras without
+/// their translations.
+static int excess_of_directions(const Problem& part, const Indices& joins) {
     if (part.cameras->all_matrices) throw Refused("projective cameras have no `directions`");
     int excess = 3 * part.view_count() - 4 - camera_columns(part);
     for (const Line& line : part.lines) {
         if (line.points.size() > 1) throw Refused("a line of the part has two points");
-        excess += std::max(0, std::popcount(line.seen_by) - 2);
+        excess += conditions_in(line.seen_by);
     }
+    require_forest(joins, part.points.size());
+    for (std::size_t i = 0; i < joins.size(); i += 2)
+        excess += conditions_in(part.points[joins[i]].seen_by & part.points[joins[i + 1]].seen_by);
+    return excess;
+}
+
+/// What is left over when the lines from a point are counted, and what each view makes of them: a
+/// pencil of image lines, by a map that has five numbers.
+static int excess_of_pencils(const Problem& part, std::size_t centre) {
+    if (!part.cameras->all_matrices)
+        throw Refused(part.cameras->name, " cameras have no `pencils`");
+    if (part.points[centre].seen_by != part.views)
+        throw Refused("a view of the part does not see the point of the pencils");
+    int excess = 8 - 5 * part.view_count();
+    for (const Line& line : part.lines) {
+        if (line.points != Indices{centre}) throw Refused("a line of the part is in no pencil");
+        excess += conditions_in(line.seen_by);
+    }
+    for (std::size_t p = 0; p < part.points.size(); ++p)
+        if (p != centre) excess += conditions_in(part.points[p].seen_by);
     return excess;
 }
 
@@ -205,9 +244,11 @@ int excess_of(const Problem& problem, const Selection& selection, const Motion& 
     if (motion.projective && part.cameras->all_matrices)
         throw Refused("its cameras are projective");
     if (motion.projective) part.cameras = &projective_cameras;
-    if (motion.kind == Motion::Kind::directions) return excess_of_directions(part);
+    const Motion within = motion_in(selection, motion);
+    if (motion.kind == Motion::Kind::directions) return excess_of_directions(part, within.joins);
+    if (motion.kind == Motion::Kind::pencils) return excess_of_pencils(part, within.centre);
     if (motion.kind == Motion::Kind::none) return surplus(part);
-    return surplus(part) + kernel_dimension(part, motion_in(selection, motion));
+    return surplus(part) + kernel_dimension(part, within);
 }
 
 void check(const Problem& problem, const PartClaim& claim) {

@@ -17,10 +17,11 @@ struct Selection {
 
 /// A motion of cameras that keeps the images of a part; or none, but a reason to count anew.
 struct Motion {
-    enum class Kind { none, plane, star, directions };
+    enum class Kind { none, plane, star, directions, pencils };
     Kind kind = Kind::none;
     bool projective = false; // the cameras are taken as projective ones
-    std::size_t centre = 0;  // O, a point: of a star
+    std::size_t centre = 0;  // O, a point: of a star, or of pencils
+    Indices joins{};         // pairs of points, one after the other: of directions
     Selection moved{};       // the moving views, and the generators
 };
 

@@ -105,28 +105,52 @@ static CollinearClaim read_collinear(Reader& reader, const Problem& problem) {
     return claim;
 }
 
+static std::size_t read_point(Reader& reader, const Problem& problem) {
+    const auto points = static_cast<int>(problem.points.size());
+    return static_cast<std::size_t>(reader.small_integer(1, points)) - 1;
+}
+
+/// Takes `joins` and pairs of points, if they come.
+static Indices read_joins(Reader& reader, const Problem& problem) {
+    Indices joins;
+    if (!reader.comes("joins")) return joins;
+    reader.take("joins");
+    do {
+        joins.push_back(read_point(reader, problem));
+        joins.push_back(read_point(reader, problem));
+    } while (!reader.at_end());
+    return joins;
+}
+
+static Motion read_motion(Reader& reader, const Problem& problem) {
+    constexpr std::array names{std::string_view("none"), std::string_view("plane"),
+                               std::string_view("star"), std::string_view("directions"),
+                               std::string_view("pencils")}; // in the order of Motion::Kind
+    Motion motion;
+    reader.take("motion");
+    motion.projective = reader.comes("projective");
+    if (motion.projective) reader.take("projective");
+    const std::string_view name = reader.word();
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end())
+        reader.fail(name, "`none`, `plane`, `star`, `directions` or `pencils`");
+    motion.kind = static_cast<Motion::Kind>(found - names.begin());
+    const bool star = motion.kind == Motion::Kind::star;
+    if (star || motion.kind == Motion::Kind::pencils) motion.centre = read_point(reader, problem);
+    if (motion.kind == Motion::Kind::directions) motion.joins = read_joins(reader, problem);
+    if (star || motion.kind == Motion::Kind::plane)
+        motion.moved = read_selection(reader, problem, 1);
+    else
+        reader.end_line();
+    return motion;
+}
+
 static PartClaim read_part(Reader& reader, const Problem& problem) {
     PartClaim claim;
     claim.excess = reader.small_integer(1, 999'999);
     reader.take("$ part");
     claim.part = read_selection(reader, problem, 2);
-    reader.take("motion");
-    claim.motion.projective = reader.comes("projective");
-    if (claim.motion.projective) reader.take("projective");
-    const std::string_view kind = reader.word();
-    if (kind == "directions") claim.motion.kind = Motion::Kind::directions;
-    if (kind == "none" || kind == "directions") {
-        reader.end_line();
-        return claim;
-    }
-    if (kind != "plane" && kind != "star")
-        reader.fail(kind, "`none`, `plane`, `star` or `directions`");
-    claim.motion.kind = kind == "star" ? Motion::Kind::star : Motion::Kind::plane;
-    if (kind == "star") {
-        const auto points = static_cast<int>(problem.points.size());
-        claim.motion.centre = static_cast<std::size_t>(reader.small_integer(1, points)) - 1;
-    }
-    claim.motion.moved = read_selection(reader, problem, 1);
+    claim.motion = read_motion(reader, problem);
     return claim;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
+#include <numeric>
 
 namespace plprove {
 
@@ -123,6 +125,47 @@ Subproblem densest(const Problem& problem, Subproblem part) {
     return part;
 }
 
+/// Joins of points that many views see together, as long as they close no circle.
+std::vector<std::array<int, 2>> best_joins(const Problem& problem, const Subproblem& part) {
+    std::vector<std::pair<int, std::array<int, 2>>> candidates; // by how many views see them
+    for (const int a : part.points)
+        for (const int b : part.points) {
+            const ViewSet both = problem.points[static_cast<std::size_t>(a)] &
+                                 problem.points[static_cast<std::size_t>(b)] & part.views;
+            if (a < b && std::popcount(both) > 2)
+                candidates.push_back({std::popcount(both), {a, b}});
+        }
+    std::ranges::stable_sort(candidates, std::greater{},
+                             [](const auto& candidate) { return candidate.first; });
+    std::vector<int> tree(problem.points.size());
+    std::iota(tree.begin(), tree.end(), 0);
+    std::vector<std::array<int, 2>> joins;
+    for (const auto& [views, join] : candidates) {
+        const int a = tree[static_cast<std::size_t>(join[0])];
+        const int b = tree[static_cast<std::size_t>(join[1])];
+        if (a == b) continue;
+        std::ranges::replace(tree, a, b);
+        joins.push_back(join);
+    }
+    return joins;
+}
+
+/// The lines through each point that all these views see, and its joins with all others that are on
+/// none of these lines.
+void consider_pencils(Search& search, const Problem& problem, ViewSet views) {
+    for (int centre = 0; centre < static_cast<int>(problem.points.size()); ++centre) {
+        if ((problem.points[static_cast<std::size_t>(centre)] & views) != views) continue;
+        Subproblem part{views, {}, lines_through(problem, centre)};
+        for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
+            if (point == centre || std::ranges::none_of(part.lines, [&](int line) {
+                    return contains(problem.lines[static_cast<std::size_t>(line)], point);
+                }))
+                part.points.push_back(point);
+        if (is_part(problem, part))
+            search.consider(part, {.kind = MotionKind::pencils, .centre = centre});
+    }
+}
+
 /// The lines of the part with one point at most: with all points, or without any.
 void consider_directions(Search& search, const Problem& problem, ViewSet views) {
     Subproblem part = whole(problem);
@@ -134,7 +177,8 @@ void consider_directions(Search& search, const Problem& problem, ViewSet views) 
     lines_alone.points.clear();
     for (const Subproblem& candidate : {part, lines_alone})
         if (is_part(problem, candidate))
-            search.consider(candidate, {.kind = MotionKind::directions});
+            search.consider(candidate, {.kind = MotionKind::directions,
+                                        .joins = best_joins(problem, candidate)});
 }
 
 std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) {
@@ -146,7 +190,6 @@ std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) 
     for (ViewSet views = 1; views <= all; ++views) {
         if (views != all) search.consider_motions(whole(problem), views);
         if (std::popcount(views) < 2) continue;
-        consider_directions(search, problem, views);
         Subproblem in_these_views = whole(problem);
         in_these_views.views = views;
         for (const Subproblem& part :
@@ -155,6 +198,12 @@ std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) 
             search.consider(part, {});
             search.consider_motions(part, views);
         }
+    }
+    if (std::optional<OverconstrainedPart> found = search.take()) return found;
+    for (ViewSet views = 1; views <= all; ++views) {
+        if (std::popcount(views) < 3) continue;
+        consider_directions(search, problem, views);
+        consider_pencils(search, problem, views);
     }
     return search.take();
 }

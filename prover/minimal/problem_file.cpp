@@ -11,7 +11,7 @@ namespace {
 /// The minor of the balanced problem with these blocks and this obstruction, or nothing where they
 /// are in special position.
 std::optional<Minor> minor_of_blocks(const Obstruction& obstruction,
-                                const std::vector<FeatureBlock>& blocks) {
+                                     const std::vector<FeatureBlock>& blocks) {
     std::vector<CameraPart> parts;
     for (const FeatureBlock& block : blocks) {
         auto part = eliminate(block);

@@ -118,6 +118,9 @@ struct Explain {
 
     static std::string kept_by(const CameraMotion& motion, bool all_matrices) {
         if (motion.kind == MotionKind::none) return "has fewer parameters than its images";
+        if (motion.kind == MotionKind::pencils)
+            return "has fewer lines through point " + std::to_string(motion.centre + 1) +
+                   ", and maps of these to pencils, than its images say";
         if (motion.kind == MotionKind::plane)
             return "looks the same when cameras move and keep the images of a plane";
         const std::string point = " point " + std::to_string(motion.centre + 1);

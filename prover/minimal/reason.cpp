@@ -211,15 +211,45 @@ std::optional<int> motions(const Problem& problem, const Subproblem& part,
     return result;
 }
 
+/// What views say of a line, beyond the two numbers of its direction.
+static int conditions_in(ViewSet views) {
+    return std::max(0, std::popcount(views) - 2);
+}
+
 /// What the images say of directions, less the parameters of these and of cameras without their
 /// translations. Lines of the part may have one point at most.
-static std::optional<int> excess_of_directions(const Problem& part) {
-    if (part.cameras->all_matrices) return std::nullopt;
-    int result = 3 * part.views - 4 - part.cameras->dimension(part.views);
-    for (const Line& line : part.lines) {
+static std::optional<int> excess_of_directions(const Problem& problem, const Subproblem& part,
+                                               const CameraMotion& motion) {
+    const Problem alone = problem_of(problem, part);
+    if (alone.cameras->all_matrices) return std::nullopt;
+    int result = 3 * alone.views - 4 - alone.cameras->dimension(alone.views);
+    for (const Line& line : alone.lines) {
         if (line.points.size() > 1) return std::nullopt;
-        result += std::max(0, std::popcount(line.seen) - 2);
+        result += conditions_in(line.seen);
     }
+    for (const auto& [a, b] : motion.joins)
+        result += conditions_in(problem.points[static_cast<std::size_t>(a)] &
+                                problem.points[static_cast<std::size_t>(b)] & part.views);
+    return result;
+}
+
+/// What the images say of the lines through a point that all views of the part see, and of its
+/// joins with the other points, less the parameters of these and of their maps to pencils.
+static std::optional<int> excess_of_pencils(const Problem& problem, const Subproblem& part,
+                                            const CameraMotion& motion) {
+    const auto seen = [&](int point) {
+        return problem.points[static_cast<std::size_t>(point)] & part.views;
+    };
+    if (!problem.cameras->all_matrices || seen(motion.centre) != part.views) return std::nullopt;
+    int result = 8 - 5 * std::popcount(part.views);
+    for (const int number : part.lines) {
+        const Line& line = problem.lines[static_cast<std::size_t>(number)];
+        for (const int point : part.points)
+            if (contains(line, point) != (point == motion.centre)) return std::nullopt;
+        result += conditions_in(line.seen & part.views);
+    }
+    for (const int point : part.points)
+        if (point != motion.centre) result += conditions_in(seen(point));
     return result;
 }
 
@@ -233,8 +263,8 @@ std::optional<int> excess(const Problem& problem, const Subproblem& part,
         of_these.projective = false;
         return excess(projective, part, of_these);
     }
-    if (motion.kind == MotionKind::directions)
-        return excess_of_directions(problem_of(problem, part));
+    if (motion.kind == MotionKind::directions) return excess_of_directions(problem, part, motion);
+    if (motion.kind == MotionKind::pencils) return excess_of_pencils(problem, part, motion);
     const std::optional<int> kept = motions(problem, part, motion);
     if (!kept) return std::nullopt;
     const Problem alone = problem_of(problem, part);

@@ -25,17 +25,19 @@ struct Subproblem {
     std::vector<int> lines;  ///< ascending
 };
 
-/// Which cameras move, and the points and lines that span what they keep (W). Or `directions`: none
-/// moves, but the directions of lines have fewer parameters, with those of rotations and
-/// calibrations, than what the images say of them.
-enum class MotionKind : std::uint8_t { none, plane, star, directions };
+/// Which cameras move, and the points and lines that span what they keep (W). Or none moves, and
+/// the images say more than what has parameters: of the directions of lines and of joins of two
+/// points, with rotations and calibrations (`directions`); of the lines through a point and its
+/// joins with others, with the maps of these to pencils in the images (`pencils`).
+enum class MotionKind : std::uint8_t { none, plane, star, directions, pencils };
 struct CameraMotion {
     MotionKind kind = MotionKind::none;
     bool projective = false; ///< the cameras are taken as projective ones
-    int centre = 0;          ///< the point O of a star
+    int centre = 0;          ///< the point O of a star or of pencils
     ViewSet moving = 0;
     std::vector<int> points{}; ///< the generators of W, points and lines of the part, ascending
     std::vector<int> lines{};
+    std::vector<std::array<int, 2>> joins{}; ///< of directions: a forest
 };
 
 /// The images of the part satisfy at least `excess` conditions, as the motion keeps them.

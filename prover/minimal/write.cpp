@@ -91,8 +91,7 @@ struct WriteClaim {
 
     void operator()(const Minor& minor) const {
         text.line("minimal", minor.value);
-        if (!minor.instance.shared.empty())
-            text.line("shared", coordinates(minor.instance.shared));
+        if (!minor.instance.shared.empty()) text.line("shared", coordinates(minor.instance.shared));
         for (const Coordinates& camera : minor.instance.cameras)
             text.line("camera", coordinates(camera));
         text.line("scene", coordinates(minor.instance.scene));
@@ -112,10 +111,21 @@ struct WriteClaim {
         write_motion(reason.motion);
     }
 
+    void write_directions(const std::vector<std::array<int, 2>>& joins) const {
+        std::vector<std::string> words;
+        if (!joins.empty()) words.emplace_back("joins");
+        for (const auto& join : joins)
+            for (const int point : join)
+                words.push_back(std::to_string(point + 1));
+        text.line("motion directions", words);
+    }
+
     void write_motion(const CameraMotion& motion) const {
         const std::string motion_of = motion.projective ? "motion projective" : "motion";
         if (motion.kind == MotionKind::none) return text.line(motion_of, "none");
-        if (motion.kind == MotionKind::directions) return text.line(motion_of, "directions");
+        if (motion.kind == MotionKind::pencils)
+            return text.line(motion_of, "pencils", motion.centre + 1);
+        if (motion.kind == MotionKind::directions) return write_directions(motion.joins);
         const std::string kind = motion.kind == MotionKind::plane
                                      ? "plane"
                                      : "star " + std::to_string(motion.centre + 1);

@@ -5,7 +5,7 @@ from cameras import IN_PART, counts
 from families import family_classes, family_numbers, member
 from general import general_problem, jacobian
 from grammar import Fault, require
-from parts import conditions
+from parts import by_directions, by_pencils, conditions
 
 
 class Record:
@@ -20,7 +20,8 @@ class Record:
             self.require_counts()
         for part in (self.claim, *self.claim["part"], *self.claim["motion"],
                      *(moved for motion in self.claim["motion"] for moved in motion["moved"])):
-            if max(part["POINT"], default=0) > len(self.problem.points) or \
+            joined = [point for joins in part["joins"] for point in joins["JOINED"]]
+            if max(part["POINT"] + joined, default=0) > len(self.problem.points) or \
                     max(part["LINE"], default=0) > len(self.problem.lines) or \
                     max(part["VIEW"], default=0) > self.problem.views:
                 raise Fault("a POINT, LINE or VIEW that the problem lacks")
@@ -57,8 +58,14 @@ class Record:
             motion, = claim["motion"]
             centre = motion["POINT"][0] - 1 if motion["POINT"] else None
             moved = (centre, *named(motion["moved"][0])) if motion["moved"] else None
-            require(conditions(problem, named(claim["part"][0]), motion["words"][1:], moved) ==
-                    claim["CONDITIONS"][0], "CONDITIONS")
+            joined = [point - 1 for joins in motion["joins"] for point in joins["JOINED"]]
+            joins = list(zip(joined[::2], joined[1::2]))
+            words = motion["words"][1:]
+            part = named(claim["part"][0])
+            found = by_directions(problem, part, words, joins) if "directions" in words else \
+                by_pencils(problem, part, words, centre) if "pencils" in words else \
+                conditions(problem, part, words, moved)
+            require(found == claim["CONDITIONS"][0], "CONDITIONS")
 
 
 def from_zero(numbers):

@@ -37,20 +37,47 @@ def span(on, points_given, lines_given):
     return rank, points, lines
 
 
-def conditions(problem, part, words, motion):
-    """How many conditions the images of the part satisfy: Y' - X' - D' + κ, or by `directions`."""
-    views, points, lines = part
+def cameras_of(problem, part, words):
+    """The cameras as the motion takes them, once the part is one."""
+    _, points, lines = part
     require(arises(problem, points, lines), "what is left out of the part")
     require("projective" not in words or not problem.projective, "the cameras are projective")
-    cameras = "projective" if "projective" in words else problem.cameras
+    return "projective" if "projective" in words else problem.cameras
+
+
+def beyond_two(views_of_each):
+    return sum(max(0, len(views) - 2) for views in views_of_each)
+
+
+def by_directions(problem, part, words, joins):
+    cameras, (views, points, lines) = cameras_of(problem, part, words), part
+    require(cameras != "projective", "directions of projective cameras")
+    require(all(len(points & set(problem.on[j])) <= 1 for j in lines), "a line with two points")
+    trees = {i: {i} for i in points}
+    for a, b in joins:
+        require(a in points and b in points and trees[a] is not trees[b], "joins")
+        trees[a] |= trees[b]
+        trees.update({i: trees[a] for i in trees[a]})
+    return beyond_two([problem.lines[j] & views for j in lines] +
+                      [problem.points[a] & problem.points[b] & views for a, b in joins]) - \
+        (dimension(cameras, len(views)) - 3 * len(views) + 4)
+
+
+def by_pencils(problem, part, words, centre):
+    cameras, (views, points, lines) = cameras_of(problem, part, words), part
+    require(cameras == "projective" and centre in points and views <= problem.points[centre] and
+            all(points & set(problem.on[j]) == {centre} for j in lines), "no pencils")
+    return beyond_two([problem.lines[j] & views for j in lines] +
+                      [problem.points[i] & views for i in points - {centre}]) - \
+        (5 * len(views) - 8)
+
+
+def conditions(problem, part, words, motion):
+    """How many conditions the images of the part satisfy: Y' - X' - D' + κ."""
+    cameras, (views, points, lines) = cameras_of(problem, part, words), part
     projective = cameras == "projective"
     space, seen = problem.dimensions(points, lines, views)
     due = seen - space - dimension(cameras, len(views))
-    if "directions" in words:
-        require(not projective, "directions of projective cameras")
-        require(all(len(points & set(problem.on[j])) <= 1 for j in lines), "a line with two points")
-        return sum(max(0, len(problem.lines[j] & views) - 2) for j in lines) - \
-            (dimension(cameras, len(views)) - 3 * len(views) + 4)
     if motion is None:
         return due
     centre, moving, *given = motion

@@ -252,3 +252,34 @@ TEST_CASE("directions of lines say too much of few rotations") {
                    "a line of the part has two points"));
     CHECK(altered(four_lines, "directions", "directions views 1").starts_with("syntax"));
 }
+
+TEST_CASE("joins of points have directions, too, if they close no circle") {
+    const std::string two_points =
+        "problem upright-focal: -/-/a/a/a/a + Pab/Pab/Pab/Pab/Pab/- + Pab/Pb/-/-/Pab/Pab\n"
+        "excess 1\n"
+        "part views 1 2 3 4 5 6 points 1 2 lines 1 2 3 4 5\n"
+        "motion directions joins 1 2\n";
+    CHECK(outcome_of_record(two_points) == "holds");
+    CHECK(contains(altered(two_points, " joins 1 2", ""), "the excess is 0"));
+    CHECK(contains(altered(two_points, "joins 1 2", "joins 1 2 2 1"), "the joins close a circle"));
+    CHECK(contains(altered(two_points, "joins 1 2", "joins 1 1"), "the joins close a circle"));
+    CHECK(altered(two_points, "joins 1 2", "joins 1").starts_with("syntax"));
+    CHECK(altered(two_points, "joins 1 2", "joins 1 3").starts_with("syntax"));
+}
+
+TEST_CASE("lines through a point make pencils that say too much of the cameras") {
+    const std::string pencils =
+        "problem projective: -/-/a/a/-/a + 2*-/P/P/P/P/P + P/-/P/-/P/- + Pa/Pa/-/Pa/Pa/Pa + "
+        "Pabcd/Pabd/Pabcd/Pbcd/Pabcd/Pbcd\n"
+        "excess 1\n"
+        "part views 1 2 3 4 5 6 points 1 2 3 4 5 lines 3 4 5 6\n"
+        "motion pencils 5\n";
+    CHECK(outcome_of_record(pencils) == "holds");
+    CHECK(contains(altered(pencils, "excess 1", "excess 2"), "the excess is 1"));
+    CHECK(contains(altered(pencils, "points 1 2 3 4 5", "points 2 3 4 5"), "the excess is -2"));
+    CHECK(contains(altered(pencils, "pencils 5", "pencils 4"),
+                   "a view of the part does not see the point of the pencils"));
+    CHECK(contains(altered(pencils, "lines 3", "lines 2 3"), "a line of the part is in no pencil"));
+    CHECK(contains(altered(pencils, "projective: ", "shared-k: "), "have no `pencils`"));
+    CHECK(altered(pencils, "pencils 5", "pencils 6").starts_with("syntax"));
+}
