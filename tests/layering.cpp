@@ -216,11 +216,11 @@ TEST_CASE("no source of the checker has more than 350 lines") {
 
 TEST_CASE("who wants to know whether a problem is minimal, for any of nine kinds of cameras, reads "
           "at most "
-          "3,150 lines") {
+          "3,250 lines") {
     std::size_t lines = 0;
     for (const std::string& folder : minimal_tier)
         lines += lines_under(root / "checker" / folder);
-    CHECK(lines <= 3150);
+    CHECK(lines <= 3250);
 }
 
 TEST_CASE("the README says how many lines stand behind each claim, and no folder behind two") {
