@@ -132,11 +132,14 @@ static int gain(const Problem& part, const Motion& motion, int rank) {
 /// Throws Refused if such cameras have no such motion.
 static void require_motion(const Problem& part, const Motion& motion) {
     const CameraModel& cameras = *part.cameras;
-    const bool plane = motion.kind == Motion::Kind::plane;
-    if (plane && !cameras.all_matrices) throw Refused(cameras.name, " cameras have no `plane`");
     const bool generated = !motion.moved.points.empty() || !motion.moved.lines.empty();
-    if (!plane && generated && !cameras.all_matrices)
-        throw Refused("a star of ", cameras.name, " cameras has no generators");
+    if (generated && !cameras.all_matrices)
+        throw Refused("a motion of ", cameras.name, " cameras has no generators");
+}
+
+/// What so many views say of a line in a known direction, beyond the two numbers of the direction.
+static int conditions_in(Views views) {
+    return std::max(0, std::popcount(views) - 2);
 }
 
 /// The lines that cost: a moving view sees them, and they neither lie in W nor contain O.
@@ -152,7 +155,7 @@ static Indices costly_lines(const Problem& part, const Motion& motion, const Spa
     return costly;
 }
 
-/// What these lines cost: the sum of c max(0, n - 2).
+/// What these lines cost: the sum of c min(n - 2, moving views), or of 0.
 static int cost_of(const Indices& lines, const Problem& part, const Motion& motion,
                    const Span& span) {
     const bool subspace = motion.kind == Motion::Kind::star && part.cameras->all_matrices;
@@ -160,7 +163,8 @@ static int cost_of(const Indices& lines, const Problem& part, const Motion& moti
     for (const std::size_t n : lines) {
         const Line& line = part.lines[n];
         const bool two_conditions = subspace && span.rank < 3 && !meets(span, line);
-        cost += (two_conditions ? 2 : 1) * std::max(0, std::popcount(line.seen_by) - 2);
+        const int moving = std::popcount(line.seen_by & motion.moved.views);
+        cost += (two_conditions ? 2 : 1) * std::min(moving, conditions_in(line.seen_by));
     }
     return cost;
 }
@@ -188,11 +192,6 @@ static int kernel_dimension(const Problem& part, const Motion& motion) {
     require_kept_points(part, motion, span, costly);
     return freedom(part, motion, span.rank) * std::popcount(motion.moved.views) -
            gain(part, motion, span.rank) - cost_of(costly, part, motion, span);
-}
-
-/// What so many views say of a line in a known direction, beyond the two numbers of the direction.
-static int conditions_in(Views views) {
-    return std::max(0, std::popcount(views) - 2);
 }
 
 /// Throws Refused unless the joins, pairs of points, form a forest.

@@ -52,12 +52,11 @@ public:
         // Lines among the generators are worth a search only where all cameras move: there are
         // up to 4,096 choices of moving views.
         const int most_lines = moving == part.views ? 2 : 0;
-        if (cameras.all_matrices) {
-            CameraMotion plane{MotionKind::plane, false, 0, moving, seen_by(part, moving), {}};
-            consider_with_lines(part, plane, 0, most_lines);
-        }
+        CameraMotion plane{.kind = MotionKind::plane, .moving = moving};
+        if (cameras.all_matrices) plane.points = seen_by(part, moving);
+        consider_with_lines(part, plane, 0, cameras.all_matrices ? most_lines : 0);
         for (const int centre : part.points) {
-            CameraMotion star{MotionKind::star, false, centre, moving, {}, {}};
+            CameraMotion star{.kind = MotionKind::star, .centre = centre, .moving = moving};
             if (cameras.all_matrices) star.points = seen_by(part, moving);
             std::erase(star.points, centre);
             consider_with_lines(part, star, 0, cameras.all_matrices ? most_lines : 0);

@@ -122,7 +122,8 @@ struct Explain {
             return "has fewer lines through point " + std::to_string(motion.centre + 1) +
                    ", and maps of these to pencils, than its images say";
         if (motion.kind == MotionKind::plane)
-            return "looks the same when cameras move and keep the images of a plane";
+            return all_matrices ? "looks the same when cameras move and keep the images of a plane"
+                                : "looks the same when cameras move and do not turn";
         const std::string point = " point " + std::to_string(motion.centre + 1);
         return !all_matrices
                    ? "looks the same when cameras slide along their rays to" + point

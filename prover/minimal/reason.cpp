@@ -112,6 +112,11 @@ bool keeps_points(const Problem& problem, const Subproblem& part, const CameraMo
     });
 }
 
+/// What views say of a line, beyond the two numbers of its direction.
+int conditions_in(ViewSet views) {
+    return std::max(0, std::popcount(views) - 2);
+}
+
 /// Motions of one camera, and those of space among the motions of all.
 struct Freedom {
     int camera = 0;
@@ -193,7 +198,6 @@ std::optional<int> motions(const Problem& problem, const Subproblem& part,
                            const CameraMotion& motion) {
     if (motion.kind == MotionKind::none) return 0;
     const CameraModel& cameras = *problem.cameras;
-    if (!cameras.all_matrices && motion.kind == MotionKind::plane) return std::nullopt;
     const Span span = spanned_by(problem, part, motion);
     if (span.rank() > (cameras.all_matrices ? 3 : 0)) return std::nullopt;
     const std::vector<int> costly = costly_lines(problem, part, motion, span);
@@ -205,15 +209,10 @@ std::optional<int> motions(const Problem& problem, const Subproblem& part,
         const Line& line = problem.lines[static_cast<std::size_t>(number)];
         const bool pivots = motion.kind == MotionKind::plane || !cameras.all_matrices ||
                             span.rank() == 3 || span.meets(line);
-        const int views = std::popcount(line.seen & part.views);
-        result -= (pivots ? 1 : 2) * std::max(0, views - 2);
+        const int moving = std::popcount(line.seen & motion.moving);
+        result -= (pivots ? 1 : 2) * std::min(moving, conditions_in(line.seen & part.views));
     }
     return result;
-}
-
-/// What views say of a line, beyond the two numbers of its direction.
-static int conditions_in(ViewSet views) {
-    return std::max(0, std::popcount(views) - 2);
 }
 
 /// What the images say of directions, less the parameters of these and of cameras without their

@@ -81,7 +81,7 @@ TEST_CASE("conditions on images of a new kind are counted") {
     CHECK(outcome_of_record(part) == "holds");
     CHECK(contains(outcome_of_record(with(part, "excess 1", "excess 2")), "the excess is 1"));
     CHECK(contains(outcome_of_record(with(part, "none\n", "plane views 2 points lines\n")),
-                   "translating cameras have no `plane`"));
+                   "does not keep the image of point 1"));
 }
 
 TEST_CASE("solutions of a new kind are counted") {

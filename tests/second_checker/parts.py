@@ -86,7 +86,7 @@ def conditions(problem, part, words, motion):
             (not star or centre in points), "a motion of other views, points or lines")
     on = {j: [i for i in problem.on[j] if i in points] for j in lines}
     rank, points_within, lines_within = span(on, *given)
-    require(rank <= 3 and (projective or star and not any(given)), "no such motion")
+    require(rank <= 3 and (projective or not any(given)), "no such motion")
     costing = [j for j in lines - lines_within
                if problem.lines[j] & moving and centre not in on[j]]
     counting = {i for i in points if problem.points[i] & moving or any(i in on[j] for j in costing)}
@@ -95,5 +95,6 @@ def conditions(problem, part, words, motion):
     gained = {0: 4 if not star else scale, 1: 0 if star else 1}.get(len(views - moving), 0)
     once = not star or not projective or rank == 3
     cost = sum((1 if once or points_within & set(on[j]) else 2) *
-               max(0, len(problem.lines[j] & views) - 2) for j in costing)
+               min(len(problem.lines[j] & moving), max(0, len(problem.lines[j] & views) - 2))
+               for j in costing)
     return due + scale * len(moving) - gained - cost

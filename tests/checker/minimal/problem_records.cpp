@@ -136,9 +136,11 @@ TEST_CASE("a part arises by leaving out lines with two points, and points on two
 TEST_CASE("a motion keeps the images of its part") {
     CHECK(contains(altered(star, "motion star 1 views 1 2 3 points lines",
                            "motion plane views 1 2 3 points 1 lines"),
-                   "calibrated cameras have no `plane`"));
+                   "a motion of calibrated cameras has no generators"));
+    CHECK(contains(altered(star, "motion star 1", "motion plane"),
+                   "does not keep the image of point 1"));
     CHECK(contains(altered(star, "3 points lines", "3 points 1 lines"),
-                   "a star of calibrated cameras has no generators"));
+                   "a motion of calibrated cameras has no generators"));
     CHECK(contains(altered(star, "points 1 lines 1 2 3 4 5 6 7", "points lines 7"),
                    "point 1 is not in the part"));
     CHECK(contains(altered(star, "part views 1 2 3", "part views 1 2"),
@@ -227,7 +229,7 @@ TEST_CASE("cameras known in part satisfy the conditions of projective ones") {
     CHECK(outcome_of_record(six_in_a_plane) == "holds");
     CHECK(contains(altered(six_in_a_plane, "excess 1", "excess 2"), "the excess is 1"));
     CHECK(contains(altered(six_in_a_plane, "projective plane", "plane"),
-                   "shared-focal cameras have no `plane`"));
+                   "a motion of shared-focal cameras has no generators"));
     CHECK(contains(altered(plane, "motion plane", "motion projective plane"),
                    "its cameras are projective"));
     CHECK(altered(six_in_a_plane, "projective plane", "projective").starts_with("syntax"));
@@ -282,4 +284,17 @@ TEST_CASE("lines through a point make pencils that say too much of the cameras")
     CHECK(contains(altered(pencils, "lines 3", "lines 2 3"), "a line of the part is in no pencil"));
     CHECK(contains(altered(pencils, "projective: ", "shared-k: "), "have no `pencils`"));
     CHECK(altered(pencils, "pencils 5", "pencils 6").starts_with("syntax"));
+}
+
+TEST_CASE("cameras move and do not turn: lines cost no more than moving views that see them") {
+    // Camera 5 sees two lines. It moves along both planes in which it sees them.
+    const std::string fifth = "problem upright-shared-focal: P/P/P/P/-/P + P/P/P/P/-/- + "
+                              "-/a/a/a/a/a + a/a/-/-/a/-\n"
+                              "excess 1\n"
+                              "part views 1 2 3 4 5 6 points 1 2 lines 1 2\n"
+                              "motion plane views 5 points lines\n";
+    CHECK(outcome_of_record(fifth) == "holds");
+    CHECK(contains(altered(fifth, "plane views 5", "plane views 4"),
+                   "does not keep the image of point 1"));
+    CHECK(contains(altered(fifth, "excess 1", "excess 2"), "the excess is 1"));
 }
