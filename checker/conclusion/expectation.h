@@ -24,7 +24,7 @@ struct WholeClassification {};
 
 /// That every problem of a family in general has a certificate.
 struct WholeFamily {
-    std::string name{}; // `plmp` or `projective`
+    std::string name{}; // as in FORMAT.md, section 13
 };
 
 /// That a model is minimal, and perhaps its degree.

@@ -49,7 +49,7 @@ void set_certified(FamilyDegree& degree, std::size_t at_least);
 
 /// The numbers of a family of problems in general, beside those of its paper.
 struct FamilyTable {
-    std::string family{}; // `plmp` or `projective`
+    std::string family{}; // its name in FORMAT.md, section 13
     std::vector<Claim> claims{};
     std::vector<FamilyDegree> degrees{};
     std::map<std::size_t, std::size_t> lower_bounds{}; // of degrees: how many problems have each
