@@ -20,7 +20,7 @@ struct Expectation {
     std::string verdict{}; ///< `minimal`, `not-minimal`, ...
     std::string degree{};  ///< `312`, or at least 312, `>=312`
     bool classification = false; ///< that every label class has a certificate
-    std::string family{};        ///< that every problem of it has one: `plmp` or `projective`
+    std::string family{};        ///< that every problem of it has one: `plmp`, `focal`, ...
 };
 
 /// What files prove together, as the command plcheck says it.
