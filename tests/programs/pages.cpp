@@ -1,5 +1,5 @@
-// README.md and docs/: what they show is what the programs print and draw, and what they link is
-// there.
+// README.md, ARTIFACT.md and docs/: what they show is what the programs print and draw, and what
+// they link is there.
 #include "tests/support/program.h"
 
 #include <algorithm>
@@ -14,7 +14,8 @@ const fs::path source = SOURCE_DIR;
 const std::string readme = read_file(source / "README.md");
 
 std::vector<fs::path> pages() {
-    std::vector<fs::path> found{source / "README.md", source / "CHANGELOG.md"};
+    std::vector<fs::path> found{source / "README.md", source / "ARTIFACT.md",
+                                source / "CHANGELOG.md"};
     for (const auto& entry : fs::directory_iterator(source / "docs"))
         if (entry.path().extension() == ".md") found.push_back(entry.path());
     return found;
