@@ -1,5 +1,6 @@
 (** Prints the axioms of each theorem; the Makefile compares them with those expected. *)
-From PL1P Require Import Main Reduction GenericImages ProblemClasses OneReduction Reader Verdict CameraMinimal Dangling.
+From PL1P Require Import Main Reduction GenericImages ProblemClasses OneReduction Reader Verdict CameraMinimal Dangling
+  TerminalClasses.
 Print Assumptions main_theorem.
 Print Assumptions rigidity_theorem.
 Print Assumptions reduction_theorem.
@@ -8,5 +9,6 @@ Print Assumptions problems_theorem.
 Print Assumptions reductions_theorem.
 Print Assumptions camera_minimal_theorem.
 Print Assumptions replacements_theorem.
+Print Assumptions terminal_theorem.
 Print Assumptions reader_theorem.
 Print Assumptions verdicts_theorem.

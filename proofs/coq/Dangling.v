@@ -26,37 +26,6 @@ Lemma all_views (p : view -> bool) : (forall v, p v) -> all p views. Proof. by m
 Lemma normal_dot (K : fieldType) (C : camera K) X d : dot (normal C X d) (project C X) = 0.
 Proof. by rewrite /normal /dot /cross /=; ring. Qed.
 
-(** ** What a derivation kills, of one feature *)
-Section Dead.
-Variables (F K : fieldType) (c0 : {rmorphism F -> K}) (D : K -> K) (g : feature) (x : nat -> K).
-Hypothesis hD : derivation c0 D.
-Hypothesis hX : dead D (point_at g x).
-Lemma kept_dead c : feasible g c -> ~~ nothing (keep g c) -> (forall i, i \in c.2 -> dead D (dir_at g x i)) ->
-  killed D (kept_parameters (g, x) c).
-Proof.
-case/and3P=> _ _ fc nn hd; rewrite /kept_parameters killed_cat killed_flatten; apply/andP; split; last first.
-  by apply/allP => i /hd[/= e1 e2 _]; rewrite e1 e2 !eqxx.
-set Y := if c.1 then _ else _; have hY : dead D Y.
-  rewrite /Y; case c1: (c.1) fc => //= fc; apply: (dead_add hD hX).
-  have [|e1 e2 e3] := hd (head 0%N c.2).
-    by move: nn; rewrite /nothing /= c1 orbT /=; case: (c.2) => // i s _; exact: mem_head.
-  case: hX => _ _ e; split; rewrite /= (derM hD) (derN hD) e oppr0 ?mul0r add0r.
-  - by rewrite [X in _ * X]e1 mulr0.
-  - by rewrite [X in _ * X]e2 mulr0.
-  - by rewrite (der1 hD) mulr0.
-by case: hY => e1 e2 e3; case: ifP => _; rewrite /killed /= e1 e2 ?e3 !eqxx.
-Qed.
-Lemma lost_dead c C l : dead_camera D C ->
-  (forall i, i \in l.2 -> i \notin c.2 -> killed D (line_image l.1 (normal C (point_at g x) (dir_at g x i)))) ->
-  killed D (lost_image (g, x) c C l).
-Proof.
-move=> hC hl; rewrite /lost_image killed_cat killed_flatten; apply/andP; split; last first.
-  by apply/allP => i; rewrite mem_filter => /andP[ic il]; exact: hl.
-have := dead_point hD (dead_project hD hC hX); case: ifP => // _; case: ifP => // _.
-by rewrite /killed /= => /andP[-> _].
-Qed.
-End Dead.
-
 (** ** The pin turns *)
 Section Move.
 Variables (F : fieldType) (n o : nat) (f : feature) (j : nat) (u v : view).
@@ -187,17 +156,6 @@ Lemma scene_all (G : feature * (nat -> R) -> bool) o A : is_problem A ->
 Proof.
 elim: A o => //= f A IH o /andP[pf pA] h; apply/andP; split; first by apply: h => //; rewrite leq_add2l leq_addr.
 apply: IH => // g o' pg le le'; apply: h => //; last by rewrite addnA.
-by apply: leq_trans le; exact: leq_addr.
-Qed.
-Lemma scene_all_zip (G : feature * (nat -> R) * selection -> bool) o A cs : is_problem A ->
-  all (fun fc => feasible fc.1 fc.2) (zip A cs) ->
-  (forall g o' c, proper g -> feasible g c -> (o <= o')%N ->
-    (o' + dim3 g <= o + sumn [seq dim3 f | f <- A])%N -> G (g, fun k => x (o' + k)%N, c)) ->
-  all G (zip (scene x o A) cs).
-Proof.
-elim: A o cs => [|f A IH] o [|c cs] //= /andP[pf pA] /andP[fc fs] h; apply/andP; split.
-  by apply: h => //; rewrite leq_add2l leq_addr.
-apply: IH => // g o' c' pg fc' le le'; apply: h => //; last by rewrite addnA.
 by apply: leq_trans le; exact: leq_addr.
 Qed.
 End All.

@@ -17,22 +17,25 @@ elim: A => [|f A IH] /=; first exact: perm_nil.
 case: (p f) => /=; first exact: perm_skip.
 by apply: Permutation_trans (perm_skip f IH) _; exact: Permutation_middle.
 Qed.
-Lemma sorted_permutation n A : all (fun f => index_of f < n) A ->
-  Permutation A (flatten [seq [seq f <- A | index_of f == i] | i <- iota 0 n]).
+Lemma sorted_permutation (idx : feature -> nat) n A : all (fun f => idx f < n) A ->
+  Permutation A (flatten [seq [seq f <- A | idx f == i] | i <- iota 0 n]).
 Proof.
 elim: n A => [|n IH] A; first by case: A => // _; exact: perm_nil.
 move=> lt; rewrite -addn1 iotaD map_cat flatten_cat /= cats0 add0n.
-apply: Permutation_trans (filter_permutation (fun f => index_of f < n) A) _.
-have -> : filter (predC (fun f => index_of f < n)) A = [seq f <- A | index_of f == n].
+apply: Permutation_trans (filter_permutation (fun f => idx f < n) A) _.
+have -> : filter (predC (fun f => idx f < n)) A = [seq f <- A | idx f == n].
   elim: A lt => //= f A IHA /andP[le /IHA ->]; rewrite ltnS in le.
   by rewrite ltn_neqAle le andbT negbK.
 apply: Permutation_app; last exact: Permutation_refl.
-have h : all (fun f => index_of f < n) [seq f <- A | index_of f < n] by exact: filter_all.
+have h : all (fun f => idx f < n) [seq f <- A | idx f < n] by exact: filter_all.
 apply: Permutation_trans (IH _ h) _.
-rewrite (_ : map _ _ = [seq [seq f <- A | index_of f == i] | i <- iota 0 n]); first exact: Permutation_refl.
+rewrite (_ : map _ _ = [seq [seq f <- A | idx f == i] | i <- iota 0 n]); first exact: Permutation_refl.
 apply/eq_in_map => i; rewrite mem_iota add0n /= => lt'; rewrite -filter_predI; apply: eq_filter => f /=.
 by case: eqP => // ->.
 Qed.
+Lemma all2_cat (a1 b1 a2 b2 : problem) : all2 same a1 b1 -> all2 same a2 b2 ->
+  all2 same (a1 ++ a2) (b1 ++ b2).
+Proof. by elim: a1 b1 => [|x a1 IH1] [|y b1] //= /andP[-> /IH1 h1] /h1. Qed.
 Lemma same_block A i : i < 27 ->
   all2 same [seq f <- A | index_of f == i] (nseq (count (fun f => index_of f == i) A) (ft i)).
 Proof.
@@ -42,10 +45,8 @@ Lemma known_same A : known A -> same_problem A (problem_of (signature_of A)).
 Proof.
 move=> kA; exists (flatten [seq [seq f <- A | index_of f == i] | i <- iota 0 27]);
   first exact: sorted_permutation.
-have cat (a1 b1 a2 b2 : problem) : all2 same a1 b1 -> all2 same a2 b2 -> all2 same (a1 ++ a2) (b1 ++ b2).
-  by elim: a1 b1 => [|x a1 IH1] [|y b1] //= /andP[-> /IH1 h1] /h1.
 rewrite /problem_of; have : all (fun i => i < 27) (iota 0 27) by apply/allP => i; rewrite mem_iota.
-elim: (iota 0 27) => // i l IH /andP[lt /IH h]; apply: cat h; rewrite nth_mkseq //; exact: same_block.
+elim: (iota 0 27) => // i l IH /andP[lt /IH h]; apply: all2_cat h; rewrite nth_mkseq //; exact: same_block.
 Qed.
 
 Lemma same_count (p : pred feature) A B : (forall f g, proper f -> proper g -> same f g -> p f = p g) ->
