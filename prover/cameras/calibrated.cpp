@@ -20,32 +20,32 @@ struct QuaternionAndTranslation {
             result[i] = {rotation[i][0], rotation[i][1], rotation[i][2], n[4 + i]};
         return result;
     }
-};
 
-/// Turns as [w]x R does at w = 0. Of the second camera, the first coordinate of the translation is
-/// kept.
-template <class T>
-MovingCamera<T> placed(const CameraModel&, const Coordinates& numbers, bool second) {
-    std::array<T, QuaternionAndTranslation::numbers> values;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = T(numbers[i]);
-    MovingCamera<T> camera{QuaternionAndTranslation::matrix(values.data()), {}, {}};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
-        CameraMatrix<T> turn{};
-        for (std::size_t j = 0; j < 3; ++j) {
-            turn[next][j] = T{} - camera.matrix[last][j];
-            turn[last][j] = camera.matrix[next][j];
+    /// Turns as [w]x R does at w = 0. Of the second camera, the first coordinate of the translation
+    /// is kept.
+    template <class T>
+    static MovingCamera<T> placed(const CameraModel&, const Coordinates& given, bool second) {
+        std::array<T, numbers> values;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = T(given[i]);
+        MovingCamera<T> camera{matrix(values.data()), {}, {}};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+            CameraMatrix<T> turn{};
+            for (std::size_t j = 0; j < 3; ++j) {
+                turn[next][j] = T{} - camera.matrix[last][j];
+                turn[last][j] = camera.matrix[next][j];
+            }
+            camera.derivative.push_back(turn);
         }
-        camera.derivative.push_back(turn);
+        for (std::size_t i = second ? 1 : 0; i < 3; ++i) {
+            CameraMatrix<T> shift{};
+            shift[i][3] = T(1);
+            camera.derivative.push_back(shift);
+        }
+        return camera;
     }
-    for (std::size_t i = second ? 1 : 0; i < 3; ++i) {
-        CameraMatrix<T> shift{};
-        shift[i][3] = T(1);
-        camera.derivative.push_back(shift);
-    }
-    return camera;
-}
+};
 
 /// The matrix is quadratic in the quaternion, so t is multiplied by the square of its factor.
 void normalise(Complex* numbers, bool second, Complex& depths) {
@@ -76,8 +76,6 @@ constinit const CameraModel calibrated_cameras =
                                         .scaled_in_second = quaternion_and_translation,
                                         .normalise = normalise,
                                         .is_camera = is_camera,
-                                        .tracked = TrackedForm::quaternion,
-                                        .over_integers = placed<std::int64_t>,
-                                        .modulo_q = placed<Modular>});
+                                        .tracked = TrackedForm::quaternion});
 
 } // namespace plprove

@@ -54,8 +54,8 @@ MovingCamera<T> placed_by_coordinates(const CameraModel& model, const Coordinate
 
 /// The model with all that follows from the map: Map::matrix(const T* numbers) is the matrix, a
 /// function of Map::numbers numbers of the camera and then of Map::shared shared ones, over any
-/// ring T with +, - and *, where T{} is 0. A model that says itself how a camera of a certificate
-/// moves keeps that.
+/// ring T with +, - and *, where T{} is 0. How a camera of a certificate moves, the map may say
+/// itself (Map::placed).
 template <class Map>
 constexpr CameraModel with_map(CameraModel model) {
     static_assert(Map::numbers + Map::shared <= most_camera_numbers);
@@ -65,9 +65,13 @@ constexpr CameraModel with_map(CameraModel model) {
     model.matrix = Map::template matrix<Complex>;
     model.derivative = derivative_along<Map, Complex>;
     model.polynomials = Map::template matrix<NumberPolynomial>;
-    if (model.over_integers == nullptr)
+    if constexpr (requires { Map::template placed<Modular>; }) {
+        model.over_integers = Map::template placed<std::int64_t>;
+        model.modulo_q = Map::template placed<Modular>;
+    } else {
         model.over_integers = placed_by_coordinates<Map, std::int64_t>;
-    if (model.modulo_q == nullptr) model.modulo_q = placed_by_coordinates<Map, Modular>;
+        model.modulo_q = placed_by_coordinates<Map, Modular>;
+    }
     return model;
 }
 

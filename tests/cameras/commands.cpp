@@ -1,5 +1,5 @@
 // A new kind of cameras is one file of the prover and one of the checker: the commands, linked with
-// level.cpp of both, decide problems of such cameras, find their solutions and certify both.
+// zooming.cpp of both, decide problems of such cameras, find their solutions and certify both.
 #include "tests/support/program.h"
 #include "tests/support/text.h"
 
@@ -39,23 +39,23 @@ void check_solutions(const std::string& problem, const std::string& count) {
 } // namespace
 
 TEST_CASE("plprove decides problems of a new kind, and plcheck replays its certificates") {
-    CHECK(contains(decided("level: 3*P/P", "minimal"),
-                   "cameras     2 level\n"
+    CHECK(contains(decided("zooming: 3*P/P", "minimal"),
+                   "cameras     2 zooming\n"
                    "dimensions  scene 9 + cameras 3 = images 12: balanced\n"
                    "verdict     minimal\n"));
-    CHECK(contains(decided("level: 2*P/P/P", "not-minimal"), "scene 6 + cameras 7 against images "
-                                                             "12: unbalanced\n"));
+    CHECK(contains(decided("zooming: 2*P/P/P", "not-minimal"), "scene 6 + cameras 7 against images "
+                                                               "12: unbalanced\n"));
     // Of view 3 nothing but the first point and its pins: camera 3 may slide.
-    CHECK(contains(decided("level: Pab/Pab/Pab + 2*P/P/-", "not-minimal"),
+    CHECK(contains(decided("zooming: Pab/Pab/Pab + 2*P/P/-", "not-minimal"),
                    "looks the same when cameras slide along their rays to point 1"));
-    CHECK(contains(decided("level: 4*P/P/- + 3*P/-/P", "not-minimal"),
+    CHECK(contains(decided("zooming: 4*P/P/- + 3*P/-/P", "not-minimal"),
                    "the part of points 1 2 3 4 and lines - in views 1 2 has fewer parameters"));
-    CHECK(contains(decided("level: 2*P/P/- + 2*P/-/P + 3*-/P/P", "minimal"), "minimal"));
+    CHECK(contains(decided("zooming: 2*P/P/- + 2*P/-/P + 3*-/P/P", "minimal"), "minimal"));
 }
 
 TEST_CASE("the solutions of problems of a new kind are found and certified") {
     if (contains(run(plcheck + " --version").out, "without Arb")) return;
     // F. Fraundorfer, P. Tanskanen, M. Pollefeys (ECCV 2010): four of three points.
-    check_solutions("level: 3*P/P", "4");
-    check_solutions("level: Pa/Pa/Pa + P/P/P", "6");
+    check_solutions("zooming: 3*P/P", "4");
+    check_solutions("zooming: Pa/Pa/Pa + P/P/P", "6");
 }

@@ -54,7 +54,7 @@ TEST_CASE("the list of kinds has those of the checker and the new ones") {
     CHECK(names == std::vector<std::string_view>{"calibrated", "focal", "projective",
                                                  "shared-focal", "shared-focal-center", "shared-k",
                                                  "upright", "upright-focal", "upright-shared-focal",
-                                                 "level", "translating"});
+                                                 "zooming", "translating"});
 }
 
 TEST_CASE("problems of a new kind are decided") {
