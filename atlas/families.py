@@ -1,5 +1,5 @@
-"""Writes the problems of a family as JSON, for the page of two more papers:
-python3 atlas/families.py build/bin/plprove plmp|projective
+"""Writes the problems of a family as JSON, for the page of families:
+python3 atlas/families.py build/bin/plprove FAMILY
 
 Of each problem it has what `plprove list --family` says.
 """

@@ -1,10 +1,11 @@
-// Two more papers: their counts beside the certified ones, and a list of all problems. The address
-// has the filters, and after its # the problem whose certificate is open.
+// The families of problems that all views see whole: their counts, beside those of papers, and a list
+// of all problems. The address has the filters, and after its # the problem whose certificate is
+// open.
 import { checkOnClick } from "./check_view.js";
 import { atlasFile } from "./checker.js";
 import { builtCaption, countsTable, ownCaption, type Claim } from "./claims.js";
 import { byId, withCommas } from "./elements.js";
-import { type Family, isFamily, type Member, membersOf } from "./family.js";
+import { families, type Family, isFamily, type Member, membersOf } from "./family.js";
 import { memberView } from "./member_view.js";
 
 interface FamilyClaims {
@@ -35,8 +36,8 @@ function connectCheck(family: Family): void {
         partOf(section, "check-now", HTMLButtonElement),
         partOf(section, "check-place", HTMLElement),
         { options: ["--family", family], files: [atlasFile(`certs/${family}.plc`)] },
-        ({ families }: { families: FamilyClaims[] }) => {
-            for (const claims of families) showClaims(claims, ownCaption);
+        (report: { families: FamilyClaims[] }) => {
+            for (const claims of report.families) showClaims(claims, ownCaption);
         },
     );
 }
@@ -103,7 +104,7 @@ function keepInAddress(): void {
  * they go. */
 async function openNamed(): Promise<void> {
     const id = location.hash.slice(1);
-    const family = id.split("-")[0];
+    const family = id.replace(/-\d+$/, "");
     if (!isFamily(family) || id === family) return;
     if (!document.getElementById(id)) {
         setFilters((name, standard) => (name === "family" ? family : standard));
@@ -118,8 +119,7 @@ async function openNamed(): Promise<void> {
     item.scrollIntoView();
 }
 
-connectCheck("plmp");
-connectCheck("projective");
+for (const family of families) connectCheck(family);
 form.addEventListener("submit", (event) => event.preventDefault());
 form.addEventListener("input", () => {
     keepInAddress();

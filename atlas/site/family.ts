@@ -2,10 +2,22 @@
 // the archive. Each file is loaded once, when it is wanted.
 import type { GeneralDegree } from "./prover.js";
 
-export type Family = "plmp" | "projective";
+export const families = [
+    "plmp",
+    "projective",
+    "shared-focal",
+    "focal",
+    "shared-focal-center",
+    "shared-k",
+    "upright",
+    "upright-shared-focal",
+    "upright-focal",
+] as const;
+
+export type Family = (typeof families)[number];
 
 export function isFamily(name: string | undefined): name is Family {
-    return name === "plmp" || name === "projective";
+    return families.some((family) => family === name);
 }
 
 /** A problem of the family, as atlas/families.py has it from the program. */

@@ -41,7 +41,7 @@ export function showGeneralProblem(answer: GeneralAnswer, place: HTMLElement): v
     const { general: report, certificate: text } = answer;
     const { problem, name, minimal, cameras } = report;
     document.title = `${name} · Atlas of point-line problems`;
-    const family = cameras === "projective" ? "projective" : "plmp";
+    const family = cameras === "calibrated" ? "plmp" : cameras;
     place.replaceChildren(
         make("h1", {}, name),
         make("p", { class: "asked" }, notation(problem)),

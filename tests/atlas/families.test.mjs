@@ -1,5 +1,5 @@
-// The page of two more papers: all problems of both families, their filters and addresses, and
-// their certificates, replayed in the browser.
+// The page of families: all problems of each, their filters and addresses, and their certificates,
+// replayed in the browser.
 import { after, before, test } from "node:test";
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
@@ -10,8 +10,8 @@ import { open, outcomeOf, root, textOf, until, violationsOf } from "./browser.mj
 
 const plcheck = path.join(root, "build/bin/plcheck");
 const plprove = path.join(root, "build/bin/plprove");
-const sizes = { plmp: 39, projective: 660 };
-const minimal = { plmp: 30, projective: 293 };
+const sizes = { plmp: 39, projective: 660, "upright-shared-focal": 15 };
+const minimal = { plmp: 30, projective: 293, "upright-shared-focal": 8 };
 
 let atlas;
 before(async () => (atlas = await open()));
@@ -48,14 +48,14 @@ for (const [family, size] of Object.entries(sizes)) {
         await page.click(`#${family} .check-now`);
         const { state, output } = await outcomeOf(page, `#${family}`);
         assert.match(state, /^VERIFIED/);
-        const archive = `certs/${family}.plc`;
-        const words = ["--family", family, archive];
-        assert.equal(output, execFileSync(plcheck, words, { cwd: root, encoding: "utf8" }));
+        const words = ["--family", family, `certs/${family}.plc`];
+        const folder = { cwd: path.join(root, "build/atlas"), encoding: "utf8" };
+        assert.equal(output, execFileSync(plcheck, words, folder));
         assert.match(output, new RegExp(`all ${size} problems are certified, ${minimal[family]} `));
         assert.match(await page.textContent(`#${family} caption`), /your browser just derived/);
         const rows = await page.locator(`#${family} tbody tr`).allTextContents();
         const { families } = JSON.parse(
-            execFileSync(plcheck, ["--json", ...words], { cwd: root, encoding: "utf8" }),
+            execFileSync(plcheck, ["--json", ...words], folder),
         );
         assert.deepEqual(
             rows,
@@ -67,7 +67,7 @@ for (const [family, size] of Object.entries(sizes)) {
     });
 
     test(`an archive of ${family} that was tampered with is refused, with its reason`, async () => {
-        const text = readFileSync(path.join(root, `certs/${family}.plc`), "utf8");
+        const text = readFileSync(path.join(root, `build/atlas/certs/${family}.plc`), "utf8");
         const tampered = text.replace(/^scene -?\d+/m, "scene 99");
         assert.notEqual(tampered, text);
         const folder = mkdtempSync(path.join(tmpdir(), "atlas-"));
@@ -86,6 +86,23 @@ for (const [family, size] of Object.entries(sizes)) {
         assert.match(output, /plc:\d+: .*minor/);
     });
 }
+
+test("each family has its counts and its list", async () => {
+    const page = await visit();
+    const families = await page.locator("[name=family] option").evaluateAll((all) => all.map((o) => o.value));
+    assert.equal(families.length, 9);
+    for (const family of families) {
+        await page.selectOption("[name=family]", family);
+        const listed = lists("--family", family);
+        const total = `${listed.length} of ${listed.length} problems`;
+        await until(page, (text) => document.querySelector("#total").textContent === text, total);
+        assert.deepEqual(await notations(page), listed);
+        const counts = await page.locator(`#${family} tbody tr`).allTextContents();
+        assert.match(counts.join("|"), new RegExp(`[^0-9]${lists("--family", family, "--minimal").length}`));
+    }
+    const hyphens = await visit("#upright-shared-focal-1");
+    assert.match(await textOf(hyphens, "#upright-shared-focal-1 .record"), /^problem upright-shared-focal: /m);
+});
 
 test("the problems are filtered by views and verdict, and the address keeps the filters", async () => {
     const page = await visit();
