@@ -33,7 +33,10 @@ What do you expect? Status 0 then says that the files prove just that:
                          over-constrained
     --degree N           exactly N solutions for the cameras; '>=N' at least N
     --classification     that every label class has a certificate
-    --family FAMILY      that every problem of it has one: plmp, or projective
+    --family FAMILY      that every problem of it has one: plmp, projective, or what plprove list
+                         --family names for other cameras
+    --expect-list FILE   that every problem of a list has one, one problem a line, in any order and
+                         spelling; with --verdict, that each has this verdict
 
 What to print, beside a line for each file and a summary; the last line is the result:
     --table              every count and every degree, beside those of the paper

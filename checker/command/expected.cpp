@@ -49,18 +49,39 @@ static bool only_in_general(std::string_view notation) {
            std::ranges::count(feature, '/') > 2;
 }
 
-/// The problem by section 13 if only that may spell it, else by section 1.
-static ExpectedProblem parse_expected(std::string_view notation) {
+/// The problem by section 13 if only that may spell it, else by section 1. The option, and the line
+/// of a list, are named where it is refused.
+static ExpectedProblem parse_expected(std::string_view notation, const std::string& where) {
     const bool in_general = only_in_general(notation);
     try {
         return {.notation = printable(notation, 4096),
                 .problem = parse_problem(notation, in_general ? section_13 : section_1),
                 .in_general = in_general};
     } catch (const Malformed& malformed) {
-        throw WrongUsage{say("--expect ", printable(notation, 200), ": ",
-                             malformed.complaint.reason,
+        throw WrongUsage{say(where, printable(notation, 200), ": ", malformed.complaint.reason,
                              "; write it like '2*Pa/Pa/Pa + P/P/P', in quotes")};
     }
+}
+
+static Expectation list_of(const ExpectedWords& words) {
+    if (words.problem || words.degree || words.classification || words.family)
+        throw WrongUsage{"--expect-list expects all problems of a list; leave out --expect, "
+                         "--degree, --classification and --family"};
+    const std::string file(*words.list);
+    std::ifstream stream(file);
+    WholeList expected{.file = printable(file, 4096)};
+    if (words.verdict) expected.verdict = checked_verdict(*words.verdict);
+    std::size_t number = 0;
+    for (std::string line; std::getline(stream, line);) {
+        ++number;
+        if (line.empty() || line.front() == '#') continue;
+        const std::string where = say(expected.file, ", line ", number, ": ");
+        expected.entries.push_back({number, parse_expected(line, where)});
+    }
+    if (!stream.eof()) throw WrongUsage{say("--expect-list: ", expected.file, " cannot be read")};
+    if (expected.entries.empty())
+        throw WrongUsage{say(expected.file, " has no problem; write one a line")};
+    return expected;
 }
 
 static Expectation family_of(const ExpectedWords& words) {
@@ -93,6 +114,7 @@ static Expectation model_of(const ExpectedWords& words) {
 }
 
 Expectation expectation_of(const ExpectedWords& words) {
+    if (words.list) return list_of(words);
     if (words.family) return family_of(words);
     if (words.classification) {
         if (words.problem || words.verdict || words.degree)
@@ -108,7 +130,7 @@ Expectation expectation_of(const ExpectedWords& words) {
     if (!words.verdict && !words.degree)
         throw WrongUsage{"say what to expect of the problem: add --verdict minimal, or --degree N"};
     if (words.problem->ends_with(".model")) return model_of(words);
-    ExpectedProblem expected = parse_expected(*words.problem);
+    ExpectedProblem expected = parse_expected(*words.problem, "--expect ");
     if (words.verdict) expected.verdict = checked_verdict(*words.verdict);
     if (words.degree) expected.degree = parse_degree(*words.degree);
     return expected;

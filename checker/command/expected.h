@@ -7,6 +7,7 @@ namespace checker {
 /// The values of the options of plcheck with these names; none where the option is not given.
 struct ExpectedWords {
     std::optional<std::string_view> problem{}; // of --expect
+    std::optional<std::string_view> list{};    // of --expect-list
     std::optional<std::string_view> verdict{};
     std::optional<std::string_view> degree{};
     std::optional<std::string_view> family{};

@@ -71,6 +71,8 @@ static void take_option(Arguments& arguments, Options& options, ExpectedWords& e
         expected.classification = true;
     else if (is(option, "--expect"))
         set(expected.problem, "--expect", arguments.value_of(option));
+    else if (is(option, "--expect-list"))
+        set(expected.list, "--expect-list", arguments.value_of(option));
     else if (is(option, "--verdict"))
         set(expected.verdict, "--verdict", arguments.value_of(option));
     else if (is(option, "--degree"))

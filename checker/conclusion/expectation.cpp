@@ -20,6 +20,7 @@ std::string in_words(const Expectation& expectation) {
                              : say(model->file, " is minimal");
     if (const auto* family = std::get_if<WholeFamily>(&expectation))
         return "the family " + family->name;
+    if (const auto* list = std::get_if<WholeList>(&expectation)) return "the list " + list->file;
     const bool whole = std::holds_alternative<WholeClassification>(expectation);
     return whole ? "the whole table" : "";
 }

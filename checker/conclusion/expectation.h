@@ -34,9 +34,20 @@ struct ExpectedModel {
     std::optional<ExpectedDegree> degree{};
 };
 
+/// That each problem of a list has a certificate, perhaps of this verdict.
+struct WholeList {
+    struct Entry {
+        std::size_t line = 0; // of the file, from 1
+        ExpectedProblem problem{};
+    };
+    std::string file{};    // printable
+    std::string verdict{}; // as that of ExpectedProblem
+    std::vector<Entry> entries{};
+};
+
 /// What is expected; nothing in particular by default.
-using Expectation =
-    std::variant<std::monostate, ExpectedProblem, WholeClassification, WholeFamily, ExpectedModel>;
+using Expectation = std::variant<std::monostate, ExpectedProblem, WholeClassification, WholeFamily,
+                                 WholeList, ExpectedModel>;
 
 /// The verdicts that one can expect. All but `not-minimal` are those of FORMAT.md, section 7; a
 /// minimal problem is camera-minimal, too. `not-minimal` is any verdict but `minimal`.

@@ -19,17 +19,19 @@ template <class Kind> static std::vector<const ReplayedFile*> files_of(const Fin
     return files;
 }
 
-std::optional<ProvedInGeneral> prove_in_general(const Findings& findings, const Problem& problem) {
-    ByProblem<std::optional<ProvedInGeneral>> proved;
+ByProblem<ProvedInGeneral> verdicts_in_general(const Findings& findings) {
+    ByProblem<ProvedInGeneral> verdicts;
+    const auto add = [&](const Problem& problem, bool minimal, const std::string& file) {
+        ProvedInGeneral& first = verdicts[problem];
+        if (first.file.empty()) first = {minimal, file};
+    };
     for (const ReplayedFile* file : files_of<ProblemsFile>(findings))
-        for (const ProblemVerdict& verdict : std::get<ProblemsFile>(file->content).verdicts) {
-            std::optional<ProvedInGeneral>& first = proved[verdict.problem];
-            if (!first) first = ProvedInGeneral{verdict.minimal, file->name};
-        }
-    if (const auto* found = proved.find(problem)) return *found;
-    const CountedInGeneral counted = count_in_general(findings, problem);
-    if (counted.solutions > 0) return ProvedInGeneral{true, counted.file};
-    return std::nullopt;
+        for (const ProblemVerdict& verdict : std::get<ProblemsFile>(file->content).verdicts)
+            add(verdict.problem, verdict.minimal, file->name);
+    for (const ReplayedFile* file : files_of<SolutionsFile>(findings))
+        for (const SolutionCount& count : std::get<SolutionsFile>(file->content).counts)
+            if (count.solutions > 0) add(count.problem, true, file->name);
+    return verdicts;
 }
 
 ByProblem<CountedInGeneral> counts_in_general(const Findings& findings) {

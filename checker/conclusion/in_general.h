@@ -11,8 +11,8 @@ struct ProvedInGeneral {
     std::string file{};
 };
 
-/// Finds the problem among verdicts or solutions; none if no record is about it.
-std::optional<ProvedInGeneral> prove_in_general(const Findings& findings, const Problem& problem);
+/// What records of verdicts prove of each problem, or else records of solutions.
+ByProblem<ProvedInGeneral> verdicts_in_general(const Findings& findings);
 
 /// So many solutions a problem has at least, and the file that proves it.
 struct CountedInGeneral {

@@ -55,24 +55,30 @@ static std::string judge_degree(Judgement& judgement, const KnownDegree& known, 
     return {};
 }
 
+/// What a proof misses of an expected verdict, or of any if none is named; empty if nothing.
+static std::string missing(const Proved& proved, const std::string& expected) {
+    if (proved.verdict.empty())
+        return "no file says whether it is; add its certificate, which plprove problem PROBLEM "
+               "--certificate FILE writes";
+    const bool holds = expected.empty() || implies(proved.verdict, expected);
+    return holds ? "" : "it is certified " + proved.verdict;
+}
+
 /// Judges the verdict: adds the step, returns what is missing.
 static std::string judge_verdict(Judgement& judgement, const Proved& proved,
                                  const std::string& expected) {
     if (!proved.verdict.empty())
         judgement.why.push_back(say("it is ", proved.verdict, ", by ", proved.file));
     if (expected.empty()) return {};
-    if (proved.verdict.empty())
-        return "no file says whether it is; add its certificate, which plprove problem PROBLEM "
-               "--certificate FILE writes";
-    if (!implies(proved.verdict, expected)) return "it is certified " + proved.verdict;
-    add_file(judgement, proved.file);
-    return {};
+    const std::string gap = missing(proved, expected);
+    if (gap.empty()) add_file(judgement, proved.file);
+    return gap;
 }
 
 Judgement judge(const Classification& classes, const Findings& findings,
                 const ExpectedProblem& expected) {
     Judgement judgement;
-    const Proved proved = prove(classes, findings, expected);
+    const Proved proved = prove(classes, findings, verdicts_in_general(findings), expected);
     std::string gap = judge_verdict(judgement, proved, expected.verdict);
     if (gap.empty() && expected.degree) {
         if (!proved.file.empty()) add_file(judgement, proved.file);
@@ -128,6 +134,36 @@ Judgement judge(const Findings& findings, const WholeFamily& expected) {
                               " problems are certified, ", minimal, " minimal");
     judgement.files = {file->name};
     judgement.why.push_back("each problem of the family has a record that holds");
+    return judgement;
+}
+
+Judgement judge(const Classification& classes, const Findings& findings,
+                const WholeList& expected) {
+    const ByProblem<ProvedInGeneral> in_general = verdicts_in_general(findings);
+    Judgement judgement;
+    std::vector<std::string> gaps;
+    std::size_t minimal = 0;
+    for (const auto& [line, problem] : expected.entries) {
+        const Proved proved = prove(classes, findings, in_general, problem);
+        const std::string gap = missing(proved, expected.verdict);
+        if (!gap.empty())
+            gaps.push_back(say("line ", line, ", ", problem.notation, ": ", gap));
+        else
+            add_file(judgement, proved.file);
+        if (proved.verdict == "minimal") ++minimal;
+    }
+    const std::size_t all = expected.entries.size();
+    judgement.verified = gaps.empty();
+    judgement.statement = in_words(expected) + ": ";
+    if (!gaps.empty()) {
+        judgement.statement +=
+            say(gaps.size(), " of ", all, " problems are not certified so; the first is in ",
+                gaps.front());
+        judgement.why = gaps;
+        return judgement;
+    }
+    judgement.statement += say("all ", all, " problems are certified, ", minimal, " minimal");
+    judgement.why.push_back("each problem of the list has a record that holds");
     return judgement;
 }
 } // namespace checker

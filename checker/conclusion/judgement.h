@@ -16,4 +16,5 @@ Judgement judge(const Classification& classes, const Findings& findings,
                 const ExpectedProblem& expected);
 Judgement judge(const Classification& classes, const Findings& findings, WholeClassification);
 Judgement judge(const Findings& findings, const WholeFamily& expected);
+Judgement judge(const Classification& classes, const Findings& findings, const WholeList& expected);
 } // namespace checker

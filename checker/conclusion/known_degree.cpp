@@ -109,7 +109,7 @@ KnownDegree degree_of(const Classification& classes, const Findings& findings, c
 std::optional<std::size_t> class_asked(const Classification& classes, const Findings& findings,
                                        const ExpectedProblem& expected) {
     if (!expected.degree) return std::nullopt;
-    const Proved proved = prove(classes, findings, expected);
+    const Proved proved = prove(classes, findings, verdicts_in_general(findings), expected);
     return implies(proved.verdict, "camera-minimal") ? proved.number : std::nullopt;
 }
 } // namespace checker

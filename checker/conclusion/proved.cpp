@@ -93,10 +93,10 @@ static Proved prove_by_class(const Classification& classes, const Findings& find
 }
 
 Proved prove(const Classification& classes, const Findings& findings,
-             const ExpectedProblem& expected) {
+             const ByProblem<ProvedInGeneral>& in_general, const ExpectedProblem& expected) {
     Proved proved = prove_by_class(classes, findings, expected.problem);
     if (!proved.verdict.empty()) return proved;
-    const auto found = prove_in_general(findings, expected.problem);
+    const ProvedInGeneral* found = in_general.find(expected.problem);
     if (!found) return proved;
     proved.verdict = found->minimal ? "minimal" : "not-minimal";
     proved.file = found->file;

@@ -21,9 +21,9 @@ struct Proved {
 };
 
 /// By a problem file about the problem, else by the record of its class in a classification, or
-/// else by a file of problems in general.
+/// else by what files prove of problems in general.
 Proved prove(const Classification& classes, const Findings& findings,
-             const ExpectedProblem& expected);
+             const ByProblem<ProvedInGeneral>& in_general, const ExpectedProblem& expected);
 
 /// Whether a verdict says what is expected, or implies it.
 bool implies(const std::string& verdict, const std::string& expected);

@@ -1,7 +1,7 @@
 #include "checker/family/rows.h"
 
 #include "checker/family/degree_bound.h"
-#include "checker/minimal/part.h"
+#include "checker/reasons/part.h"
 
 #include <array>
 

@@ -4,7 +4,7 @@
 
 #include "checker/minimal/block.h"
 #include "checker/minimal/obstruction.h"
-#include "checker/minimal/part.h"
+#include "checker/reasons/part.h"
 
 #include <variant>
 

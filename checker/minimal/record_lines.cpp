@@ -60,16 +60,23 @@ static Views read_views(Reader& reader, const Problem& problem, std::size_t leas
     return views;
 }
 
-/// Takes `views ... points ... lines ...` and the end of the line.
-static Selection read_selection(Reader& reader, const Problem& problem, std::size_t least_views) {
+/// Takes `points ... lines ...` and the end of the line.
+static Selection read_points_and_lines(Reader& reader, const Problem& problem) {
     Selection selection;
-    reader.take("views");
-    selection.views = read_views(reader, problem, least_views, "points");
     reader.take("points");
     selection.points = read_list(reader, problem.points.size(), "lines");
     reader.take("lines");
     selection.lines = read_list(reader, problem.lines.size(), "");
     reader.end_line();
+    return selection;
+}
+
+/// Takes `views ... points ... lines ...` and the end of the line.
+static Selection read_selection(Reader& reader, const Problem& problem, std::size_t least_views) {
+    reader.take("views");
+    const Views views = read_views(reader, problem, least_views, "points");
+    Selection selection = read_points_and_lines(reader, problem);
+    selection.views = views;
     return selection;
 }
 
@@ -123,9 +130,9 @@ static Indices read_joins(Reader& reader, const Problem& problem) {
 }
 
 static Motion read_motion(Reader& reader, const Problem& problem) {
-    constexpr std::array names{std::string_view("none"), std::string_view("plane"),
-                               std::string_view("star"), std::string_view("directions"),
-                               std::string_view("pencils")}; // in the order of Motion::Kind
+    constexpr std::array<std::string_view, 8> names{
+        "none",  "loose", "camera",     "apart", // in the order of Motion::Kind
+        "plane", "star",  "directions", "pencils"};
     Motion motion;
     reader.take("motion");
     motion.projective = reader.comes("projective");
@@ -133,15 +140,42 @@ static Motion read_motion(Reader& reader, const Problem& problem) {
     const std::string_view name = reader.word();
     const auto found = std::ranges::find(names, name);
     if (found == names.end())
-        reader.fail(name, "`none`, `plane`, `star`, `directions` or `pencils`");
+        reader.fail(name, "`none`, `loose`, `camera`, `apart`, `plane`, `star`, `directions` or "
+                          "`pencils`");
     motion.kind = static_cast<Motion::Kind>(found - names.begin());
-    const bool star = motion.kind == Motion::Kind::star;
-    if (star || motion.kind == Motion::Kind::pencils) motion.centre = read_point(reader, problem);
-    if (motion.kind == Motion::Kind::directions) motion.joins = read_joins(reader, problem);
-    if (star || motion.kind == Motion::Kind::plane)
-        motion.moved = read_selection(reader, problem, 1);
-    else
+    switch (motion.kind) {
+    case Motion::Kind::none:
         reader.end_line();
+        break;
+    case Motion::Kind::loose:
+        motion.moved = read_points_and_lines(reader, problem);
+        break;
+    case Motion::Kind::camera:
+        motion.moved.views = 1U << (reader.small_integer(1, problem.view_count()) - 1);
+        reader.end_line();
+        break;
+    case Motion::Kind::apart:
+        reader.take("views");
+        motion.moved.views = read_views(reader, problem, 1, "");
+        reader.end_line();
+        break;
+    case Motion::Kind::star:
+        motion.centre = read_point(reader, problem);
+        [[fallthrough]];
+    case Motion::Kind::plane:
+        motion.moved = read_selection(reader, problem, 1);
+        break;
+    case Motion::Kind::directions:
+        motion.joins = read_joins(reader, problem);
+        reader.end_line();
+        if (!reader.comes("core")) break;
+        reader.take("core");
+        motion.core = read_selection(reader, problem, 2);
+        break;
+    case Motion::Kind::pencils:
+        motion.centre = read_point(reader, problem);
+        reader.end_line();
+    }
     return motion;
 }
 

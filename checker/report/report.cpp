@@ -238,6 +238,8 @@ Report summarize(const Classification& classes, std::vector<ReplayedFile> files,
         report.judgement = judge(classes, findings, *problem);
     } else if (const auto* family = std::get_if<WholeFamily>(&expectation)) {
         report.judgement = judge(findings, *family);
+    } else if (const auto* list = std::get_if<WholeList>(&expectation)) {
+        report.judgement = judge(classes, findings, *list);
     } else if (const auto* model = std::get_if<ExpectedModel>(&expectation)) {
         report.judgement = judge(findings, *model);
     } else if (std::holds_alternative<WholeClassification>(expectation)) {

@@ -20,6 +20,30 @@ std::string balance(const Problem& problem) {
            std::to_string(dimension_in_views(problem)) + (balanced ? ": balanced" : ": unbalanced");
 }
 
+constexpr std::string_view conjectured = "conjectured not minimal";
+
+/// What the problem is, the verdict, and why.
+void write_verdict(std::ostream& out, const Problem& problem, std::string_view verdict,
+                   const std::string& why) {
+    section(out, "problem") << notation(problem) << '\n';
+    section(out, "cameras") << problem.views << ' ' << problem.cameras->name << '\n';
+    section(out, "dimensions") << balance(problem) << '\n';
+    section(out, "verdict") << verdict << '\n';
+    section(out, "");
+    write_wrapped(out, why);
+}
+
+nlohmann::ordered_json facts(const Problem& problem) {
+    return {{"problem", notation(problem)},
+            {"name", name(problem)},
+            {"cameras", problem.cameras->name},
+            {"views", problem.views},
+            {"dimensions",
+             {{"scene", dimension_in_space(problem)},
+              {"cameras", problem.cameras->dimension(problem.views)},
+              {"images", dimension_in_views(problem)}}}};
+}
+
 /// What is on file of a degree.
 struct Known {
     int degree = 0;
@@ -91,31 +115,24 @@ std::optional<int> degree_of_features(const ProblemRecord& certificate) {
 }
 
 std::string text_report(const ProblemRecord& certificate) {
-    const Problem& problem = certificate.problem;
     std::ostringstream out;
-    section(out, "problem") << notation(problem) << '\n';
-    section(out, "cameras") << problem.views << ' ' << problem.cameras->name << '\n';
-    section(out, "dimensions") << balance(problem) << '\n';
-    section(out, "verdict") << verdict(certificate) << '\n';
-    section(out, "");
-    write_wrapped(out, explanation(certificate));
+    write_verdict(out, certificate.problem, verdict(certificate), explanation(certificate));
     if (is_minimal(certificate)) write_degree(out, certificate);
+    return out.str();
+}
+
+std::string text_report(const Undecided& found) {
+    std::ostringstream out;
+    write_verdict(out, found.problem, conjectured, explanation(found));
     return out.str();
 }
 
 std::string json_report(const ProblemRecord& certificate) {
     const Problem& problem = certificate.problem;
-    nlohmann::ordered_json report = {{"problem", notation(problem)},
-                                     {"name", name(problem)},
-                                     {"cameras", problem.cameras->name},
-                                     {"views", problem.views},
-                                     {"dimensions",
-                                      {{"scene", dimension_in_space(problem)},
-                                       {"cameras", problem.cameras->dimension(problem.views)},
-                                       {"images", dimension_in_views(problem)}}},
-                                     {"verdict", verdict(certificate)},
-                                     {"minimal", is_minimal(certificate)},
-                                     {"reason", explanation(certificate)}};
+    nlohmann::ordered_json report = facts(problem);
+    report["verdict"] = verdict(certificate);
+    report["minimal"] = is_minimal(certificate);
+    report["reason"] = explanation(certificate);
     const auto degree = many_views::degree_on_file(notation(problem));
     if (degree)
         report["degree"] = {{"value", degree->degree},
@@ -129,6 +146,23 @@ std::string json_report(const ProblemRecord& certificate) {
                             {"status", "certified"},
                             {"certified_at_least", *of_features},
                             {"source", source_of_features(certificate)}};
+    return report.dump(2) + '\n';
+}
+
+std::string json_report(const Undecided& found) {
+    const auto from_one = [](std::vector<int> numbers) {
+        for (int& number : numbers)
+            ++number;
+        return numbers;
+    };
+    nlohmann::ordered_json report = facts(found.problem);
+    report["verdict"] = conjectured;
+    report["minimal"] = nullptr;
+    report["reason"] = explanation(found);
+    report["evidence"] = {{"ranks", found.ranks},
+                          {"moving_cameras", from_one(found.moving_views)},
+                          {"moving_points", from_one(found.moving_points)},
+                          {"moving_lines", from_one(found.moving_lines)}};
     return report.dump(2) + '\n';
 }
 

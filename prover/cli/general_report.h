@@ -17,6 +17,10 @@ std::optional<int> degree_of_features(const ProblemRecord& certificate);
 std::string text_report(const ProblemRecord& certificate);
 std::string json_report(const ProblemRecord& certificate);
 
+/// The same of a problem without a verdict: what is seen, as evidence.
+std::string text_report(const Undecided& found);
+std::string json_report(const Undecided& found);
+
 /// One problem a line. Formats: `name`, `notation`, and `csv` with a header: views, free_points,
 /// dependent_points, free_lines, adjacent_lines, minimal (1 or 0), degree (empty: not computed),
 /// name, notation, reason, degree_status, degree_certified (empty: no lower bound is certified).

@@ -61,6 +61,11 @@ std::string how_to_check(const ProblemRequest& request, const std::string& notat
 
 void decide_general_problem(const ProblemRequest& request, const Problem& problem,
                             const Deliver& deliver) {
+    if (request.certificate.empty()) {
+        const auto found = try_to_certify(problem);
+        if (const auto* open = std::get_if<Undecided>(&found))
+            return deliver("-", request.json ? json_report(*open) : text_report(*open));
+    }
     const ProblemRecord certificate = certify(problem);
     if (!request.certificate.empty())
         deliver(request.certificate, write(std::span(&certificate, 1)));
@@ -95,12 +100,24 @@ std::string certificate_text(const CertifyRequest& request) {
         const CameraModel& family = family_named(request.family);
         return write(certify_family(family), family);
     }
-    if (!request.list.empty()) return write(certify_listed(request.list));
     if (const std::optional<Problem> problem = parse_general_spec(request.spec)) {
         const ProblemRecord certificate = certify(*problem);
         return write(std::span(&certificate, 1));
     }
     return write(certify_problem(parse_spec(request.spec)));
+}
+
+/// Writes what is certified, over what was there, and says which problems are open. Status 1 if any
+/// is.
+int certify_list(const CertifyRequest& request, const Deliver& deliver) {
+    const auto [certificates, open] = certify_listed(request.list);
+    deliver(request.path, write(certificates));
+    for (const std::string& what : open)
+        std::cerr << "plprove: " << what << '\n';
+    if (open.empty()) return 0;
+    std::cerr << "plprove: " << open.size() << " of " << certificates.size() + open.size()
+              << " problems are open; the file has the others. Please report them\n";
+    return exit_failure;
 }
 
 struct ShowRequest {
@@ -177,6 +194,7 @@ Command add_certify_command(CLI::App& program, Deliver deliver) {
                 "  plprove certify --family plmp -o plmp.plc\n"
                 "  plprove certify --list mine.txt -o mine.plc");
     return {app, [request, deliver = std::move(deliver)] {
+                if (!request->list.empty()) return certify_list(*request, deliver);
                 deliver(request->path, certificate_text(*request));
                 return 0;
             }};

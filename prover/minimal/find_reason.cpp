@@ -1,9 +1,9 @@
+#include "prover/minimal/joined_points.h"
 #include "prover/minimal/reason.h"
 
 #include <algorithm>
 #include <bit>
 #include <functional>
-#include <numeric>
 
 namespace plprove {
 
@@ -22,6 +22,17 @@ std::optional<FourCollinear> four_collinear(const Problem& problem) {
                     return FourCollinear{{seen[0], seen[1], seen[2], seen[3]}, {first, second}};
             }
     return std::nullopt;
+}
+
+/// The subsets of some numbers; of many, those of the first ten.
+std::vector<std::vector<int>> subsets(const std::vector<int>& numbers) {
+    constexpr std::size_t most = 10;
+    const std::size_t count = std::min(numbers.size(), most);
+    std::vector<std::vector<int>> all(std::size_t{1} << count);
+    for (std::size_t chosen = 0; chosen < all.size(); ++chosen)
+        for (std::size_t i = 0; i < count; ++i)
+            if ((chosen >> i & 1) != 0) all[chosen].push_back(numbers[i]);
+    return all;
 }
 
 /// The best reason seen so far.
@@ -61,6 +72,34 @@ public:
             std::erase(star.points, centre);
             consider_with_lines(part, star, 0, cameras.all_matrices ? most_lines : 0);
         }
+    }
+
+    /// All choices of views that move with all that they see.
+    void consider_apart(const Subproblem& part) {
+        for (ViewSet views = 1; views < part.views; ++views)
+            consider(part, {.kind = MotionKind::apart, .moving = views});
+    }
+
+    bool found() const { return best_.has_value(); }
+
+    /// Each point with some of the lines through it, and each line with some of its points.
+    void consider_loose(const Subproblem& part) {
+        for (const int point : part.points)
+            for (std::vector<int>& lines : subsets(lines_through(problem_, point)))
+                consider(part,
+                         {.kind = MotionKind::loose, .points = {point}, .lines = std::move(lines)});
+        for (const int line : part.lines)
+            for (std::vector<int>& points :
+                 subsets(problem_.lines[static_cast<std::size_t>(line)].points))
+                consider(part,
+                         {.kind = MotionKind::loose, .points = std::move(points), .lines = {line}});
+    }
+
+    /// Each camera alone.
+    void consider_cameras(const Subproblem& part) {
+        for (int view = 0; view < problem_.views; ++view)
+            if (contains(part.views, view))
+                consider(part, {.kind = MotionKind::camera, .moving = ViewSet{1} << view});
     }
 
     std::optional<OverconstrainedPart> take() { return std::move(best_); }
@@ -115,6 +154,10 @@ Subproblem densest(const Problem& problem, Subproblem part) {
             candidates.push_back(without_point(problem, part, point));
         for (const int line : part.lines)
             candidates.push_back(without_line(part, line));
+        for (const int point : part.points) {
+            candidates.push_back(part);
+            std::erase(candidates.back().points, point);
+        }
         for (const Subproblem& candidate : candidates)
             if (!changed && parameters_to_spare(candidate) > parameters_to_spare(part)) {
                 part = candidate;
@@ -124,8 +167,10 @@ Subproblem densest(const Problem& problem, Subproblem part) {
     return part;
 }
 
-/// Joins of points that many views see together, as long as they close no circle.
-std::vector<std::array<int, 2>> best_joins(const Problem& problem, const Subproblem& part) {
+/// Joins of points that many views see together, as long as they close no circle with each other
+/// and the lines, the points of the core taken for one.
+std::vector<std::array<int, 2>> best_joins(const Problem& problem, const Subproblem& part,
+                                           const Subproblem& core) {
     std::vector<std::pair<int, std::array<int, 2>>> candidates; // by how many views see them
     for (const int a : part.points)
         for (const int b : part.points) {
@@ -136,18 +181,82 @@ std::vector<std::array<int, 2>> best_joins(const Problem& problem, const Subprob
         }
     std::ranges::stable_sort(candidates, std::greater{},
                              [](const auto& candidate) { return candidate.first; });
-    std::vector<int> tree(problem.points.size());
-    std::iota(tree.begin(), tree.end(), 0);
-    std::vector<std::array<int, 2>> joins;
-    for (const auto& [views, join] : candidates) {
-        const int a = tree[static_cast<std::size_t>(join[0])];
-        const int b = tree[static_cast<std::size_t>(join[1])];
-        if (a == b) continue;
-        std::ranges::replace(tree, a, b);
-        joins.push_back(join);
+    JoinedPoints joined(problem.points.size());
+    for (const int point : core.points)
+        joined.join(point, core.points.front());
+    for (const int number : part.lines) {
+        const std::vector<int>& points = problem.lines[static_cast<std::size_t>(number)].points;
+        for (const int point : points)
+            joined.join(points.front(), point);
     }
+    std::vector<std::array<int, 2>> joins;
+    for (const auto& [views, join] : candidates)
+        if (joined.join(join[0], join[1])) joins.push_back(join);
     return joins;
 }
+
+/// The part of it that its views see.
+Subproblem seen_in(const Problem& problem, Subproblem part, ViewSet views) {
+    part.views = views;
+    std::erase_if(part.lines, [&](int number) {
+        return (problem.lines[static_cast<std::size_t>(number)].seen & views) == 0;
+    });
+    std::erase_if(part.points, [&](int point) {
+        return (problem.points[static_cast<std::size_t>(point)] & views) == 0 &&
+               std::ranges::none_of(part.lines, [&](int line) {
+                   return contains(problem.lines[static_cast<std::size_t>(line)], point);
+               });
+    });
+    return part;
+}
+
+/// A count of directions, with cores.
+class Directions {
+public:
+    Directions(Search& search, const Problem& problem, Subproblem part)
+        : search_(search), problem_(problem), part_(std::move(part)) {}
+
+    /// Considers no core; then for each choice of views the core that has points and lines left out
+    /// as long as the count grows.
+    void consider_all() {
+        if (!is_part(problem_, part_)) return;
+        search_.consider(part_, with({}));
+        for (ViewSet views = 1; views <= part_.views && !search_.found(); ++views) {
+            if ((views & ~part_.views) != 0 || std::popcount(views) < 2) continue;
+            Subproblem core = seen_in(problem_, part_, views);
+            while (const std::optional<Subproblem> better = better_than(core))
+                core = *better;
+            search_.consider(part_, with(core));
+        }
+    }
+
+private:
+    CameraMotion with(const Subproblem& core) const {
+        return {.kind = MotionKind::directions,
+                .joins = best_joins(problem_, part_, core),
+                .core = core};
+    }
+
+    /// A core without some point and its pins, or without a line, that counts more.
+    std::optional<Subproblem> better_than(const Subproblem& core) const {
+        const auto count = [&](const Subproblem& other) {
+            return excess(problem_, part_, with(other));
+        };
+        const std::optional<int> before = count(core);
+        std::vector<Subproblem> candidates;
+        for (const int point : core.points)
+            candidates.push_back(without_point(problem_, core, point));
+        for (const int line : core.lines)
+            candidates.push_back(without_line(core, line));
+        for (const Subproblem& candidate : candidates)
+            if (count(candidate) > before) return candidate;
+        return std::nullopt;
+    }
+
+    Search& search_;
+    const Problem& problem_;
+    Subproblem part_;
+};
 
 /// The lines through each point that all these views see, and its joins with all others that are on
 /// none of these lines.
@@ -165,19 +274,46 @@ void consider_pencils(Search& search, const Problem& problem, ViewSet views) {
     }
 }
 
-/// The lines of the part with one point at most: with all points, or without any.
+/// The lines with one point at most: with all points, or without any. Then all lines, without
+/// points that close circles.
 void consider_directions(Search& search, const Problem& problem, ViewSet views) {
-    Subproblem part = whole(problem);
-    part.views = views;
-    std::erase_if(part.lines, [&](int number) {
+    Subproblem all = whole(problem);
+    all.views = views;
+    Subproblem simple = all;
+    std::erase_if(simple.lines, [&](int number) {
         return problem.lines[static_cast<std::size_t>(number)].points.size() > 1;
     });
-    Subproblem lines_alone = part;
+    Subproblem lines_alone = simple;
     lines_alone.points.clear();
-    for (const Subproblem& candidate : {part, lines_alone})
-        if (is_part(problem, candidate))
-            search.consider(candidate, {.kind = MotionKind::directions,
-                                        .joins = best_joins(problem, candidate)});
+    for (const Subproblem& part : {simple, lines_alone, all})
+        Directions(search, problem, part).consider_all();
+}
+
+/// Motions of all cameras of these views; the part loses the points that they do not keep. Of
+/// projective cameras all planes and points through some points and lines are tried.
+void consider_motions_of_less(Search& search, const Problem& problem, const Subproblem& part) {
+    std::vector<CameraMotion> motions{{.kind = MotionKind::plane, .moving = part.views}};
+    for (const int centre : part.points)
+        motions.push_back({.kind = MotionKind::star, .centre = centre, .moving = part.views});
+    constexpr int most_generators = 3;
+    for (std::size_t i = 0; i < motions.size(); ++i) { // grows
+        const CameraMotion motion = motions[i];
+        const Subproblem kept = kept_part(problem, part, motion);
+        if (is_part(problem, kept)) search.consider(kept, motion);
+        const std::size_t generators = motion.points.size() + motion.lines.size();
+        if (!problem.cameras->all_matrices || generators == most_generators) continue;
+        for (const int point : part.points) {
+            if (!motion.lines.empty() || (!motion.points.empty() && point <= motion.points.back()))
+                continue;
+            motions.push_back(motion);
+            motions.back().points.push_back(point);
+        }
+        for (const int line : part.lines) {
+            if (!motion.lines.empty() && line <= motion.lines.back()) continue;
+            motions.push_back(motion);
+            motions.back().lines.push_back(line);
+        }
+    }
 }
 
 std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) {
@@ -185,6 +321,7 @@ std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) 
     const ViewSet all = all_views(problem.views);
     search.consider(whole(problem), {});
     search.consider_motions(whole(problem), all);
+    search.consider_loose(whole(problem));
     if (std::optional<OverconstrainedPart> found = search.take()) return found;
     for (ViewSet views = 1; views <= all; ++views) {
         if (views != all) search.consider_motions(whole(problem), views);
@@ -199,8 +336,15 @@ std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) 
         }
     }
     if (std::optional<OverconstrainedPart> found = search.take()) return found;
-    for (ViewSet views = 1; views <= all; ++views) {
-        if (std::popcount(views) < 3) continue;
+    for (ViewSet views = all; views > 0 && !search.found(); --views) {
+        if (std::popcount(views) < 2) continue;
+        Subproblem part = whole(problem);
+        part.views = views;
+        search.consider_loose(part);
+        search.consider_loose(densest(problem, part));
+        search.consider_cameras(part);
+        search.consider_apart(part);
+        consider_motions_of_less(search, problem, part);
         consider_directions(search, problem, views);
         consider_pencils(search, problem, views);
     }

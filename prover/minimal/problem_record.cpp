@@ -1,9 +1,10 @@
 #include "prover/minimal/problem_record.h"
 
+#include "prover/minimal/random_instance.h"
 #include "prover/problem/notation.h"
 
 #include <algorithm>
-#include <random>
+#include <bit>
 #include <stdexcept>
 
 namespace plprove {
@@ -12,36 +13,6 @@ namespace {
 
 constexpr int tries = 100;
 constexpr std::int64_t small = 9;
-constexpr std::int64_t large = 999999;
-
-/// Random integers of at most this size, the same on every machine.
-class RandomCoordinates {
-public:
-    RandomCoordinates(unsigned seed, std::int64_t largest) : engine_(seed), largest_(largest) {}
-
-    Coordinates take(int count) {
-        Coordinates result;
-        const auto range = static_cast<std::uint64_t>(2 * largest_ + 1);
-        for (int i = 0; i < count; ++i)
-            result.push_back(static_cast<std::int64_t>(engine_() % range) - largest_);
-        return result;
-    }
-
-private:
-    std::mt19937_64 engine_;
-    std::int64_t largest_;
-};
-
-Instance random_instance(const Problem& problem, unsigned seed, std::int64_t largest) {
-    RandomCoordinates coordinates(seed, largest);
-    Instance instance;
-    instance.shared = coordinates.take(problem.cameras->shared);
-    for (int view = 1; view < problem.views; ++view)
-        instance.cameras.push_back(coordinates.take(problem.cameras->numbers));
-    std::ranges::copy(problem.cameras->start_of_second, instance.cameras.front().begin());
-    instance.scene = coordinates.take(scene_coordinates(problem));
-    return instance;
-}
 
 Residue minor_at(const Problem& problem, const Instance& instance) {
     return nmod_mat_det(jacobian_modulo_q(problem, instance).get());
@@ -49,7 +20,7 @@ Residue minor_at(const Problem& problem, const Instance& instance) {
 
 /// A point with small coordinates and full rank. Large coordinates tell whether there is one.
 std::optional<Minor> find_full_rank(const Problem& problem) {
-    if (minor_at(problem, random_instance(problem, 1, large)) == 0) return std::nullopt;
+    if (minor_at(problem, random_instance(problem, 1, most_coordinate)) == 0) return std::nullopt;
     for (unsigned seed = 1; seed <= tries; ++seed) {
         Minor found{.instance = random_instance(problem, seed, small)};
         found.value = minor_at(problem, found.instance);
@@ -60,14 +31,6 @@ std::optional<Minor> find_full_rank(const Problem& problem) {
 
 std::string plural(int count, const std::string& noun) {
     return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
-
-/// The numbers from 1 of what is counted from 0, each after a blank.
-std::string list(const std::vector<int>& numbers) {
-    std::string text;
-    for (const int number : numbers)
-        text += ' ' + std::to_string(number + 1);
-    return text.empty() ? " -" : text;
 }
 
 struct Explain {
@@ -104,8 +67,8 @@ struct Explain {
         std::vector<int> views;
         for (int view = 0; view < problem.views; ++view)
             if (contains(part.views, view)) views.push_back(view);
-        return "the part of points" + list(part.points) + " and lines" + list(part.lines) +
-               " in views" + list(views);
+        return "the part of points" + numbers_from_one(part.points) + " and lines" +
+               numbers_from_one(part.lines) + " in views" + numbers_from_one(views);
     }
 
     std::string what_happens(const CameraMotion& motion) const {
@@ -118,6 +81,14 @@ struct Explain {
 
     static std::string kept_by(const CameraMotion& motion, bool all_matrices) {
         if (motion.kind == MotionKind::none) return "has fewer parameters than its images";
+        if (motion.kind == MotionKind::loose)
+            return "looks the same when points" + numbers_from_one(motion.points) + " and lines" +
+                   numbers_from_one(motion.lines) + " move";
+        if (motion.kind == MotionKind::camera)
+            return "looks the same when camera " +
+                   std::to_string(std::countr_zero(motion.moving) + 1) + " moves";
+        if (motion.kind == MotionKind::apart)
+            return "looks the same when some cameras, with all that they see, move towards another";
         if (motion.kind == MotionKind::pencils)
             return "has fewer lines through point " + std::to_string(motion.centre + 1) +
                    ", and maps of these to pencils, than its images say";
@@ -147,19 +118,25 @@ std::string explanation(const ProblemRecord& certificate) {
     return std::visit(Explain{certificate.problem}, certificate.claim);
 }
 
-ProblemRecord certify(const Problem& problem) {
-    const std::string text = notation(problem);
-    ProblemRecord certificate{parse_problem(text), Unbalanced{}};
+std::variant<ProblemRecord, Undecided> try_to_certify(const Problem& problem) {
+    ProblemRecord certificate{parse_problem(notation(problem)), Unbalanced{}};
     if (!is_balanced(certificate.problem)) return certificate;
     if (std::optional<Minor> full_rank = find_full_rank(certificate.problem))
         certificate.claim = *std::move(full_rank);
     else if (const std::optional<Reason> reason = find_reason(certificate.problem))
         std::visit([&](const auto& found) { certificate.claim = found; }, *reason);
     else
-        throw std::runtime_error("no certificate found for " + text +
-                                 ": it looks as if it were not minimal, but no known reason "
-                                 "applies; please report it");
+        return look_at(certificate.problem);
     return certificate;
+}
+
+ProblemRecord certify(const Problem& problem) {
+    auto found = try_to_certify(problem);
+    if (const auto* open = std::get_if<Undecided>(&found))
+        throw std::runtime_error("no certificate found for " + notation(open->problem) +
+                                 ", which is conjectured not minimal: " + explanation(*open) +
+                                 ". Please report it");
+    return std::get<ProblemRecord>(std::move(found));
 }
 
 } // namespace plprove

@@ -4,6 +4,7 @@
 
 #include "prover/minimal/minor.h"
 #include "prover/minimal/reason.h"
+#include "prover/minimal/undecided.h"
 #include "prover/problem/complete_visibility.h"
 
 #include <functional>
@@ -31,8 +32,10 @@ bool is_minimal(const ProblemRecord& certificate);
 std::string verdict(const ProblemRecord& certificate);
 std::string explanation(const ProblemRecord& certificate);
 
-/// Certifies whether the problem is minimal. Throws std::runtime_error if the problem is balanced,
-/// no point of the search has full rank, and no reason is found.
+/// A certificate whether the problem is minimal, if one is found.
+std::variant<ProblemRecord, Undecided> try_to_certify(const Problem& problem);
+
+/// The certificate. Throws std::runtime_error if none is found.
 ProblemRecord certify(const Problem& problem);
 
 /// The file with these certificates; as an archive of the family of a kind of cameras, if one is

@@ -1,5 +1,7 @@
 #include "prover/minimal/reason.h"
 
+#include "prover/minimal/joined_points.h"
+
 #include <algorithm>
 #include <bit>
 #include <numeric>
@@ -98,17 +100,17 @@ std::vector<int> costly_lines(const Problem& problem, const Subproblem& part,
     return costly;
 }
 
-/// Whether each point that a moving view sees, or that lies on a costly line, is kept.
+/// Whether the motion keeps the images of a point, and the point.
+bool keeps(const CameraMotion& motion, const Span& span, int point) {
+    return span.has_point(point) || (motion.kind == MotionKind::star && point == motion.centre);
+}
+
+/// Whether each point that a moving view sees is kept.
 bool keeps_points(const Problem& problem, const Subproblem& part, const CameraMotion& motion,
-                  const Span& span, const std::vector<int>& costly) {
+                  const Span& span) {
     return std::ranges::all_of(part.points, [&](int point) {
-        const bool is_centre = motion.kind == MotionKind::star && point == motion.centre;
-        if (is_centre || span.has_point(point)) return true;
-        const bool on_costly_line = std::ranges::any_of(costly, [&](int number) {
-            return contains(problem.lines[static_cast<std::size_t>(number)], point);
-        });
-        return (problem.points[static_cast<std::size_t>(point)] & motion.moving) == 0 &&
-               !on_costly_line;
+        return keeps(motion, span, point) ||
+               (problem.points[static_cast<std::size_t>(point)] & motion.moving) == 0;
     });
 }
 
@@ -133,6 +135,13 @@ Freedom freedom(const CameraModel& model, const CameraMotion& motion, int rank, 
 }
 
 } // namespace
+
+std::string numbers_from_one(const std::vector<int>& numbers) {
+    std::string text;
+    for (const int number : numbers)
+        text += ' ' + std::to_string(number + 1);
+    return text.empty() ? " -" : text;
+}
 
 Subproblem whole(const Problem& problem) {
     Subproblem part{all_views(problem.views), {}, {}};
@@ -194,41 +203,231 @@ bool is_part(const Problem& problem, const Subproblem& part) {
            std::ranges::count(lines, true) == std::ssize(part.lines);
 }
 
-std::optional<int> motions(const Problem& problem, const Subproblem& part,
-                           const CameraMotion& motion) {
-    if (motion.kind == MotionKind::none) return 0;
-    const CameraModel& cameras = *problem.cameras;
-    const Span span = spanned_by(problem, part, motion);
-    if (span.rank() > (cameras.all_matrices ? 3 : 0)) return std::nullopt;
-    const std::vector<int> costly = costly_lines(problem, part, motion, span);
-    if (!keeps_points(problem, part, motion, span, costly)) return std::nullopt;
-    const int resting = std::popcount(part.views & ~motion.moving);
-    const Freedom free = freedom(*problem.cameras, motion, span.rank(), resting);
-    int result = free.camera * std::popcount(motion.moving) - free.space;
-    for (const int number : costly) {
-        const Line& line = problem.lines[static_cast<std::size_t>(number)];
-        const bool pivots = motion.kind == MotionKind::plane || !cameras.all_matrices ||
-                            span.rank() == 3 || span.meets(line);
-        const int moving = std::popcount(line.seen & motion.moving);
-        result -= (pivots ? 1 : 2) * std::min(moving, conditions_in(line.seen & part.views));
+/// The parameters of a point with some lines through it, or of a line with some of its points, less
+/// the equations by which views keep their images while all else is at rest.
+static std::optional<int> loose_motions(const Problem& problem, const Subproblem& part,
+                                        const CameraMotion& motion) {
+    const auto line_at = [&](int number) -> const Line& {
+        return problem.lines[static_cast<std::size_t>(number)];
+    };
+    const auto is_loose = [&](int point) { return is_in(motion.points, point); };
+    const auto seen = [&](int point) {
+        return problem.points[static_cast<std::size_t>(point)] & part.views;
+    };
+    const bool in_part = std::ranges::includes(part.points, motion.points) &&
+                         std::ranges::includes(part.lines, motion.lines);
+    if (!in_part || (motion.points.size() != 1 && motion.lines.size() != 1)) return std::nullopt;
+    int result = 0;
+    for (const int point : motion.points) {
+        int resting_lines = 0;
+        for (const int number : lines_through(problem, point))
+            if (is_in(part.lines, number) && !is_in(motion.lines, number)) ++resting_lines;
+        if (resting_lines > 1) return std::nullopt;
+        result += 3 - 2 * resting_lines - (2 - resting_lines) * std::popcount(seen(point));
+    }
+    for (const int number : motion.lines) {
+        const Line& line = line_at(number);
+        int resting = 0, loose = 0, loose_and_seen = 0;
+        for (const int point : line.points) {
+            if (!is_in(part.points, point)) continue;
+            ++(is_loose(point) ? loose : resting);
+            if (is_loose(point)) loose_and_seen += std::popcount(line.seen & seen(point));
+        }
+        const bool star =
+            std::ranges::all_of(motion.points, [&](int point) { return contains(line, point); });
+        if (resting > 1 || !star) return std::nullopt;
+        result += 4 - 2 * (resting + loose) -
+                  (2 - resting) * std::popcount(line.seen & part.views) + loose_and_seen;
     }
     return result;
 }
 
+/// The unknowns of a camera, less the equations by which it keeps its images while all else is at
+/// rest. Three points of a line fix the images of all others.
+static std::optional<int> camera_motions(const Problem& problem, const Subproblem& part,
+                                         const CameraMotion& motion) {
+    if (std::popcount(motion.moving) != 1 || std::popcount(part.views) < 3) return std::nullopt;
+    Subproblem seen = part;
+    seen.views = motion.moving;
+    int result = problem.cameras->unknowns - dimension_in_views(problem_of(problem, seen));
+    for (const int number : part.lines) {
+        const Line& line = problem.lines[static_cast<std::size_t>(number)];
+        const auto points = std::ranges::count_if(line.points, [&](int point) {
+            return is_in(part.points, point) &&
+                   (problem.points[static_cast<std::size_t>(point)] & motion.moving) != 0;
+        });
+        result += std::max(0, static_cast<int>(points) - 3);
+    }
+    return result;
+}
+
+/// Motions of space that keep one camera, if it alone of those that rest sees something that moves:
+/// all that moving views see, and what is joined to it by incidence.
+static std::optional<int> motions_apart(const Problem& problem, const Subproblem& part,
+                                        const CameraMotion& motion) {
+    const ViewSet resting = part.views & ~motion.moving;
+    if (motion.moving == 0 || (motion.moving & ~part.views) != 0 || std::popcount(resting) < 2)
+        return std::nullopt;
+    std::vector<bool> points(problem.points.size()), lines(problem.lines.size());
+    const auto line_moves = [&](int number) {
+        const Line& line = problem.lines[static_cast<std::size_t>(number)];
+        return (line.seen & motion.moving) != 0 || std::ranges::any_of(line.points, [&](int point) {
+                   return is_in(part.points, point) && points[static_cast<std::size_t>(point)];
+               });
+    };
+    const auto point_moves = [&](int point) {
+        return (problem.points[static_cast<std::size_t>(point)] & motion.moving) != 0 ||
+               std::ranges::any_of(lines_through(problem, point), [&](int number) {
+                   return is_in(part.lines, number) && lines[static_cast<std::size_t>(number)];
+               });
+    };
+    const auto spread = [](std::vector<bool>& all, const std::vector<int>& of_part,
+                           const auto& moves) {
+        bool changed = false;
+        for (const int number : of_part) {
+            if (all[static_cast<std::size_t>(number)] || !moves(number)) continue;
+            all[static_cast<std::size_t>(number)] = changed = true;
+        }
+        return changed;
+    };
+    while (spread(points, part.points, point_moves) || spread(lines, part.lines, line_moves)) {
+    }
+    ViewSet seeing = 0;
+    for (const int point : part.points)
+        if (points[static_cast<std::size_t>(point)])
+            seeing |= problem.points[static_cast<std::size_t>(point)];
+    for (const int number : part.lines)
+        if (lines[static_cast<std::size_t>(number)])
+            seeing |= problem.lines[static_cast<std::size_t>(number)].seen;
+    if (std::popcount(seeing & resting) > 1) return std::nullopt;
+    return problem.cameras->all_matrices ? 4 : 1;
+}
+
+Subproblem kept_part(const Problem& problem, Subproblem part, const CameraMotion& motion) {
+    const Span span = spanned_by(problem, part, motion);
+    std::erase_if(part.points, [&](int point) {
+        return (problem.points[static_cast<std::size_t>(point)] & motion.moving) != 0 &&
+               !keeps(motion, span, point);
+    });
+    return part;
+}
+
+std::optional<int> motions(const Problem& problem, const Subproblem& part,
+                           const CameraMotion& motion) {
+    if (motion.kind == MotionKind::none) return 0;
+    if (motion.kind == MotionKind::loose) return loose_motions(problem, part, motion);
+    if (motion.kind == MotionKind::camera) return camera_motions(problem, part, motion);
+    if (motion.kind == MotionKind::apart) return motions_apart(problem, part, motion);
+    const CameraModel& cameras = *problem.cameras;
+    const Span span = spanned_by(problem, part, motion);
+    if (span.rank() > (cameras.all_matrices ? 3 : 0)) return std::nullopt;
+    if (!keeps_points(problem, part, motion, span)) return std::nullopt;
+    const int resting = std::popcount(part.views & ~motion.moving);
+    const Freedom free = freedom(*problem.cameras, motion, span.rank(), resting);
+    int result = free.camera * std::popcount(motion.moving) - free.space;
+    for (const int number : costly_lines(problem, part, motion, span)) {
+        const Line& line = problem.lines[static_cast<std::size_t>(number)];
+        const bool pivots = motion.kind == MotionKind::plane || !cameras.all_matrices ||
+                            span.rank() == 3 || span.meets(line);
+        // The line moves, too, unless a point that is not kept would move with it.
+        const bool may_move = std::ranges::all_of(line.points, [&](int point) {
+            return !is_in(part.points, point) || keeps(motion, span, point);
+        });
+        const int moving = std::popcount(line.seen & motion.moving);
+        const int conditions =
+            may_move ? std::min(moving, conditions_in(line.seen & part.views)) : moving;
+        result -= (pivots ? 1 : 2) * conditions;
+    }
+    return result;
+}
+
+/// Whether the core is a part of the part, and each point of the part on a line of it is in it.
+static bool is_core(const Problem& problem, const Subproblem& part, const Subproblem& core) {
+    const auto has = [](const std::vector<int>& all, const std::vector<int>& some) {
+        return std::ranges::includes(all, some);
+    };
+    const bool whole_lines = std::ranges::all_of(core.lines, [&](int number) {
+        const Line& line = problem.lines[static_cast<std::size_t>(number)];
+        return std::ranges::all_of(line.points, [&](int point) {
+            return is_in(core.points, point) || !is_in(part.points, point);
+        });
+    });
+    return (core.views & ~part.views) == 0 && std::popcount(core.views) >= 2 &&
+           has(part.points, core.points) && has(part.lines, core.lines) && whole_lines &&
+           is_part(problem, core);
+}
+
+/// How many of these points a view sees.
+static int count_seen(const Problem& problem, const std::vector<int>& points, int view) {
+    return static_cast<int>(std::ranges::count_if(points, [&](int point) {
+        return contains(problem.points[static_cast<std::size_t>(point)], view);
+    }));
+}
+
+/// What a view without a translation says of directions in the core: of its lines, and of joins
+/// between points that no line joins.
+static int directions_of_core(const Problem& problem, const Subproblem& core, int view) {
+    int lines = 0, unjoined = count_seen(problem, core.points, view);
+    for (const int number : core.lines) {
+        const Line& line = problem.lines[static_cast<std::size_t>(number)];
+        if (contains(line.seen, view)) ++lines;
+        std::vector<int> points = line.points;
+        std::erase_if(points, [&](int point) { return !is_in(core.points, point); });
+        unjoined -= std::max(0, count_seen(problem, points, view) - 1);
+    }
+    return lines + std::max(0, unjoined - 1);
+}
+
+/// Joins the points of each of these lines that are in the part; false if that closes a circle.
+static bool join_along(JoinedPoints& joined, const Problem& problem, const Subproblem& part,
+                       const std::vector<int>& lines) {
+    for (const int number : lines) {
+        std::vector<int> points = problem.lines[static_cast<std::size_t>(number)].points;
+        std::erase_if(points, [&](int point) { return !is_in(part.points, point); });
+        for (std::size_t i = 1; i < points.size(); ++i)
+            if (!joined.join(points[0], points[i])) return false;
+    }
+    return true;
+}
+
+/// Whether lines and joins close no circle: those of the core, and all others, the core taken for
+/// one point.
+static bool is_forest(const Problem& problem, const Subproblem& part, const CameraMotion& motion) {
+    const Subproblem& core = motion.core;
+    JoinedPoints joined(problem.points.size());
+    if (!join_along(joined, problem, part, core.lines)) return false;
+    for (const int point : core.points)
+        joined.join(point, core.points.front());
+    std::vector<int> others;
+    std::ranges::set_difference(part.lines, core.lines, std::back_inserter(others));
+    return join_along(joined, problem, part, others) &&
+           std::ranges::all_of(motion.joins,
+                               [&](const auto& join) { return joined.join(join[0], join[1]); });
+}
+
 /// What the images say of directions, less the parameters of these and of cameras without their
-/// translations. Lines of the part may have one point at most.
+/// translations; of the core with its translations. A line of the part joins its points.
 static std::optional<int> excess_of_directions(const Problem& problem, const Subproblem& part,
                                                const CameraMotion& motion) {
     const Problem alone = problem_of(problem, part);
     if (alone.cameras->all_matrices) return std::nullopt;
+    if (!is_forest(problem, part, motion)) return std::nullopt;
+    const Subproblem& core = motion.core;
+    if (core.views != 0 && !is_core(problem, part, core)) return std::nullopt;
     int result = 3 * alone.views - 4 - alone.cameras->dimension(alone.views);
-    for (const Line& line : alone.lines) {
-        if (line.points.size() > 1) return std::nullopt;
-        result += conditions_in(line.seen);
-    }
+    for (const int number : part.lines)
+        if (!is_in(core.lines, number))
+            result +=
+                conditions_in(problem.lines[static_cast<std::size_t>(number)].seen & part.views);
     for (const auto& [a, b] : motion.joins)
         result += conditions_in(problem.points[static_cast<std::size_t>(a)] &
                                 problem.points[static_cast<std::size_t>(b)] & part.views);
+    if (core.views == 0) return result;
+    const Problem scene = problem_of(problem, core);
+    result += dimension_in_views(scene) - dimension_in_space(scene) - (3 * scene.views - 4);
+    for (int view = 0; view < problem.views; ++view)
+        if (contains(part.views & ~core.views, view))
+            result += directions_of_core(problem, core, view);
     return result;
 }
 

@@ -109,6 +109,10 @@ struct WriteClaim {
         text.line("part views", numbered_views(part.views), "points", numbered(part.points),
                   "lines", numbered(part.lines));
         write_motion(reason.motion);
+        const Subproblem& core = reason.motion.core;
+        if (core.views != 0)
+            text.line("core views", numbered_views(core.views), "points", numbered(core.points),
+                      "lines", numbered(core.lines));
     }
 
     void write_directions(const std::vector<std::array<int, 2>>& joins) const {
@@ -126,6 +130,13 @@ struct WriteClaim {
         if (motion.kind == MotionKind::pencils)
             return text.line(motion_of, "pencils", motion.centre + 1);
         if (motion.kind == MotionKind::directions) return write_directions(motion.joins);
+        if (motion.kind == MotionKind::camera)
+            return text.line(motion_of, "camera", numbered_views(motion.moving));
+        if (motion.kind == MotionKind::apart)
+            return text.line(motion_of, "apart views", numbered_views(motion.moving));
+        if (motion.kind == MotionKind::loose)
+            return text.line(motion_of, "loose points", numbered(motion.points), "lines",
+                             numbered(motion.lines));
         const std::string kind = motion.kind == MotionKind::plane
                                      ? "plane"
                                      : "star " + std::to_string(motion.centre + 1);

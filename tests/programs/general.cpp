@@ -2,6 +2,9 @@
 #include "tests/support/programs.h"
 
 #include <doctest/doctest.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
 
 TEST_CASE("problems in general: verdict, JSON and certificate") {
     const TemporaryFolder folder;
@@ -89,6 +92,69 @@ TEST_CASE("problems in general: certificates of a list") {
     CHECK(run(plprove + " certify --list /nonexistent").status == 2);
     CHECK(run(plprove + " certify").status == 3);
     CHECK(run(plprove + " certify 2394 --family plmp").status == 3);
+}
+
+namespace {
+
+/// A problem for which no reason is known.
+const std::string open_problem =
+    "projective: -/-/P/P/P + -/-/Pabc/Pabc/Pabc + P/P/-/P/P + 2*P/P/P/P/P + "
+    "Pabc/Pabc/Pabc/-/- + a/a/a/a/a";
+
+} // namespace
+
+TEST_CASE("what has no certificate is conjectured, and nothing else is lost") {
+    const Outcome said = run(plprove + " problem '" + open_problem + "'");
+    CHECK(said.status == 0);
+    CHECK(contains(said.out, "verdict     conjectured not minimal\n"));
+    const std::string words = std::regex_replace(said.out, std::regex("\\s+"), " ");
+    CHECK(contains(words, "at three random places 73, 73 and 73 of them are independent"));
+    CHECK(contains(words, "cameras 2 3 4 5, points 1 2 3 4 5 6, lines 1 2 3 4 5 6 7"));
+    const auto report =
+        nlohmann::json::parse(run(plprove + " problem '" + open_problem + "' --json").out);
+    CHECK(report["minimal"].is_null());
+    CHECK(report["evidence"]["ranks"] == nlohmann::json({73, 73, 73}));
+    const TemporaryFolder folder;
+    const std::string list = (folder / "mine.txt").string(), file = (folder / "mine.plc").string();
+    std::ofstream(list) << "5*P/P\n" << open_problem << "\nprojective: 7*P/P\n";
+    std::ofstream(file) << "an old file\n";
+    CHECK(run(plprove + " certify '" + open_problem + "' -o " + file).status == 1);
+    CHECK(read_file(file) == "an old file\n");
+    const Outcome listed = run(plprove + " certify --list " + list + " -o " + file);
+    CHECK(listed.status == 1);
+    CHECK(contains(listed.err, list + ", line 2: " + open_problem + " is conjectured not minimal"));
+    CHECK(contains(listed.err, "1 of 3 problems are open; the file has the others"));
+    const std::string expect = PLCHECK + std::string(" --expect-list ") + list;
+    const Outcome checked = run(expect + ' ' + file);
+    CHECK(checked.status == 1);
+    CHECK(contains(checked.out,
+                   "NOT VERIFIED: the list " + list +
+                       ": 1 of 3 problems are not certified so; the first is in line 2, "));
+}
+
+TEST_CASE("a list is verified in any order and spelling") {
+    const TemporaryFolder folder;
+    const std::string list = (folder / "mine.txt").string(), file = (folder / "mine.plc").string();
+    const std::string expect = PLCHECK + std::string(" --expect-list ") + list;
+    std::ofstream(list) << "projective: 7*P/P\n4*PL/PL+P/P\n";
+    CHECK(run(plprove + " certify --list " + list + " -o " + file).status == 0);
+    std::ofstream(list) << "# mine\n\nP/P + PM/PM + 3*PM/PM\nprojective:7*P/P\n";
+    CHECK(contains(run(expect + ' ' + file).out, "VERIFIED: the list " + list +
+                                                     ": all 2 problems are certified, 1 minimal (" +
+                                                     file + ")\n"));
+    const Outcome other = run(expect + " --verdict minimal " + file);
+    CHECK(other.status == 1);
+    CHECK(contains(other.out, "1 of 2 problems are not certified so; the first is in line 3, "
+                              "P/P + PM/PM + 3*PM/PM: it is certified not-minimal"));
+    CHECK(run(expect + ' ' + certs + "classification.plc").status == 1);
+    std::ofstream(list) << "5*P/P\nPL/P\n";
+    const Outcome wrong = run(expect + ' ' + file);
+    CHECK(wrong.status == 3);
+    CHECK(contains(wrong.err, list + ", line 2: PL/P: "));
+    std::ofstream(list) << "# none\n";
+    CHECK(contains(run(expect + ' ' + file).err, "has no problem; write one a line"));
+    CHECK(run(PLCHECK + std::string(" --expect-list ") + list + ".none " + file).status == 3);
+    CHECK(run(expect + " --degree 3 " + file).status == 3);
 }
 
 TEST_CASE("cameras known in part: families and known numbers of solutions") {

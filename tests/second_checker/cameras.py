@@ -24,6 +24,11 @@ def dimension(kind, views):
     return 11 * views - 15 if kind == "projective" else 6 * views - 7
 
 
+def unknowns_of_one(kind):
+    """Those of a camera from the third on."""
+    return dimension(kind, 4) - dimension(kind, 3)
+
+
 def conic(shared):
     g, h, b, c, e = {0: (0, 1, 0, 0, 1), 1: (0, 1, 0, 0, *shared), 3: (0, 1, *shared),
                      5: shared}[len(shared)]

@@ -18,8 +18,9 @@ class Record:
         self.minimal = self.kind == "rank-record"
         if self.minimal:
             self.require_counts()
-        for part in (self.claim, *self.claim["part"], *self.claim["motion"],
-                     *(moved for motion in self.claim["motion"] for moved in motion["moved"])):
+        motions = self.claim["motion"]
+        for part in (self.claim, *self.claim["part"], *motions,
+                     *(node for motion in motions for node in motion["moved"] + motion["core"])):
             joined = [point for joins in part["joins"] for point in joins["JOINED"]]
             if max(part["POINT"] + joined, default=0) > len(self.problem.points) or \
                     max(part["LINE"], default=0) > len(self.problem.lines) or \
@@ -56,15 +57,25 @@ class Record:
                     all(pair <= problem.points[i] for i in four), "four points")
         else:
             motion, = claim["motion"]
-            centre = motion["POINT"][0] - 1 if motion["POINT"] else None
-            moved = (centre, *named(motion["moved"][0])) if motion["moved"] else None
-            joined = [point - 1 for joins in motion["joins"] for point in joins["JOINED"]]
-            joins = list(zip(joined[::2], joined[1::2]))
-            words = motion["words"][1:]
-            part = named(claim["part"][0])
-            found = by_directions(problem, part, words, joins) if "directions" in words else \
-                by_pencils(problem, part, words, centre) if "pencils" in words else \
-                conditions(problem, part, words, moved)
+            words, part = motion["words"][1:], named(claim["part"][0])
+            core = named(motion["core"][0]) if motion["core"] else None
+            points, lines = from_zero(motion["POINT"]), from_zero(motion["LINE"])
+            if "directions" in words:
+                joined = [point - 1 for joins in motion["joins"] for point in joins["JOINED"]]
+                joins = list(zip(joined[::2], joined[1::2]))
+                found = by_directions(problem, part, words, joins, core)
+            elif "pencils" in words:
+                found = by_pencils(problem, part, words, *points)
+            elif "loose" in words:
+                found = conditions(problem, part, words, (points, lines))
+            elif "apart" in words:
+                found = conditions(problem, part, words, from_zero(motion["VIEW"]))
+            elif "camera" in words:
+                found = conditions(problem, part, words, from_zero(motion["VIEW"]))
+            else:
+                moved = (next(iter(points), None), *named(motion["moved"][0])) \
+                    if motion["moved"] else None
+                found = conditions(problem, part, words, moved)
             require(found == claim["CONDITIONS"][0], "CONDITIONS")
 
 

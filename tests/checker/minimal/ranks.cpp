@@ -1,7 +1,7 @@
 // Problems in general, by a second method: minors, verdicts and reasons against ranks that FLINT
 // computes of another Jacobian; and the label classes of three calibrated views.
 #include "checker/minimal/block.h"
-#include "checker/minimal/part.h"
+#include "checker/reasons/part.h"
 #include "checker/replay.h"
 #include "tests/checker/minimal/image_rank.h"
 #include "tests/support/all_classes.h"

@@ -1,7 +1,8 @@
-#include "checker/minimal/part.h"
+#include "checker/reasons/part.h"
+
+#include "checker/reasons/directions.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace checker {
 static bool contains(const Indices& list, std::size_t index) {
@@ -47,9 +48,7 @@ Span span_of(const Problem& problem, const Indices& points, const Indices& lines
     return span;
 }
 
-/// Whether one can get from the problem to the part: leaves out what may be left out, a line with
-/// at most two points, a point on at most two lines, as long as anything may.
-static bool arises(Problem problem, const Selection& part) {
+bool arises(Problem problem, const Selection& part) {
     std::vector<bool> point_out(problem.points.size()), line_out(problem.lines.size());
     const auto points_on = [&](std::size_t line) {
         return std::ranges::count_if(problem.lines[line].points,
@@ -82,8 +81,7 @@ static std::size_t place_in(const Indices& list, std::size_t index, const char* 
     return static_cast<std::size_t>(place - list.begin());
 }
 
-/// The part as a problem. Its points and lines have new numbers.
-static Problem part_of(const Problem& problem, const Selection& part) {
+Problem part_of(const Problem& problem, const Selection& part) {
     Problem result{.cameras = problem.cameras, .views = part.views};
     for (const std::size_t p : part.points)
         result.points.push_back({.seen_by = problem.points[p].seen_by & part.views});
@@ -112,6 +110,12 @@ static Motion motion_in(const Selection& part, const Motion& motion) {
     for (std::size_t& n : result.moved.lines)
         n = place_in(part.lines, n, "line");
     if ((motion.moved.views & ~part.views) != 0) throw Refused("a moving view is not in the part");
+    for (std::size_t& p : result.core.points)
+        p = place_in(part.points, p, "point");
+    for (std::size_t& n : result.core.lines)
+        n = place_in(part.lines, n, "line");
+    if ((motion.core.views & ~part.views) != 0)
+        throw Refused("a view of the core is not in the part");
     return result;
 }
 
@@ -137,11 +141,6 @@ static void require_motion(const Problem& part, const Motion& motion) {
         throw Refused("a motion of ", cameras.name, " cameras has no generators");
 }
 
-/// What so many views say of a line in a known direction, beyond the two numbers of the direction.
-static int conditions_in(Views views) {
-    return std::max(0, std::popcount(views) - 2);
-}
-
 /// The lines that cost: a moving view sees them, and they neither lie in W nor contain O.
 static Indices costly_lines(const Problem& part, const Motion& motion, const Span& span) {
     const bool star = motion.kind == Motion::Kind::star;
@@ -155,7 +154,13 @@ static Indices costly_lines(const Problem& part, const Motion& motion, const Spa
     return costly;
 }
 
-/// What these lines cost: the sum of c min(n - 2, moving views), or of 0.
+/// Whether the motion keeps the point, and not only its images: it is O, or lies in W.
+static bool keeps(const Motion& motion, const Span& span, std::size_t point) {
+    return span.points[point] || (motion.kind == Motion::Kind::star && point == motion.centre);
+}
+
+/// What these lines cost: the sum of c times so many conditions. A line with a point that is not
+/// kept rests, so each moving view that sees it makes a condition. Any other one may move.
 static int cost_of(const Indices& lines, const Problem& part, const Motion& motion,
                    const Span& span) {
     const bool subspace = motion.kind == Motion::Kind::star && part.cameras->all_matrices;
@@ -163,78 +168,126 @@ static int cost_of(const Indices& lines, const Problem& part, const Motion& moti
     for (const std::size_t n : lines) {
         const Line& line = part.lines[n];
         const bool two_conditions = subspace && span.rank < 3 && !meets(span, line);
+        const bool may_move =
+            std::ranges::all_of(line.points, [&](std::size_t p) { return keeps(motion, span, p); });
         const int moving = std::popcount(line.seen_by & motion.moved.views);
-        cost += (two_conditions ? 2 : 1) * std::min(moving, conditions_in(line.seen_by));
+        cost += (two_conditions ? 2 : 1) *
+                (may_move ? std::min(moving, conditions_in(line.seen_by)) : moving);
     }
     return cost;
 }
 
-/// Throws Refused unless each point that counts is O or lies in W. Those count that a moving view
-/// sees, or that lie on a line that costs.
-static void require_kept_points(const Problem& part, const Motion& motion, const Span& span,
-                                const Indices& costly) {
-    const auto costs = [&](std::size_t line) { return contains(costly, line); };
-    for (std::size_t p = 0; p < part.points.size(); ++p) {
-        const Point& point = part.points[p];
-        const bool is_centre = motion.kind == Motion::Kind::star && p == motion.centre;
-        if (is_centre || span.points[p]) continue;
-        if ((point.seen_by & motion.moved.views) != 0 || std::ranges::any_of(point.lines, costs))
+/// Throws Refused unless each point that a moving view sees is kept.
+static void require_kept_points(const Problem& part, const Motion& motion, const Span& span) {
+    for (std::size_t p = 0; p < part.points.size(); ++p)
+        if ((part.points[p].seen_by & motion.moved.views) != 0 && !keeps(motion, span, p))
             throw Refused("the motion does not keep the image of point ", p + 1, " of the part");
+}
+
+/// κ of a loose point: its parameters, less the conditions that its images put on them while all
+/// else rests. Throws Refused if it is on two lines that rest.
+static int loose_parameters_of(const Problem& part, std::size_t point, const Indices& loose_lines) {
+    const auto rests = [&](std::size_t n) { return !contains(loose_lines, n); };
+    const Point& moved = part.points[point];
+    const auto resting_lines = static_cast<int>(std::ranges::count_if(moved.lines, rests));
+    if (resting_lines > 1) throw Refused("a loose point is on two lines that rest");
+    return 3 - 2 * resting_lines - (2 - resting_lines) * std::popcount(moved.seen_by);
+}
+
+/// κ of a loose line beside that of its loose points, if it contains all of these. Throws Refused
+/// if two of its points rest.
+static int loose_parameters_of(const Problem& part, const Line& line, const Indices& loose_points) {
+    int loose = 0, seen = 0;
+    for (const std::size_t p : line.points) {
+        if (!contains(loose_points, p)) continue;
+        ++loose;
+        seen += std::popcount(line.seen_by & part.points[p].seen_by);
     }
+    if (loose < std::ssize(loose_points))
+        throw Refused("a loose line does not contain a loose point");
+    const int resting = static_cast<int>(line.points.size()) - loose;
+    if (resting > 1) throw Refused("a loose line contains two points that rest");
+    return 4 - 2 * (loose + resting) - (2 - resting) * std::popcount(line.seen_by) + seen;
+}
+
+/// κ of a point with some lines through it, or of a line with some of its points.
+static int loose_parameters(const Problem& part, const Selection& moved) {
+    if (moved.points.size() != 1 && moved.lines.size() != 1)
+        throw Refused("what is loose is no point with lines, and no line with points");
+    int free = 0;
+    for (const std::size_t p : moved.points)
+        free += loose_parameters_of(part, p, moved.lines);
+    for (const std::size_t n : moved.lines)
+        free += loose_parameters_of(part, part.lines[n], moved.points);
+    return free;
+}
+
+/// κ of a camera that moves while all else rests: its unknowns, less the conditions that its images
+/// put on them. Three points of a line fix the images of all others.
+static int camera_parameters(const Problem& part, Views view) {
+    if (part.view_count() < 3) throw Refused("fewer than two cameras of the part rest");
+    int conditions = 0;
+    for (const Point& point : part.points)
+        if ((point.seen_by & view) != 0) conditions += 2;
+    for (const Line& line : part.lines) {
+        if ((line.seen_by & view) == 0) continue;
+        const auto sees = [&](std::size_t p) { return (part.points[p].seen_by & view) != 0; };
+        const auto points = static_cast<int>(std::ranges::count_if(line.points, sees));
+        conditions += 2 - points - std::max(0, points - 3);
+    }
+    return part.cameras->unknowns - conditions;
+}
+
+/// Which views see something that moves with these views: what they see, and what is joined to that
+/// by incidence.
+static Views views_of_moved(const Problem& part, Views moving) {
+    Views seeing = moving;
+    std::vector<bool> points(part.points.size()), lines(part.lines.size());
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            const auto moves = [&](std::size_t n) { return lines[n]; };
+            const Point& point = part.points[p];
+            if (points[p] ||
+                ((point.seen_by & moving) == 0 && std::ranges::none_of(point.lines, moves)))
+                continue;
+            points[p] = grows = true;
+            seeing |= point.seen_by;
+        }
+        for (std::size_t n = 0; n < lines.size(); ++n) {
+            const auto moves = [&](std::size_t p) { return points[p]; };
+            const Line& line = part.lines[n];
+            if (lines[n] ||
+                ((line.seen_by & moving) == 0 && std::ranges::none_of(line.points, moves)))
+                continue;
+            lines[n] = grows = true;
+            seeing |= line.seen_by;
+        }
+    }
+    return seeing;
+}
+
+/// κ of views that move with all that they see, as a motion of space does that keeps the one
+/// resting camera that sees some of it.
+static int parameters_apart(const Problem& part, Views moving) {
+    if (std::popcount(part.views & ~moving) < 2) throw Refused("fewer than two views rest");
+    if (std::popcount(views_of_moved(part, moving) & ~moving) > 1)
+        throw Refused("two views that rest see what moves");
+    return part.cameras->all_matrices ? 4 : 1;
 }
 
 /// κ of a motion that is not `none`. Throws Refused if the motion does not keep the images.
 static int kernel_dimension(const Problem& part, const Motion& motion) {
+    if (motion.kind == Motion::Kind::loose) return loose_parameters(part, motion.moved);
+    if (motion.kind == Motion::Kind::camera) return camera_parameters(part, motion.moved.views);
+    if (motion.kind == Motion::Kind::apart) return parameters_apart(part, motion.moved.views);
     require_motion(part, motion);
     const Span span = span_of(part, motion.moved.points, motion.moved.lines);
     if (span.rank > 3) throw Refused("the rank of the generators is ", span.rank, ", more than 3");
     const Indices costly = costly_lines(part, motion, span);
-    require_kept_points(part, motion, span, costly);
+    require_kept_points(part, motion, span);
     return freedom(part, motion, span.rank) * std::popcount(motion.moved.views) -
            gain(part, motion, span.rank) - cost_of(costly, part, motion, span);
-}
-
-/// Throws Refused unless the joins, pairs of points, form a forest.
-static void require_forest(const Indices& joins, std::size_t points) {
-    Indices tree(points);
-    std::iota(tree.begin(), tree.end(), std::size_t{0});
-    for (std::size_t i = 0; i < joins.size(); i += 2) {
-        const std::size_t a = tree[joins[i]], b = tree[joins[i + 1]];
-        if (a == b) throw Refused("the joins close a circle");
-        std::ranges::replace(tree, a, b);
-    }
-}
-
-/// What is left over when the directions of lines and joins are counted, and the cameras without
-/// their translations.
-static int excess_of_directions(const Problem& part, const Indices& joins) {
-    if (part.cameras->all_matrices) throw Refused("projective cameras have no `directions`");
-    int excess = 3 * part.view_count() - 4 - camera_columns(part);
-    for (const Line& line : part.lines) {
-        if (line.points.size() > 1) throw Refused("a line of the part has two points");
-        excess += conditions_in(line.seen_by);
-    }
-    require_forest(joins, part.points.size());
-    for (std::size_t i = 0; i < joins.size(); i += 2)
-        excess += conditions_in(part.points[joins[i]].seen_by & part.points[joins[i + 1]].seen_by);
-    return excess;
-}
-
-/// What is left over when the lines from a point are counted, and what each view makes of them: a
-/// pencil of image lines, by a map that has five numbers.
-static int excess_of_pencils(const Problem& part, std::size_t centre) {
-    if (!part.cameras->all_matrices)
-        throw Refused(part.cameras->name, " cameras have no `pencils`");
-    if (part.points[centre].seen_by != part.views)
-        throw Refused("a view of the part does not see the point of the pencils");
-    int excess = 8 - 5 * part.view_count();
-    for (const Line& line : part.lines) {
-        if (line.points != Indices{centre}) throw Refused("a line of the part is in no pencil");
-        excess += conditions_in(line.seen_by);
-    }
-    for (std::size_t p = 0; p < part.points.size(); ++p)
-        if (p != centre) excess += conditions_in(part.points[p].seen_by);
-    return excess;
 }
 
 int excess_of(const Problem& problem, const Selection& selection, const Motion& motion) {
@@ -244,7 +297,7 @@ int excess_of(const Problem& problem, const Selection& selection, const Motion& 
         throw Refused("its cameras are projective");
     if (motion.projective) part.cameras = &projective_cameras;
     const Motion within = motion_in(selection, motion);
-    if (motion.kind == Motion::Kind::directions) return excess_of_directions(part, within.joins);
+    if (motion.kind == Motion::Kind::directions) return excess_of_directions(part, within);
     if (motion.kind == Motion::Kind::pencils) return excess_of_pencils(part, within.centre);
     if (motion.kind == Motion::Kind::none) return surplus(part);
     return surplus(part) + kernel_dimension(part, within);

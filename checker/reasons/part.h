@@ -15,14 +15,16 @@ struct Selection {
     Indices lines{};
 };
 
-/// A motion of cameras that keeps the images of a part; or none, but a reason to count anew.
+/// A motion of cameras, or of what is loose, that keeps the images of a part; or none, but a reason
+/// to count anew, perhaps with a core, which is a part of the part.
 struct Motion {
-    enum class Kind { none, plane, star, directions, pencils };
+    enum class Kind { none, loose, camera, apart, plane, star, directions, pencils };
     Kind kind = Kind::none;
     bool projective = false; // the cameras are taken as projective ones
     std::size_t centre = 0;  // O, a point: of a star, or of pencils
     Indices joins{};         // pairs of points, one after the other: of directions
-    Selection moved{};       // the moving views, and the generators
+    Selection moved{};       // the moving views, and the generators; or what is loose
+    Selection core{};        // of directions; without views: none
 };
 
 /// Not minimal: two views see four points of a line.
@@ -46,6 +48,18 @@ struct Span {
 };
 
 Span span_of(const Problem& problem, const Indices& points, const Indices& lines);
+
+/// Whether one can get from the problem to the part: leaves out what may be left out, a line with
+/// at most two points, a point on at most two lines, as long as anything may.
+bool arises(Problem problem, const Selection& part);
+
+/// The part as a problem. Its points and lines have new numbers.
+Problem part_of(const Problem& problem, const Selection& part);
+
+/// What so many views say of a line in a known direction, beyond the two numbers of the direction.
+inline int conditions_in(Views views) {
+    return std::max(0, std::popcount(views) - 2);
+}
 
 /// How many conditions the images satisfy by such a part and motion, whatever is claimed; perhaps
 /// none. Throws Refused if it is no part, or if the motion does not keep the images.
