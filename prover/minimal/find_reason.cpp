@@ -95,13 +95,6 @@ public:
                          {.kind = MotionKind::loose, .points = std::move(points), .lines = {line}});
     }
 
-    /// Each camera alone.
-    void consider_cameras(const Subproblem& part) {
-        for (int view = 0; view < problem_.views; ++view)
-            if (contains(part.views, view))
-                consider(part, {.kind = MotionKind::camera, .moving = ViewSet{1} << view});
-    }
-
     std::optional<OverconstrainedPart> take() { return std::move(best_); }
 
 private:
@@ -142,10 +135,11 @@ Subproblem without_line(Subproblem part, int line) {
     return part;
 }
 
-/// Leaves out points and lines as long as the images of the rest have more parameters to spare.
-Subproblem densest(const Problem& problem, Subproblem part) {
+/// Leaves out points and lines as long as the images of the rest, which the motion keeps, have more
+/// parameters to spare.
+Subproblem densest(const Problem& problem, Subproblem part, const CameraMotion& motion = {}) {
     const auto parameters_to_spare = [&](const Subproblem& candidate) {
-        return is_part(problem, candidate) ? excess(problem, candidate, {}) : std::nullopt;
+        return is_part(problem, candidate) ? excess(problem, candidate, motion) : std::nullopt;
     };
     for (bool changed = true; changed;) {
         changed = false;
@@ -165,6 +159,15 @@ Subproblem densest(const Problem& problem, Subproblem part) {
             }
     }
     return part;
+}
+
+/// Each camera alone; the part loses points and lines that would keep it at its place.
+void consider_cameras(Search& search, const Problem& problem, const Subproblem& part) {
+    for (int view = 0; view < problem.views; ++view) {
+        if (!contains(part.views, view)) continue;
+        const CameraMotion motion{.kind = MotionKind::camera, .moving = ViewSet{1} << view};
+        search.consider(densest(problem, part, motion), motion);
+    }
 }
 
 /// Joins of points that many views see together, as long as they close no circle with each other
@@ -342,7 +345,7 @@ std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) 
         part.views = views;
         search.consider_loose(part);
         search.consider_loose(densest(problem, part));
-        search.consider_cameras(part);
+        consider_cameras(search, problem, part);
         search.consider_apart(part);
         consider_motions_of_less(search, problem, part);
         consider_directions(search, problem, views);

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""No random problem is without an answer: draws balanced problems of each kind of cameras in 2 to 8
+"""Are random problems without an answer? Draws balanced problems of each kind of cameras in 2 to 8
 views, with partial visibility and shared lines, has plprove certify them, and plcheck replay that.
 And no reason speaks against a minimal problem: reasons_against looks for one, for the first 20 of
 each kind.
