@@ -152,6 +152,17 @@ void set_intersection(First&& first, Second&& second, Output output) {
                           output);
 }
 
+template <class First, class Second, class Output>
+void set_difference(First&& first, Second&& second, Output output) {
+    std::set_difference(std::begin(first), std::end(first), std::begin(second), std::end(second),
+                        output);
+}
+
+template <class First, class Second>
+bool includes(First&& first, Second&& second) {
+    return std::includes(std::begin(first), std::end(first), std::begin(second), std::end(second));
+}
+
 template <class Range, class Output>
 void copy(Range&& range, Output output) {
     std::copy(std::begin(range), std::end(range), output);
