@@ -54,9 +54,7 @@ for (const [family, size] of Object.entries(sizes)) {
         assert.match(output, new RegExp(`all ${size} problems are certified, ${minimal[family]} `));
         assert.match(await page.textContent(`#${family} caption`), /your browser just derived/);
         const rows = await page.locator(`#${family} tbody tr`).allTextContents();
-        const { families } = JSON.parse(
-            execFileSync(plcheck, ["--json", ...words], folder),
-        );
+        const { families } = JSON.parse(execFileSync(plcheck, ["--json", ...words], folder));
         assert.deepEqual(
             rows,
             families[0].claims.map(
@@ -89,7 +87,9 @@ for (const [family, size] of Object.entries(sizes)) {
 
 test("each family has its counts and its list", async () => {
     const page = await visit();
-    const families = await page.locator("[name=family] option").evaluateAll((all) => all.map((o) => o.value));
+    const families = await page
+        .locator("[name=family] option")
+        .evaluateAll((all) => all.map((option) => option.value));
     assert.equal(families.length, 9);
     for (const family of families) {
         await page.selectOption("[name=family]", family);
@@ -97,11 +97,14 @@ test("each family has its counts and its list", async () => {
         const total = `${listed.length} of ${listed.length} problems`;
         await until(page, (text) => document.querySelector("#total").textContent === text, total);
         assert.deepEqual(await notations(page), listed);
+        if (["plmp", "projective"].includes(family)) continue; // their tables are those of papers
         const counts = await page.locator(`#${family} tbody tr`).allTextContents();
-        assert.match(counts.join("|"), new RegExp(`[^0-9]${lists("--family", family, "--minimal").length}`));
+        const found = lists("--family", family, "--minimal").length;
+        assert.ok(counts.includes(`minimal-${found}no claim`), `${family}: ${counts}`);
     }
     const hyphens = await visit("#upright-shared-focal-1");
-    assert.match(await textOf(hyphens, "#upright-shared-focal-1 .record"), /^problem upright-shared-focal: /m);
+    const record = await textOf(hyphens, "#upright-shared-focal-1 .record");
+    assert.match(record, /^problem upright-shared-focal: /m);
 });
 
 test("the problems are filtered by views and verdict, and the address keeps the filters", async () => {
