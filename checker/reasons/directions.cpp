@@ -5,10 +5,6 @@
 #include <span>
 
 namespace checker {
-static bool is_in(const Indices& list, std::size_t index) {
-    return std::ranges::find(list, index) != list.end();
-}
-
 /// Points that are joined, one after the other, without a circle.
 class Forest {
 public:
@@ -47,7 +43,7 @@ static void require_forest(const Problem& part, const Motion& motion) {
         forest.join(part.lines[n].points);
     forest.unite(motion.core.points);
     for (std::size_t n = 0; n < part.lines.size(); ++n)
-        if (!is_in(motion.core.lines, n)) forest.join(part.lines[n].points);
+        if (!contains(motion.core.lines, n)) forest.join(part.lines[n].points);
     for (std::size_t i = 0; i < motion.joins.size(); i += 2)
         forest.join(std::span(motion.joins).subspan(i, 2));
 }
@@ -57,7 +53,7 @@ static void require_core(const Problem& part, const Selection& core) {
     if (!arises(part, core)) throw Refused("the core does not arise by leaving out");
     for (const std::size_t n : core.lines)
         for (const std::size_t p : part.lines[n].points)
-            if (!is_in(core.points, p))
+            if (!contains(core.points, p))
                 throw Refused("line ", n + 1, " of the part is in the core, point ", p + 1,
                               " on it is not");
 }
@@ -99,7 +95,7 @@ int excess_of_directions(const Problem& part, const Motion& motion) {
     if (part.cameras->all_matrices) throw Refused("projective cameras have no `directions`");
     int excess = 3 * part.view_count() - 4 - camera_columns(part);
     for (std::size_t n = 0; n < part.lines.size(); ++n)
-        if (!is_in(core_lines, n)) excess += conditions_in(part.lines[n].seen_by);
+        if (!contains(core_lines, n)) excess += conditions_in(part.lines[n].seen_by);
     require_forest(part, motion);
     for (std::size_t i = 0; i < motion.joins.size(); i += 2)
         excess += conditions_in(part.points[motion.joins[i]].seen_by &

@@ -5,10 +5,6 @@
 #include <algorithm>
 
 namespace checker {
-static bool contains(const Indices& list, std::size_t index) {
-    return std::ranges::find(list, index) != list.end();
-}
-
 /// Lines that contain two points of the span lie in it, and so do the points on a line of it.
 static void close(Span& span, const Problem& problem) {
     for (bool grows = true; grows;) {

@@ -49,6 +49,10 @@ struct Span {
 
 Span span_of(const Problem& problem, const Indices& points, const Indices& lines);
 
+inline bool contains(const Indices& list, std::size_t index) {
+    return std::ranges::find(list, index) != list.end();
+}
+
 /// Whether one can get from the problem to the part: leaves out what may be left out, a line with
 /// at most two points, a point on at most two lines, as long as anything may.
 bool arises(Problem problem, const Selection& part);
