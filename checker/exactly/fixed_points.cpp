@@ -14,7 +14,6 @@ struct NullView {
 
 /// A fixed point of the space A of quaternions.
 struct Quaternions {
-    Residue factor{1};
     Residue z{}; // the roots of S are z and -z
     Triple h{};
     std::vector<Residue> tangents{};
@@ -61,16 +60,16 @@ static std::vector<Residue> tangents_of_regular(const Quaternions& at, const Tri
     return tangents;
 }
 
-/// The eight points where this view has an invertible quaternion and the others are null. Each
-/// occurs twice, by the Weyl group of SL_2: so the factor is 1/2.
+/// The eight points where this view has an invertible quaternion and the others are null. Its root
+/// z is y or -y: the Weyl group of SL_2 makes one point of both.
 static void append_regular(std::vector<Quaternions>& all, const Triple& y, std::size_t regular) {
-    for (unsigned signs = 0; signs < 16; ++signs) {
+    for (unsigned signs = 0; signs < 8; ++signs) {
         const auto signed_by = [&](unsigned bit, Residue x) { return signs >> bit & 1 ? x : -x; };
-        Quaternions at{.factor = Residue{2}.inverse(), .z = signed_by(0, y[regular])};
+        Quaternions at{.z = y[regular]};
         for (unsigned k = 1; k <= 2; ++k) {
             const std::size_t view = (regular + k) % 3;
             const Residue null_y = signed_by(k, y[view]);
-            at.h[view] = -twice(signed_by(3, k == 1 ? at.z : -at.z) + null_y);
+            at.h[view] = -twice(signed_by(0, k == 1 ? at.z : -at.z) + null_y);
             at.nulls.push_back({view, null_y});
         }
         at.tangents = tangents_of_regular(at, y);
@@ -119,7 +118,7 @@ static FixedPoint point_of_moduli(const Quaternions& at, const Translation& chos
     for (const Translation& other : translations(at))
         if (other.view != chosen.view || other.power != chosen.power)
             normal = normal * (other.weight - chosen.weight);
-    point.weight = at.factor * inverse(normal);
+    point.weight = inverse(normal);
     return point;
 }
 
