@@ -3,7 +3,7 @@
 #pragma once
 
 #include "prover/minimal/minor.h"
-#include "prover/minimal/reason.h"
+#include "prover/reasons/reason.h"
 #include "prover/minimal/undecided.h"
 #include "prover/problem/complete_visibility.h"
 

@@ -1,7 +1,7 @@
 #include "prover/minimal/undecided.h"
 
 #include "prover/minimal/random_instance.h"
-#include "prover/minimal/reason.h"
+#include "prover/reasons/reason.h"
 
 namespace plprove {
 

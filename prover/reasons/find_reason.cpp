@@ -1,5 +1,5 @@
-#include "prover/minimal/joined_points.h"
-#include "prover/minimal/reason.h"
+#include "prover/reasons/joined_points.h"
+#include "prover/reasons/reason.h"
 
 #include <algorithm>
 #include <bit>
