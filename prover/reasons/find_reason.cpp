@@ -213,46 +213,59 @@ Subproblem seen_in(const Problem& problem, Subproblem part, ViewSet views) {
     return part;
 }
 
-/// A count of directions, with cores.
+/// A count of directions of a part, and of a core.
 class Directions {
 public:
     Directions(Search& search, const Problem& problem, Subproblem part)
         : search_(search), problem_(problem), part_(std::move(part)) {}
 
-    /// Considers no core; then for each choice of views the core that has points and lines left out
+    /// Considers no core; then for each choice of views a core. Part and core lose points and lines
     /// as long as the count grows.
     void consider_all() {
         if (!is_part(problem_, part_)) return;
-        search_.consider(part_, with({}));
+        search_.consider(part_, with({part_, {}}));
         for (ViewSet views = 1; views <= part_.views && !search_.found(); ++views) {
             if ((views & ~part_.views) != 0 || std::popcount(views) < 2) continue;
-            Subproblem core = seen_in(problem_, part_, views);
-            while (const std::optional<Subproblem> better = better_than(core))
-                core = *better;
-            search_.consider(part_, with(core));
+            Choice choice{part_, seen_in(problem_, part_, views)};
+            while (std::optional<Choice> better = better_than(choice))
+                choice = *std::move(better);
+            search_.consider(choice.part, with(choice));
         }
     }
 
 private:
-    CameraMotion with(const Subproblem& core) const {
+    struct Choice {
+        Subproblem part, core;
+    };
+
+    CameraMotion with(const Choice& choice) const {
         return {.kind = MotionKind::directions,
-                .joins = best_joins(problem_, part_, core),
-                .core = core};
+                .joins = best_joins(problem_, choice.part, choice.core),
+                .core = choice.core};
     }
 
-    /// A core without some point and its pins, or without a line, that counts more.
-    std::optional<Subproblem> better_than(const Subproblem& core) const {
-        const auto count = [&](const Subproblem& other) {
-            return excess(problem_, part_, with(other));
-        };
-        const std::optional<int> before = count(core);
-        std::vector<Subproblem> candidates;
-        for (const int point : core.points)
-            candidates.push_back(without_point(problem_, core, point));
-        for (const int line : core.lines)
-            candidates.push_back(without_line(core, line));
-        for (const Subproblem& candidate : candidates)
-            if (count(candidate) > before) return candidate;
+    std::optional<int> count(const Choice& choice) const {
+        if (!is_part(problem_, choice.part)) return std::nullopt;
+        return excess(problem_, choice.part, with(choice));
+    }
+
+    /// A choice without some point and its pins, or without a line, that counts more: the core
+    /// lacks it, or the part, too.
+    std::optional<Choice> better_than(const Choice& choice) const {
+        std::vector<Choice> candidates;
+        for (const int point : choice.core.points)
+            candidates.push_back({choice.part, without_point(problem_, choice.core, point)});
+        for (const int line : choice.core.lines)
+            candidates.push_back({choice.part, without_line(choice.core, line)});
+        for (const int point : choice.part.points)
+            candidates.push_back({without_point(problem_, choice.part, point),
+                                  without_point(problem_, choice.core, point)});
+        for (const int line : choice.part.lines)
+            candidates.push_back(
+                {without_line(choice.part, line), without_line(choice.core, line)});
+        const std::optional<int> before = count(choice);
+        for (Choice& candidate : candidates)
+            if (count(candidate) > before) return std::move(candidate);
         return std::nullopt;
     }
 
@@ -290,6 +303,15 @@ void consider_directions(Search& search, const Problem& problem, ViewSet views) 
     lines_alone.points.clear();
     for (const Subproblem& part : {simple, lines_alone, all})
         Directions(search, problem, part).consider_all();
+}
+
+/// Motions of some cameras of the part; where it has many views, of one.
+void consider_motions_of_some(Search& search, const Subproblem& part) {
+    constexpr int many_views = 9; // 3^8 choices of a part and of what moves are a second
+    const bool many = std::popcount(part.views) >= many_views;
+    for (ViewSet moving = 1; moving < part.views; ++moving)
+        if ((moving & ~part.views) == 0 && (!many || std::has_single_bit(moving)))
+            search.consider_motions(part, moving);
 }
 
 /// Motions of all cameras of these views; the part loses the points that they do not keep. Of
@@ -347,6 +369,7 @@ std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) 
         search.consider_loose(densest(problem, part));
         consider_cameras(search, problem, part);
         search.consider_apart(part);
+        consider_motions_of_some(search, part);
         consider_motions_of_less(search, problem, part);
         consider_directions(search, problem, views);
         consider_pencils(search, problem, views);
