@@ -157,7 +157,7 @@ Judgement judge(const Classification& classes, const Findings& findings,
     judgement.statement = in_words(expected) + ": ";
     if (!gaps.empty()) {
         judgement.statement +=
-            say(gaps.size(), " of ", all, " problems are not certified so; the first is in ",
+            say(gaps.size(), " of ", all, " problems lack such a certificate; the first is in ",
                 gaps.front());
         judgement.why = gaps;
         return judgement;

@@ -129,18 +129,52 @@ static Indices read_joins(Reader& reader, const Problem& problem) {
     return joins;
 }
 
+/// Takes the lines `about ...`, if they come.
+static std::vector<Element> read_elements(Reader& reader, const Problem& problem) {
+    constexpr std::size_t most = 24;                                          // two of each view
+    constexpr std::array<std::string_view, 3> names{"point", "line", "view"}; // as Element::Centre
+    std::vector<Element> elements;
+    do {
+        reader.take("about");
+        const std::string_view name = reader.word();
+        const auto found = std::ranges::find(names, name);
+        if (found == names.end()) reader.fail(name, "`point`, `line` or `view`");
+        Element element{.kind = static_cast<Element::Centre>(found - names.begin())};
+        const std::array<std::size_t, 3> limits{problem.points.size(), problem.lines.size(),
+                                                static_cast<std::size_t>(problem.view_count())};
+        const std::size_t limit = limits[static_cast<std::size_t>(element.kind)];
+        element.centre =
+            static_cast<std::size_t>(reader.small_integer(1, static_cast<int>(limit))) - 1;
+        reader.take("views");
+        element.views = read_views(reader, problem, 1, "");
+        reader.end_line();
+        elements.push_back(element);
+    } while (reader.comes("about") && elements.size() < most);
+    return elements;
+}
+
+/// Takes what follows `star`: each moving view is an element about the point.
+static void read_star(Reader& reader, const Problem& problem, Motion& motion) {
+    const std::size_t centre = read_point(reader, problem);
+    motion.moved = read_selection(reader, problem, 1);
+    for (int view = 0; view < problem.view_count(); ++view)
+        if ((motion.moved.views >> view & 1) != 0)
+            motion.elements.push_back({.centre = centre, .views = Views{1} << view});
+}
+
 static Motion read_motion(Reader& reader, const Problem& problem) {
-    constexpr std::array<std::string_view, 8> names{
-        "none",  "loose", "camera",     "apart", // in the order of Motion::Kind
-        "plane", "star",  "directions", "pencils"};
+    constexpr std::array<std::string_view, 7> names{"none",    "loose",      "camera",
+                                                    "plane", // in the order of Motion::Kind
+                                                    "central", "directions", "pencils"};
     Motion motion;
     reader.take("motion");
     motion.projective = reader.comes("projective");
     if (motion.projective) reader.take("projective");
     const std::string_view name = reader.word();
-    const auto found = std::ranges::find(names, name);
+    const bool star = name == "star";
+    const auto found = std::ranges::find(names, star ? "central" : name);
     if (found == names.end())
-        reader.fail(name, "`none`, `loose`, `camera`, `apart`, `plane`, `star`, `directions` or "
+        reader.fail(name, "`none`, `loose`, `camera`, `plane`, `star`, `central`, `directions` or "
                           "`pencils`");
     motion.kind = static_cast<Motion::Kind>(found - names.begin());
     switch (motion.kind) {
@@ -154,16 +188,16 @@ static Motion read_motion(Reader& reader, const Problem& problem) {
         motion.moved.views = 1U << (reader.small_integer(1, problem.view_count()) - 1);
         reader.end_line();
         break;
-    case Motion::Kind::apart:
-        reader.take("views");
-        motion.moved.views = read_views(reader, problem, 1, "");
-        reader.end_line();
-        break;
-    case Motion::Kind::star:
-        motion.centre = read_point(reader, problem);
-        [[fallthrough]];
     case Motion::Kind::plane:
         motion.moved = read_selection(reader, problem, 1);
+        break;
+    case Motion::Kind::central:
+        if (star) {
+            read_star(reader, problem, motion);
+        } else {
+            motion.moved = read_points_and_lines(reader, problem);
+            motion.elements = read_elements(reader, problem);
+        }
         break;
     case Motion::Kind::directions:
         motion.joins = read_joins(reader, problem);

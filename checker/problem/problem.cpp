@@ -99,17 +99,21 @@ const char* violation(const Problem& problem) {
     return "";
 }
 
+int image_dimension(const Problem& problem, Views views) {
+    int images = 0;
+    for (const Point& point : problem.points)
+        images += 2 * std::popcount(point.seen_by & views);
+    for (const Line& line : problem.lines) {
+        images += 2 * std::popcount(line.seen_by & views);
+        for (const std::size_t p : line.points)
+            images -= std::popcount(line.seen_by & problem.points[p].seen_by & views);
+    }
+    return images;
+}
+
 int surplus(const Problem& problem) {
     const auto [free, carried, of_lines] = scene_parts(problem);
     const int space = static_cast<int>(3 * free + carried + 2 * of_lines);
-    int images = 0;
-    for (const Point& point : problem.points)
-        images += 2 * std::popcount(point.seen_by);
-    for (const Line& line : problem.lines) {
-        images += 2 * std::popcount(line.seen_by);
-        for (const std::size_t p : line.points)
-            images -= std::popcount(line.seen_by & problem.points[p].seen_by);
-    }
-    return images - space - camera_columns(problem);
+    return image_dimension(problem, problem.views) - space - camera_columns(problem);
 }
 } // namespace checker

@@ -74,6 +74,9 @@ const char* violation(const Problem& problem);
 /// How many columns so many cameras of a kind have in J: the dimension D of FORMAT.md.
 int columns_of(const CameraModel& cameras, int views);
 
+/// The dimension of the images in these views.
+int image_dimension(const Problem& problem, Views views);
+
 /// The dimension of all images less that of scenes and cameras: 0 if the problem is balanced.
 int surplus(const Problem& problem);
 } // namespace checker

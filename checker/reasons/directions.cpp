@@ -1,4 +1,4 @@
-#include "checker/reasons/directions.h"
+#include "checker/reasons/motions.h"
 
 #include <algorithm>
 #include <numeric>
@@ -64,14 +64,6 @@ static int excess_of_scene(const Problem& part, const Selection& core) {
     return surplus(alone) + camera_columns(alone);
 }
 
-/// The views of the part, one by one, that are not in the core.
-static std::vector<Views> views_outside(const Problem& part, const Selection& core) {
-    std::vector<Views> views;
-    for (Views rest = part.views & ~core.views; rest != 0; rest &= rest - 1)
-        views.push_back(rest & (~rest + 1));
-    return views;
-}
-
 static int count_seen(const Problem& part, const Indices& points, Views view) {
     const auto sees = [&](std::size_t p) { return (part.points[p].seen_by & view) != 0; };
     return static_cast<int>(std::ranges::count_if(points, sees));
@@ -102,8 +94,8 @@ int excess_of_directions(const Problem& part, const Motion& motion) {
                                 part.points[motion.joins[i + 1]].seen_by);
     if (core_views == 0) return excess;
     require_core(part, motion.core);
-    for (const Views view : views_outside(part, motion.core))
-        excess += directions_seen(part, motion.core, view);
+    for (Views rest = part.views & ~core_views; rest != 0; rest &= rest - 1)
+        excess += directions_seen(part, motion.core, rest & (~rest + 1)); // the lowest view
     return excess + excess_of_scene(part, motion.core) - (3 * std::popcount(core_views) - 4);
 }
 

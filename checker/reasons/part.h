@@ -15,16 +15,26 @@ struct Selection {
     Indices lines{};
 };
 
+/// Cameras that move as by a central collineation: one that keeps the lines through a centre, and
+/// the generators of a motion.
+struct Element {
+    enum class Centre { point, line, view };
+    Centre kind = Centre::point;
+    std::size_t centre = 0; // a point; a line, on it a generic point; a view, its camera's centre
+    Views views = 0;
+};
+
 /// A motion of cameras, or of what is loose, that keeps the images of a part; or none, but a reason
 /// to count anew, perhaps with a core, which is a part of the part.
 struct Motion {
-    enum class Kind { none, loose, camera, apart, plane, star, directions, pencils };
+    enum class Kind { none, loose, camera, plane, central, directions, pencils };
     Kind kind = Kind::none;
     bool projective = false; // the cameras are taken as projective ones
-    std::size_t centre = 0;  // O, a point: of a star, or of pencils
+    std::size_t centre = 0;  // O, a point: of pencils
     Indices joins{};         // pairs of points, one after the other: of directions
-    Selection moved{};       // the moving views, and the generators; or what is loose
-    Selection core{};        // of directions; without views: none
+    Selection moved{};       // the moving views of a plane; the generators; or what is loose
+    std::vector<Element> elements{}; // of a central motion
+    Selection core{};                // of directions; without views: none
 };
 
 /// Not minimal: two views see four points of a line.
@@ -49,6 +59,11 @@ struct Span {
 
 Span span_of(const Problem& problem, const Indices& points, const Indices& lines);
 
+/// Whether the line contains a point of the span.
+inline bool meets(const Span& span, const Line& line) {
+    return std::ranges::any_of(line.points, [&](std::size_t p) { return span.points[p]; });
+}
+
 inline bool contains(const Indices& list, std::size_t index) {
     return std::ranges::find(list, index) != list.end();
 }
@@ -63,6 +78,14 @@ Problem part_of(const Problem& problem, const Selection& part);
 /// What so many views say of a line in a known direction, beyond the two numbers of the direction.
 inline int conditions_in(Views views) {
     return std::max(0, std::popcount(views) - 2);
+}
+
+/// The conditions for which the images of a line stay, so many of which would change while it
+/// rests: a line whose points all lie in the span may move.
+inline int conditions_to_keep(const Span& span, const Line& line, int changing) {
+    const auto lies_in = [&](std::size_t p) { return span.points[p]; };
+    const bool may_move = std::ranges::all_of(line.points, lies_in);
+    return may_move ? std::min(changing, conditions_in(line.seen_by)) : changing;
 }
 
 /// How many conditions the images satisfy by such a part and motion, whatever is claimed; perhaps

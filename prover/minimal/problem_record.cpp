@@ -82,20 +82,25 @@ struct Explain {
     static std::string kept_by(const CameraMotion& motion, bool all_matrices) {
         if (motion.kind == MotionKind::none) return "has fewer parameters than its images";
         if (motion.kind == MotionKind::loose)
-            return "looks the same when points" + numbers_from_one(motion.points) + " and lines" +
-                   numbers_from_one(motion.lines) + " move";
+            return "looks the same when " +
+                   (motion.points.empty()  ? "lines" + numbers_from_one(motion.lines)
+                    : motion.lines.empty() ? "points" + numbers_from_one(motion.points)
+                                           : "points" + numbers_from_one(motion.points) +
+                                                 " and lines" + numbers_from_one(motion.lines)) +
+                   " move";
         if (motion.kind == MotionKind::camera)
             return "looks the same when camera " +
                    std::to_string(std::countr_zero(motion.moving) + 1) + " moves";
-        if (motion.kind == MotionKind::apart)
-            return "looks the same when some cameras, with all that they see, move towards another";
         if (motion.kind == MotionKind::pencils)
             return "has fewer lines through point " + std::to_string(motion.centre + 1) +
                    ", and maps of these to pencils, than its images say";
         if (motion.kind == MotionKind::plane)
             return all_matrices ? "looks the same when cameras move and keep the images of a plane"
                                 : "looks the same when cameras move and do not turn";
-        const std::string point = " point " + std::to_string(motion.centre + 1);
+        const std::optional<int> centre = point_of_star(motion);
+        if (!centre)
+            return "looks the same when some cameras slide towards centres, with what they see";
+        const std::string point = " point " + std::to_string(*centre + 1);
         return !all_matrices
                    ? "looks the same when cameras slide along their rays to" + point
                    : "looks the same when cameras move and keep the images of all lines through" +

@@ -132,16 +132,25 @@ struct WriteClaim {
         if (motion.kind == MotionKind::directions) return write_directions(motion.joins);
         if (motion.kind == MotionKind::camera)
             return text.line(motion_of, "camera", numbered_views(motion.moving));
-        if (motion.kind == MotionKind::apart)
-            return text.line(motion_of, "apart views", numbered_views(motion.moving));
         if (motion.kind == MotionKind::loose)
             return text.line(motion_of, "loose points", numbered(motion.points), "lines",
                              numbered(motion.lines));
-        const std::string kind = motion.kind == MotionKind::plane
-                                     ? "plane"
-                                     : "star " + std::to_string(motion.centre + 1);
-        text.line(motion_of, kind, "views", numbered_views(motion.moving), "points",
-                  numbered(motion.points), "lines", numbered(motion.lines));
+        const std::optional<int> centre = point_of_star(motion);
+        if (motion.kind == MotionKind::central && !centre) return write_elements(motion, motion_of);
+        text.line(motion_of, centre ? "star " + std::to_string(*centre + 1) : "plane", "views",
+                  numbered_views(moving_views(motion)), "points", numbered(motion.points), "lines",
+                  numbered(motion.lines));
+    }
+
+    void write_elements(const CameraMotion& motion, const std::string& motion_of) const {
+        text.line(motion_of, "central points", numbered(motion.points), "lines",
+                  numbered(motion.lines));
+        for (const CentralElement& element : motion.elements) {
+            const char* const kind = element.kind == CentralElement::Centre::point  ? "point"
+                                     : element.kind == CentralElement::Centre::line ? "line"
+                                                                                    : "view";
+            text.line("about", kind, element.centre + 1, "views", numbered_views(element.views));
+        }
     }
 };
 

@@ -1,3 +1,4 @@
+#include "prover/reasons/find_central_motion.h"
 #include "prover/reasons/joined_points.h"
 #include "prover/reasons/reason.h"
 
@@ -35,6 +36,14 @@ std::vector<std::vector<int>> subsets(const std::vector<int>& numbers) {
     return all;
 }
 
+/// Adds numbers to ascending ones.
+void merge(std::vector<int>& ascending, const std::vector<int>& more) {
+    ascending.insert(ascending.end(), more.begin(), more.end());
+    std::ranges::sort(ascending);
+    const auto repeated = std::ranges::unique(ascending);
+    ascending.erase(repeated.begin(), repeated.end());
+}
+
 /// The best reason seen so far.
 class Search {
 public:
@@ -67,32 +76,40 @@ public:
         if (cameras.all_matrices) plane.points = seen_by(part, moving);
         consider_with_lines(part, plane, 0, cameras.all_matrices ? most_lines : 0);
         for (const int centre : part.points) {
-            CameraMotion star{.kind = MotionKind::star, .centre = centre, .moving = moving};
-            if (cameras.all_matrices) star.points = seen_by(part, moving);
-            std::erase(star.points, centre);
-            consider_with_lines(part, star, 0, cameras.all_matrices ? most_lines : 0);
+            CameraMotion about = star(centre, moving);
+            if (cameras.all_matrices) about.points = seen_by(part, moving);
+            std::erase(about.points, centre);
+            consider_with_lines(part, about, 0, cameras.all_matrices ? most_lines : 0);
         }
-    }
-
-    /// All choices of views that move with all that they see.
-    void consider_apart(const Subproblem& part) {
-        for (ViewSet views = 1; views < part.views; ++views)
-            consider(part, {.kind = MotionKind::apart, .moving = views});
     }
 
     bool found() const { return best_.has_value(); }
 
-    /// Each point with some of the lines through it, and each line with some of its points.
+    /// Each point with some of the lines through it, and each line with some of its points. Then as
+    /// many of these together as have parameters, lines alone first.
     void consider_loose(const Subproblem& part) {
+        std::vector<CameraMotion> single;
         for (const int point : part.points)
             for (std::vector<int>& lines : subsets(lines_through(problem_, point)))
-                consider(part,
-                         {.kind = MotionKind::loose, .points = {point}, .lines = std::move(lines)});
+                single.push_back(
+                    {.kind = MotionKind::loose, .points = {point}, .lines = std::move(lines)});
         for (const int line : part.lines)
             for (std::vector<int>& points :
                  subsets(problem_.lines[static_cast<std::size_t>(line)].points))
-                consider(part,
-                         {.kind = MotionKind::loose, .points = std::move(points), .lines = {line}});
+                single.push_back(
+                    {.kind = MotionKind::loose, .points = std::move(points), .lines = {line}});
+        for (const CameraMotion& motion : single)
+            consider(part, motion);
+        std::ranges::stable_sort(single, {},
+                                 [](const CameraMotion& motion) { return motion.points.size(); });
+        CameraMotion all{.kind = MotionKind::loose};
+        for (const CameraMotion& motion : single) {
+            CameraMotion more = all;
+            merge(more.points, motion.points);
+            merge(more.lines, motion.lines);
+            if (motions(problem_, part, more) > motions(problem_, part, all)) all = more;
+        }
+        consider(part, all);
     }
 
     std::optional<OverconstrainedPart> take() { return std::move(best_); }
@@ -319,7 +336,7 @@ void consider_motions_of_some(Search& search, const Subproblem& part) {
 void consider_motions_of_less(Search& search, const Problem& problem, const Subproblem& part) {
     std::vector<CameraMotion> motions{{.kind = MotionKind::plane, .moving = part.views}};
     for (const int centre : part.points)
-        motions.push_back({.kind = MotionKind::star, .centre = centre, .moving = part.views});
+        motions.push_back(star(centre, part.views));
     constexpr int most_generators = 3;
     for (std::size_t i = 0; i < motions.size(); ++i) { // grows
         const CameraMotion motion = motions[i];
@@ -368,9 +385,10 @@ std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) 
         search.consider_loose(part);
         search.consider_loose(densest(problem, part));
         consider_cameras(search, problem, part);
-        search.consider_apart(part);
         consider_motions_of_some(search, part);
         consider_motions_of_less(search, problem, part);
+        if (const std::optional<CameraMotion> central = find_central_motion(problem, part))
+            search.consider(part, *central);
         consider_directions(search, problem, views);
         consider_pencils(search, problem, views);
     }

@@ -79,50 +79,210 @@ Span spanned_by(const Problem& problem, const Subproblem& part, const CameraMoti
     return span;
 }
 
-/// The lines whose images the moving cameras would change, if the scene were at rest.
-std::vector<int> costly_lines(const Problem& problem, const Subproblem& part,
-                              const CameraMotion& motion, const Span& span) {
-    std::vector<int> costly;
-    for (const int number : part.lines) {
-        const Line& line = problem.lines[static_cast<std::size_t>(number)];
-        const bool through_centre =
-            motion.kind == MotionKind::star && contains(line, motion.centre);
-        if (!span.has_line(number) && !through_centre && (line.seen & motion.moving) != 0)
-            costly.push_back(number);
-    }
-    return costly;
-}
-
-/// Whether the motion keeps the images of a point, and the point.
-bool keeps(const CameraMotion& motion, const Span& span, int point) {
-    return span.has_point(point) || (motion.kind == MotionKind::star && point == motion.centre);
-}
-
-/// Whether each point that a moving view sees is kept.
-bool keeps_points(const Problem& problem, const Subproblem& part, const CameraMotion& motion,
-                  const Span& span) {
-    return std::ranges::all_of(part.points, [&](int point) {
-        return keeps(motion, span, point) ||
-               (problem.points[static_cast<std::size_t>(point)] & motion.moving) == 0;
+/// Whether W contains all points of the part on a line.
+bool contains_points(const Span& span, const Subproblem& part, const Line& line) {
+    return std::ranges::all_of(line.points, [&](int point) {
+        return span.has_point(point) || !is_in(part.points, point);
     });
 }
 
-/// Motions of one camera, and those of space among the motions of all.
-struct Freedom {
-    int camera = 0;
-    int space = 0;
+/// Motions of cameras that keep the images of W and have three parameters each.
+std::optional<int> plane_motions(const Problem& problem, const Subproblem& part,
+                                 const CameraMotion& motion) {
+    const Span span = spanned_by(problem, part, motion);
+    if (span.rank() > (problem.cameras->all_matrices ? 3 : 0)) return std::nullopt;
+    for (const int point : part.points)
+        if (!span.has_point(point) &&
+            (problem.points[static_cast<std::size_t>(point)] & motion.moving) != 0)
+            return std::nullopt;
+    constexpr std::array of_space{4, 1}; // if no camera rests, or one
+    const auto resting = static_cast<std::size_t>(std::popcount(part.views & ~motion.moving));
+    int result = 3 * std::popcount(motion.moving);
+    if (resting < of_space.size()) result -= of_space[resting];
+    for (const int number : part.lines) {
+        const Line& line = problem.lines[static_cast<std::size_t>(number)];
+        if (span.has_line(number)) continue;
+        const int moving = std::popcount(line.seen & motion.moving);
+        result -= contains_points(span, part, line)
+                      ? std::min(moving, conditions_in(line.seen & part.views))
+                      : moving;
+    }
+    return result;
+}
+
+/// What an element moves, and which views see none of it change.
+class Carried {
+public:
+    Carried(const Problem& problem, const Subproblem& part, const Span& span,
+            const CentralElement& element)
+        : problem_(problem), part_(part), span_(span), element_(element),
+          keeping_(element.views |
+                   (element.kind == CentralElement::Centre::view ? ViewSet{1} << element.centre
+                                                                 : ViewSet{0})),
+          points_(problem.points.size(), false), lines_(problem.lines.size(), false) {
+        for (const int point : part.points) {
+            const bool is_centre =
+                element.kind == CentralElement::Centre::point && element.centre == point;
+            if (!is_centre && (seen(point) & element.views) != 0) carry(point);
+        }
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const int number : part.lines)
+                changed = carry_line(number) || changed;
+        }
+    }
+
+    /// The views that see a point that moves.
+    ViewSet seeing_points() const {
+        ViewSet result = 0;
+        for (const int point : part_.points)
+            if (points_[static_cast<std::size_t>(point)]) result |= seen(point);
+        return result;
+    }
+    ViewSet keeping() const { return keeping_; }
+    bool has_line(int number) const { return lines_[static_cast<std::size_t>(number)]; }
+    /// The views in which the element changes the image of a line.
+    ViewSet changing(int number) const {
+        if (passes_centre(number)) return 0;
+        return has_line(number) ? static_cast<ViewSet>(~keeping_) : element_.views;
+    }
+    bool passes_centre(int number) const {
+        return (element_.kind == CentralElement::Centre::line && element_.centre == number) ||
+               (element_.kind == CentralElement::Centre::point &&
+                contains(problem_.lines[static_cast<std::size_t>(number)], element_.centre));
+    }
+
+private:
+    ViewSet seen(int point) const {
+        return problem_.points[static_cast<std::size_t>(point)] & part_.views;
+    }
+    void carry(int point) {
+        if (!span_.has_point(point)) points_[static_cast<std::size_t>(point)] = true;
+    }
+    /// A line moves with a point of it, or alone if no other view sees anything of it.
+    bool carry_line(int number) {
+        if (has_line(number) || span_.has_line(number) || passes_centre(number)) return false;
+        const Line& line = problem_.lines[static_cast<std::size_t>(number)];
+        bool moves = false, alone = (line.seen & part_.views & ~keeping_) == 0;
+        for (const int point : line.points) {
+            if (!is_in(part_.points, point)) continue;
+            moves = moves || points_[static_cast<std::size_t>(point)];
+            alone = alone && (span_.has_point(point) || (seen(point) & ~keeping_) == 0);
+        }
+        if (!moves && !alone) return false;
+        lines_[static_cast<std::size_t>(number)] = true;
+        for (const int point : line.points)
+            if (is_in(part_.points, point)) carry(point);
+        return true;
+    }
+
+    const Problem& problem_;
+    const Subproblem& part_;
+    const Span& span_;
+    const CentralElement& element_;
+    ViewSet keeping_;
+    std::vector<bool> points_;
+    std::vector<bool> lines_;
 };
 
-Freedom freedom(const CameraModel& model, const CameraMotion& motion, int rank, int resting) {
-    if (motion.kind == MotionKind::plane) {
-        if (resting == 0) return {3, 4};
-        return {3, resting == 1 ? 1 : 0};
+/// Whether different parameters of the elements are different motions: a view has one element about
+/// a point and one other at most, and two views rest, or move about the same point alone.
+bool are_independent(const Subproblem& part, const std::vector<CentralElement>& elements) {
+    ViewSet about_points = 0, others = 0;
+    for (const CentralElement& element : elements) {
+        ViewSet& such = element.kind == CentralElement::Centre::point ? about_points : others;
+        if ((such & element.views) != 0 || (element.views & ~part.views) != 0) return false;
+        if (element.kind == CentralElement::Centre::view && contains(element.views, element.centre))
+            return false;
+        such |= element.views;
     }
-    const int camera = model.all_matrices ? 4 - rank : 1;
-    return {camera, resting == 0 ? camera : 0};
+    const ViewSet plain = part.views & ~others;
+    const int resting = std::popcount(plain & ~about_points);
+    if (resting >= 2) return true;
+    return std::ranges::any_of(elements, [&](const CentralElement& element) {
+        if (element.kind != CentralElement::Centre::point) return false;
+        ViewSet alike = 0;
+        for (const CentralElement& other : elements)
+            if (other.kind == element.kind && other.centre == element.centre) alike |= other.views;
+        return resting + std::popcount(plain & alike) >= 2;
+    });
+}
+
+/// The parameters of the elements, less what space contributes, and less the conditions so that the
+/// images of lines stay.
+std::optional<int> central_motions(const Problem& problem, const Subproblem& part,
+                                   const CameraMotion& motion) {
+    const bool projective = problem.cameras->all_matrices;
+    const Span span = spanned_by(problem, part, motion);
+    if (span.rank() > (projective ? 3 : 0)) return std::nullopt;
+    if (!are_independent(part, motion.elements)) return std::nullopt;
+    std::vector<Carried> carried;
+    for (const CentralElement& element : motion.elements) {
+        carried.emplace_back(problem, part, span, element);
+        if ((carried.back().seeing_points() & ~carried.back().keeping()) != 0) return std::nullopt;
+    }
+    const int free = projective ? 4 - span.rank() : 1;
+    int result = free * static_cast<int>(carried.size());
+    if (moving_views(motion) == part.views) result -= free;
+    for (const int number : part.lines) {
+        if (span.has_line(number)) continue;
+        const Line& line = problem.lines[static_cast<std::size_t>(number)];
+        ViewSet changing = 0;
+        bool rests = contains_points(span, part, line);
+        for (const Carried& by_element : carried) {
+            changing |= by_element.changing(number);
+            rests = rests && !by_element.has_line(number);
+        }
+        int conditions = std::popcount(changing & line.seen & part.views);
+        if (rests) conditions = std::min(conditions, conditions_in(line.seen & part.views));
+        const bool pivots = !projective || span.rank() == 3 || span.meets(line);
+        result -= (pivots ? 1 : 2) * conditions;
+    }
+    return result;
 }
 
 } // namespace
+
+CameraMotion star(int point, ViewSet moving) {
+    CameraMotion motion{.kind = MotionKind::central};
+    for (int view = 0; ViewSet{1} << view <= moving; ++view)
+        if (contains(moving, view))
+            motion.elements.push_back({.centre = point, .views = ViewSet{1} << view});
+    return motion;
+}
+
+std::optional<int> point_of_star(const CameraMotion& motion) {
+    if (motion.kind != MotionKind::central || motion.elements.empty()) return std::nullopt;
+    const int point = motion.elements.front().centre;
+    const bool is_star = motion.elements == star(point, moving_views(motion)).elements;
+    return is_star ? std::optional(point) : std::nullopt;
+}
+
+ViewSet moving_views(const CameraMotion& motion) {
+    ViewSet views = motion.moving;
+    for (const CentralElement& element : motion.elements)
+        views |= element.views;
+    return views;
+}
+
+std::vector<CentralElement> elements_about(const Problem& problem, const Subproblem& part,
+                                           const CameraMotion& generators,
+                                           CentralElement::Centre kind, int centre) {
+    const Span span = spanned_by(problem, part, generators);
+    const ViewSet itself = kind == CentralElement::Centre::view ? ViewSet{1} << centre : ViewSet{0};
+    std::vector<CentralElement> found;
+    ViewSet left = part.views & ~itself;
+    while (left != 0) {
+        CentralElement element{kind, centre, left & (~left + 1)}; // the first that is left
+        for (ViewSet before = 0; before != element.views;) {
+            before = element.views;
+            element.views |= Carried(problem, part, span, element).seeing_points() & ~itself;
+        }
+        found.push_back(element);
+        left &= ~element.views;
+    }
+    return found;
+}
 
 /// The parameters of a point with some lines through it, or of a line with some of its points, less
 /// the equations by which views keep their images while all else is at rest.
@@ -137,26 +297,30 @@ static std::optional<int> loose_motions(const Problem& problem, const Subproblem
     };
     const bool in_part = std::ranges::includes(part.points, motion.points) &&
                          std::ranges::includes(part.lines, motion.lines);
-    if (!in_part || (motion.points.size() != 1 && motion.lines.size() != 1)) return std::nullopt;
+    if (!in_part) return std::nullopt;
     int result = 0;
+    std::vector<int> loose_lines_through(problem.points.size());
     for (const int point : motion.points) {
         int resting_lines = 0;
         for (const int number : lines_through(problem, point))
-            if (is_in(part.lines, number) && !is_in(motion.lines, number)) ++resting_lines;
+            if (is_in(motion.lines, number))
+                ++loose_lines_through[static_cast<std::size_t>(point)];
+            else if (is_in(part.lines, number))
+                ++resting_lines;
         if (resting_lines > 1) return std::nullopt;
         result += 3 - 2 * resting_lines - (2 - resting_lines) * std::popcount(seen(point));
     }
     for (const int number : motion.lines) {
         const Line& line = line_at(number);
         int resting = 0, loose = 0, loose_and_seen = 0;
+        bool joined = false; // to another line, by a loose point
         for (const int point : line.points) {
             if (!is_in(part.points, point)) continue;
             ++(is_loose(point) ? loose : resting);
             if (is_loose(point)) loose_and_seen += std::popcount(line.seen & seen(point));
+            joined = joined || loose_lines_through[static_cast<std::size_t>(point)] > 1;
         }
-        const bool star =
-            std::ranges::all_of(motion.points, [&](int point) { return contains(line, point); });
-        if (resting > 1 || !star) return std::nullopt;
+        if (resting > 1 || (loose > 1 && joined)) return std::nullopt;
         result += 4 - 2 * (resting + loose) -
                   (2 - resting) * std::popcount(line.seen & part.views) + loose_and_seen;
     }
@@ -182,53 +346,12 @@ static std::optional<int> camera_motions(const Problem& problem, const Subproble
     return result;
 }
 
-/// Motions of space that keep one camera, if it alone of those that rest sees something that moves:
-/// all that moving views see, and what is joined to it by incidence.
-static std::optional<int> motions_apart(const Problem& problem, const Subproblem& part,
-                                        const CameraMotion& motion) {
-    const ViewSet resting = part.views & ~motion.moving;
-    if (motion.moving == 0 || (motion.moving & ~part.views) != 0 || std::popcount(resting) < 2)
-        return std::nullopt;
-    std::vector<bool> points(problem.points.size()), lines(problem.lines.size());
-    const auto line_moves = [&](int number) {
-        const Line& line = problem.lines[static_cast<std::size_t>(number)];
-        return (line.seen & motion.moving) != 0 || std::ranges::any_of(line.points, [&](int point) {
-                   return is_in(part.points, point) && points[static_cast<std::size_t>(point)];
-               });
-    };
-    const auto point_moves = [&](int point) {
-        return (problem.points[static_cast<std::size_t>(point)] & motion.moving) != 0 ||
-               std::ranges::any_of(lines_through(problem, point), [&](int number) {
-                   return is_in(part.lines, number) && lines[static_cast<std::size_t>(number)];
-               });
-    };
-    const auto spread = [](std::vector<bool>& all, const std::vector<int>& of_part,
-                           const auto& moves) {
-        bool changed = false;
-        for (const int number : of_part) {
-            if (all[static_cast<std::size_t>(number)] || !moves(number)) continue;
-            all[static_cast<std::size_t>(number)] = changed = true;
-        }
-        return changed;
-    };
-    while (spread(points, part.points, point_moves) || spread(lines, part.lines, line_moves)) {
-    }
-    ViewSet seeing = 0;
-    for (const int point : part.points)
-        if (points[static_cast<std::size_t>(point)])
-            seeing |= problem.points[static_cast<std::size_t>(point)];
-    for (const int number : part.lines)
-        if (lines[static_cast<std::size_t>(number)])
-            seeing |= problem.lines[static_cast<std::size_t>(number)].seen;
-    if (std::popcount(seeing & resting) > 1) return std::nullopt;
-    return problem.cameras->all_matrices ? 4 : 1;
-}
-
 Subproblem kept_part(const Problem& problem, Subproblem part, const CameraMotion& motion) {
     const Span span = spanned_by(problem, part, motion);
+    const std::optional<int> centre = point_of_star(motion);
     std::erase_if(part.points, [&](int point) {
-        return (problem.points[static_cast<std::size_t>(point)] & motion.moving) != 0 &&
-               !keeps(motion, span, point);
+        return (problem.points[static_cast<std::size_t>(point)] & moving_views(motion)) != 0 &&
+               !span.has_point(point) && point != centre;
     });
     return part;
 }
@@ -238,28 +361,8 @@ std::optional<int> motions(const Problem& problem, const Subproblem& part,
     if (motion.kind == MotionKind::none) return 0;
     if (motion.kind == MotionKind::loose) return loose_motions(problem, part, motion);
     if (motion.kind == MotionKind::camera) return camera_motions(problem, part, motion);
-    if (motion.kind == MotionKind::apart) return motions_apart(problem, part, motion);
-    const CameraModel& cameras = *problem.cameras;
-    const Span span = spanned_by(problem, part, motion);
-    if (span.rank() > (cameras.all_matrices ? 3 : 0)) return std::nullopt;
-    if (!keeps_points(problem, part, motion, span)) return std::nullopt;
-    const int resting = std::popcount(part.views & ~motion.moving);
-    const Freedom free = freedom(*problem.cameras, motion, span.rank(), resting);
-    int result = free.camera * std::popcount(motion.moving) - free.space;
-    for (const int number : costly_lines(problem, part, motion, span)) {
-        const Line& line = problem.lines[static_cast<std::size_t>(number)];
-        const bool pivots = motion.kind == MotionKind::plane || !cameras.all_matrices ||
-                            span.rank() == 3 || span.meets(line);
-        // The line moves, too, unless a point that is not kept would move with it.
-        const bool may_move = std::ranges::all_of(line.points, [&](int point) {
-            return !is_in(part.points, point) || keeps(motion, span, point);
-        });
-        const int moving = std::popcount(line.seen & motion.moving);
-        const int conditions =
-            may_move ? std::min(moving, conditions_in(line.seen & part.views)) : moving;
-        result -= (pivots ? 1 : 2) * conditions;
-    }
-    return result;
+    if (motion.kind == MotionKind::plane) return plane_motions(problem, part, motion);
+    return central_motions(problem, part, motion);
 }
 
 } // namespace plprove

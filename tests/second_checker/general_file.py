@@ -19,8 +19,12 @@ class Record:
         if self.minimal:
             self.require_counts()
         motions = self.claim["motion"]
+        if any(len(motion["element"]) > 24 for motion in motions):
+            raise Fault("more than 24 elements")
         for part in (self.claim, *self.claim["part"], *motions,
-                     *(node for motion in motions for node in motion["moved"] + motion["core"])):
+                     *(node for motion in motions for node in motion["moved"] + motion["core"]),
+                     *(node for motion in motions for element in motion["element"]
+                       for node in (element, element["centre"][0]))):
             joined = [point for joins in part["joins"] for point in joins["JOINED"]]
             if max(part["POINT"] + joined, default=0) > len(self.problem.points) or \
                     max(part["LINE"], default=0) > len(self.problem.lines) or \
@@ -68,14 +72,18 @@ class Record:
                 found = by_pencils(problem, part, words, *points)
             elif "loose" in words:
                 found = conditions(problem, part, words, (points, lines))
-            elif "apart" in words:
-                found = conditions(problem, part, words, from_zero(motion["VIEW"]))
             elif "camera" in words:
                 found = conditions(problem, part, words, from_zero(motion["VIEW"]))
+            elif "star" in words:
+                star, = points
+                views, *generators = named(motion["moved"][0])
+                elements = [("point", star, {view}) for view in views]
+                found = conditions(problem, part, words, (elements, *generators))
+            elif "central" in words:
+                found = conditions(problem, part, words, (elements_of(motion), points, lines))
             else:
-                moved = (next(iter(points), None), *named(motion["moved"][0])) \
-                    if motion["moved"] else None
-                found = conditions(problem, part, words, moved)
+                found = conditions(problem, part, words,
+                                   named(motion["moved"][0]) if motion["moved"] else None)
             require(found == claim["CONDITIONS"][0], "CONDITIONS")
 
 
@@ -86,6 +94,16 @@ def from_zero(numbers):
 def named(node):
     """The sets of views, points and lines of a `part` or `moved`."""
     return [from_zero(node[name]) for name in ("VIEW", "POINT", "LINE")]
+
+
+def elements_of(motion):
+    """The elements of a central motion: the kind of its centre, its number, the moving views."""
+    found = []
+    for element in motion["element"]:
+        centre, = element["centre"]
+        number, = centre["POINT"] + centre["LINE"] + centre["VIEW"]
+        found.append((centre["words"][0], number - 1, from_zero(element["VIEW"])))
+    return found
 
 
 class File:

@@ -111,8 +111,9 @@ def loose(problem, part, loose_points, loose_lines):
     views, points, lines = part
     require(loose_points <= points and loose_lines <= lines, "loose: not in the part")
     on = {j: points & set(problem.on[j]) for j in lines}
-    require((len(loose_points) == 1 or len(loose_lines) == 1) and
-            all(loose_points <= on[j] for j in loose_lines), "loose: neither point nor line")
+    through = {i: sum(i in on[j] for j in loose_lines) for i in loose_points}
+    require(all(len(on[j] & loose_points) < 2 or max(through[i] for i in on[j] & loose_points) < 2
+                for j in loose_lines), "loose: a point on two lines, and one on one of these")
     found = 0
     for i in loose_points:
         resting = sum(i in on[j] for j in lines - loose_lines)
@@ -122,7 +123,7 @@ def loose(problem, part, loose_points, loose_lines):
         resting, seen = len(on[j] - loose_points), problem.lines[j] & views
         require(resting < 2, "a loose line with two points that rest")
         found += 4 - 2 * len(on[j]) - (2 - resting) * len(seen)
-        found += sum(len(seen & problem.points[i]) for i in loose_points)
+        found += sum(len(seen & problem.points[i]) for i in loose_points & on[j])
     return found
 
 
@@ -135,22 +136,83 @@ def one_camera(problem, cameras, part, view):
     return unknowns_of_one(cameras) - problem.dimensions(points, lines, {view})[1] + beyond_three
 
 
-def apart(problem, cameras, part, moving):
-    """The kappa of views that move with all that they see."""
-    views, points, lines = part
-    require(moving <= views and len(views - moving) > 1, "apart: too few views rest")
-    moved = {("point", i) for i in points if problem.points[i] & moving} | \
-        {("line", j) for j in lines if problem.lines[j] & moving}
+def conditions_of_resting(line, points_within, on, changing, views):
+    """The k of a line that moves with nothing."""
+    return min(changing, beyond_two([line & views])) if points_within.issuperset(on) else changing
+
+
+def plane(problem, part, on, within, moving):
+    """The kappa of cameras that keep the points of W."""
+    (views, points, lines), (_, points_within, lines_within) = part, within
+    require(moving <= views, "a motion of other views")
+    require({i for i in points if problem.points[i] & moving} <= points_within, "a point is not in W")
+    of_space = {0: 4, 1: 1}.get(len(views - moving), 0)
+    return 3 * len(moving) - of_space - sum(
+        conditions_of_resting(problem.lines[j], points_within, on[j], len(problem.lines[j] & moving), views)
+        for j in lines - lines_within)
+
+
+def moves_with(problem, part, on, within, element):
+    """The points and lines that move with an element, and the views that keep their images."""
+    (views, points, lines), (_, points_within, lines_within) = part, within
+    kind, centre, own = element
+    free = points - points_within
+    keeping = own | ({centre} if kind == "view" else set())
+    moved = {i for i in free if problem.points[i] & own and (kind, centre) != ("point", i)}
+    moved_lines, others = set(), {j for j in lines - lines_within if not holds(element, j, on)}
     while True:
-        more = {found for j in lines for i in points & set(problem.on[j])
-                for found in (("point", i), ("line", j)) if {("point", i), ("line", j)} & moved}
-        if more <= moved:
+        more = {j for j in others - moved_lines if moved & set(on[j]) or not views & set().union(
+            problem.lines[j], *(problem.points[i] for i in free & set(on[j]))) - keeping}
+        if not more:
             break
-        moved |= more
-    seeing = set().union(*((problem.points if kind == "point" else problem.lines)[n]
-                           for kind, n in moved))
-    require(len(seeing & (views - moving)) < 2, "two views that rest see what moves")
-    return 4 if cameras == "projective" else 1
+        moved_lines |= more
+        moved |= {i for j in more for i in free & set(on[j])}
+    require(all(problem.points[i] & views <= keeping for i in moved), "a view sees what moves")
+    return moved_lines, keeping
+
+
+def holds(element, line, on):
+    kind, centre, _ = element
+    return kind == "line" and centre == line or kind == "point" and centre in on[line]
+
+
+def require_independent(part, elements):
+    views, points, lines = part
+    among = {"point": points, "line": lines, "view": views}
+    require(all(own <= views and centre in among[kind] and (kind != "view" or centre not in own)
+                for kind, centre, own in elements), "an element of other things")
+    plain = []
+    for view in views:
+        kinds = [kind for kind, _, own in elements if view in own]
+        about = [centre for kind, centre, own in elements if view in own and kind == "point"]
+        require(len(about) < 2 and len(kinds) - len(about) < 2, "a view of two such elements")
+        if len(kinds) == len(about):
+            plain.append(about)
+    require(len(plain) > 1 and ([] in plain or any(plain.count(about) > 1 for about in plain)),
+            "no two plain views")
+
+
+def central(problem, part, on, within, elements, projective):
+    """The kappa of a central motion."""
+    (views, points, lines), (rank, points_within, lines_within) = part, within
+    require_independent(part, elements)
+    moved = [moves_with(problem, part, on, within, element) for element in elements]
+    moving = set().union(*(own for _, _, own in elements))
+    scale = 4 - rank if projective else 1
+    found = scale * (len(elements) - (moving == views))
+    for j in lines - lines_within:
+        seen, changing, rests = problem.lines[j] & views, set(), True
+        for element, (moved_lines, keeping) in zip(elements, moved):
+            if j in moved_lines:
+                rests = False
+                changing |= seen - keeping
+            elif not holds(element, j, on):
+                changing |= seen & element[2]
+        k = conditions_of_resting(problem.lines[j], points_within, on[j], len(changing), views) if rests \
+            else len(changing)
+        once = not projective or rank == 3 or points_within & set(on[j])
+        found -= k if once else 2 * k
+    return found
 
 
 def conditions(problem, part, words, motion):
@@ -163,26 +225,13 @@ def conditions(problem, part, words, motion):
         return due
     if "loose" in words:
         return due + loose(problem, part, *motion)
-    if "apart" in words:
-        return due + apart(problem, cameras, part, motion)
     if "camera" in words:
         return due + one_camera(problem, cameras, part, *motion)
-    centre, moving, *given = motion
-    star = centre is not None
-    require(moving <= views and given[0] <= points and given[1] <= lines and
-            (not star or centre in points), "a motion of other views, points or lines")
+    moving, *given = motion
+    require(given[0] <= points and given[1] <= lines, "generators of other points or lines")
     on = {j: [i for i in problem.on[j] if i in points] for j in lines}
-    rank, points_within, lines_within = span(on, *given)
-    require(rank <= 3 and (projective or not any(given)), "no such motion")
-    costing = [j for j in lines - lines_within
-               if problem.lines[j] & moving and centre not in on[j]]
-    kept = points_within | {centre}
-    require({i for i in points if problem.points[i] & moving} <= kept, "a point is not in W")
-    scale = 3 if not star else 4 - rank if projective else 1
-    gained = {0: 4 if not star else scale, 1: 0 if star else 1}.get(len(views - moving), 0)
-    once = not star or not projective or rank == 3
-    cost = sum((1 if once or points_within & set(on[j]) else 2) *
-               min(len(problem.lines[j] & moving),
-                   max(0, len(problem.lines[j] & views) - 2) if kept.issuperset(on[j]) else 12)
-               for j in costing)
-    return due + scale * len(moving) - gained - cost
+    within = span(on, *given)
+    require(within[0] <= 3 and (projective or not any(given)), "no such generators")
+    if "plane" in words:
+        return due + plane(problem, part, on, within, moving)
+    return due + central(problem, part, on, within, moving, projective)

@@ -169,7 +169,8 @@ TEST_CASE("a quaternion turns into its rotation, scaled by its norm") {
         const Numbers numbers{random(99), random(99), random(99), 1 + random(9) * 2, 1, 2, 3};
         Source<mpz_class> source;
         source.read(numbers);
-        const CameraMatrix<Dual<mpz_class>> camera = place_camera(calibrated_cameras, source, {}, true);
+        const CameraMatrix<Dual<mpz_class>> camera =
+            place_camera(calibrated_cameras, source, {}, true);
         Rotation r; // its columns
         for (std::size_t i = 0; i < 3; ++i)
             r[i] = values(camera[i]);

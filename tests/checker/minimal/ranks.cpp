@@ -39,20 +39,85 @@ Indices random_subset(std::size_t size, Dice& dice) {
     return subset;
 }
 
-Motion random_motion(const Problem& problem, const Selection& part, Dice& dice) {
-    Motion motion;
-    motion.kind =
-        std::array{Motion::Kind::none, Motion::Kind::plane, Motion::Kind::star}[dice.below(3)];
-    if (!part.points.empty()) motion.centre = part.points[dice.below(part.points.size())];
-    motion.moved.views = part.views & static_cast<Views>(dice.below(problem.views + 1));
-    if (dice.one_in(2)) motion.moved.views = part.views;
-    if (motion.moved.views == 0) motion.moved.views = part.views;
-    if (problem.cameras != &checker::projective_cameras) return motion;
-    for (const std::size_t p : part.points)
-        if (dice.one_in(3)) motion.moved.points.push_back(p);
-    for (const std::size_t n : part.lines)
-        if (dice.one_in(6)) motion.moved.lines.push_back(n);
+Selection whole(const Problem& problem) {
+    Selection all{.views = problem.views};
+    for (std::size_t p = 0; p < problem.points.size(); ++p)
+        all.points.push_back(p);
+    for (std::size_t n = 0; n < problem.lines.size(); ++n)
+        all.lines.push_back(n);
+    return all;
+}
+
+/// The views that move with this one about a centre: those that see the same points as views that
+/// move, other than the centre and generators.
+Views moving_with(const Problem& problem, const Selection& part, const Motion& motion,
+                  const Element& centre, Views first) {
+    const Views resting =
+        centre.kind == Element::Centre::view ? Views{1} << centre.centre : Views{0};
+    Views moving = first;
+    for (Views before = 0; before != moving;) {
+        before = moving;
+        for (const std::size_t p : part.points) {
+            const bool is_centre = centre.kind == Element::Centre::point && centre.centre == p;
+            const Views seen = problem.points[p].seen_by & part.views;
+            if ((seen & moving) != 0 && !is_centre && !contains(motion.moved.points, p))
+                moving |= seen & ~resting;
+        }
+    }
+    return moving;
+}
+
+/// Elements about one point or line, or the centre of one view, and perhaps one about another.
+std::vector<Element> random_elements(const Problem& problem, const Selection& part,
+                                     const Motion& motion, Dice& dice) {
+    std::vector<Element> elements;
+    Views taken = 0;
+    for (std::size_t tries = 1 + dice.below(2); tries > 0; --tries) {
+        Element centre{.kind = static_cast<Element::Centre>(dice.below(3))};
+        const Indices views{0, 1, 2, 3, 4, 5};
+        const Indices& among = centre.kind == Element::Centre::point  ? part.points
+                               : centre.kind == Element::Centre::line ? part.lines
+                                                                      : views;
+        if (among.empty()) continue;
+        centre.centre = among[dice.below(among.size())];
+        for (Views view = 1; view <= part.views; view <<= 1) {
+            const bool itself = centre.kind == Element::Centre::view &&
+                                centre.centre < most_views && view >> centre.centre == 1;
+            if ((part.views & ~taken & view) == 0 || itself || dice.one_in(3)) continue;
+            centre.views = moving_with(problem, part, motion, centre, view);
+            taken |= centre.views;
+            elements.push_back(centre);
+        }
+        taken = 0;
+    }
+    return elements;
+}
+
+Motion random_motion(const Problem& problem, const Selection& part, Dice& dice, Motion::Kind kind) {
+    Motion motion{.kind = kind};
+    Views moving = part.views & static_cast<Views>(dice.below(problem.views + 1));
+    if (dice.one_in(2) || moving == 0) moving = part.views;
+    if (motion.kind == Motion::Kind::plane) motion.moved.views = moving;
+    if (problem.cameras == &checker::projective_cameras) {
+        for (const std::size_t p : part.points)
+            if (dice.one_in(3)) motion.moved.points.push_back(p);
+        for (const std::size_t n : part.lines)
+            if (dice.one_in(6)) motion.moved.lines.push_back(n);
+    }
+    if (motion.kind == Motion::Kind::central)
+        motion.elements = random_elements(problem, part, motion, dice);
     return motion;
+}
+
+/// Of a random central motion of the whole problem; 0 if it keeps no images.
+int central_parameters_of(const Problem& problem, Dice& dice) {
+    const Selection part = whole(problem);
+    const Motion motion = random_motion(problem, part, dice, Motion::Kind::central);
+    try {
+        return excess_of(problem, part, motion) - surplus(problem);
+    } catch (const checker::Refused&) {
+        return 0;
+    }
 }
 
 checker::ProblemsFile replayed(const std::string& name) {
@@ -103,8 +168,8 @@ TEST_CASE("the excess of a part is the number of conditions on its images, by th
                        random_subset(problem.lines.size(), dice)};
         if (dice.one_in(3)) part.views &= static_cast<Views>(dice.below(problem.views + 1));
         if (std::popcount(part.views) < 2) continue;
-        const Motion motion = random_motion(problem, part, dice);
-        if (motion.kind == Motion::Kind::star && part.points.empty()) continue;
+        const std::array kinds{Motion::Kind::none, Motion::Kind::plane, Motion::Kind::central};
+        const Motion motion = random_motion(problem, part, dice, kinds[dice.below(3)]);
         int excess = 0;
         try {
             excess = excess_of(problem, part, motion);
@@ -118,6 +183,25 @@ TEST_CASE("the excess of a part is the number of conditions on its images, by th
         ++proved;
         if (excess_of(problem, part, {}) < excess) ++by_motion;
     }
+}
+
+TEST_CASE("by FLINT, images stay in as many ways at least as a central motion has parameters") {
+    Dice dice(5);
+    int compared = 0, all_ways = 0;
+    while (compared < 30) {
+        const Problem problem = random_problem(dice, dice.one_in(2));
+        if (surplus(problem) < 0) continue;
+        int most = 0; // parameters of some motions
+        for (int tries = 0; tries < 30; ++tries)
+            most = std::max(most, central_parameters_of(problem, dice));
+        if (most == 0) continue;
+        const auto ways = static_cast<int>(scene_dimension(problem)) -
+                          static_cast<int>(image_rank(problem, dice));
+        CHECK(most <= ways);
+        ++compared;
+        if (most == ways) ++all_ways;
+    }
+    CHECK(all_ways >= 5);
 }
 
 TEST_CASE("each verdict of the two archives is that of the ranks of FLINT") {

@@ -24,16 +24,16 @@ std::pair<Subproblem, CameraMotion> random_motion(const Problem& problem, Random
     Subproblem part = whole(problem);
     std::erase_if(part.points, [&](int) { return random.below(3) == 0; });
     std::erase_if(part.lines, [&](int) { return random.below(6) == 0; });
-    CameraMotion motion;
-    motion.moving = part.views;
-    if (random.below(2) == 0) motion.moving &= static_cast<ViewSet>(1 + random.below(63));
-    const bool star = !part.points.empty() && random.below(2) == 0;
-    motion.kind = star ? MotionKind::star : MotionKind::plane;
+    ViewSet moving = part.views;
+    if (random.below(2) == 0) moving &= static_cast<ViewSet>(1 + random.below(63));
+    const bool is_star = !part.points.empty() && random.below(2) == 0;
     const int points = static_cast<int>(part.points.size());
-    if (star) motion.centre = part.points[static_cast<std::size_t>(random.below(points))];
+    const int centre = is_star ? part.points[static_cast<std::size_t>(random.below(points))] : -1;
+    CameraMotion motion =
+        is_star ? star(centre, moving) : CameraMotion{.kind = MotionKind::plane, .moving = moving};
     if (problem.cameras == &calibrated_cameras) return {part, motion};
     for (const int point : part.points)
-        if (!star || point != motion.centre) motion.points.push_back(point);
+        if (point != centre) motion.points.push_back(point);
     for (const int line : part.lines)
         if (random.below(5) == 0) motion.lines.push_back(line);
     return {part, motion};
