@@ -46,20 +46,30 @@ Json explanations_of(const Reduction& reduction) {
     return words;
 }
 
-/// What may be added to a minimal problem, and the larger problem.
+/// What may be added to a minimal problem, and the larger problem: the class that decides it, and its
+/// degree.
 Json extensions_of(const Decision& decision) {
     Json rows = Json::array();
     if (decision.verdict != Verdict::minimal) return rows;
-    for (const Change& extension : extensions(decision.problem))
-        rows.push_back({{"words", in_words(extension)},
-                        {"problem", notation(changed(decision.problem, extension))}});
+    for (const Change& extension : extensions(decision.problem)) {
+        const Features larger = changed(decision.problem, extension);
+        const Decision decided = decide(larger);
+        Json row{{"words", in_words(extension)}, {"problem", notation(larger)}};
+        if (decided.classes) row["number"] = decided.classes->label;
+        if (const auto degree = degree_of(decided)) row["degree"] = *degree;
+        rows.push_back(row);
+    }
     return rows;
 }
 
 Json answer_in_general(const Problem& problem) {
-    const ProblemRecord certificate = certify(problem);
+    const auto found = try_to_certify(problem);
+    if (const auto* open = std::get_if<Undecided>(&found))
+        return {{"general", Json::parse(json_report(*open))}, {"scene", scene_of(open->problem)}};
+    const auto& certificate = std::get<ProblemRecord>(found);
     return {{"general", Json::parse(json_report(certificate))},
-            {"certificate", write(std::span(&certificate, 1))}};
+            {"certificate", write(std::span(&certificate, 1))},
+            {"scene", scene_of(certificate.problem)}};
 }
 
 } // namespace
@@ -75,7 +85,7 @@ Json problem_answer(const Json& request) {
             {"features", features_of(problem)},
             {"explanations", explanations_of(report.decision.reduction)},
             {"extensions", extensions_of(report.decision)},
-            {"picture", draw_svg(problem)}};
+            {"scene", scene_of(problem)}};
 }
 
 Json file_answer(const Json& request) {

@@ -2,7 +2,6 @@
 
 #include "prover/catalogue/spelling.h"
 #include "prover/cli/filter_options.h"
-#include "prover/drawing/drawing.h"
 
 #include <algorithm>
 #include <sstream>
@@ -17,6 +16,7 @@ namespace {
 /// comes last.
 int sort_key(const Entry& entry, const std::string& column) {
     if (column == "degree") return entry.degree.value_or(0);
+    if (column == "size") return entry.counts.points + entry.counts.lines();
     if (column == "points") return entry.counts.points;
     if (column == "lines") return entry.counts.lines();
     return static_cast<int>(entry.number);
@@ -110,7 +110,7 @@ Json search_answer(Library& library, const Json& request) {
     found.erase(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(first));
     Json rows = rows_of(found);
     for (std::size_t i = 0; i < found.size(); ++i)
-        rows[i]["picture"] = draw_svg(problem_of(found[i]->signature));
+        rows[i]["scene"] = scene_of(problem_of(found[i]->signature));
     return {{"total", total}, {"rows", rows}};
 }
 
