@@ -1,8 +1,9 @@
-// The drawing board: three little views in which features are added, and hidden by clicking. The
-// pictures are the program's; the board keeps only what each view sees of each feature.
+// The drawing board: three photos in which features are added, and hidden by clicking. The board keeps
+// only what each view sees of each feature.
 import { make } from "./elements.js";
-import { panelsOf, picture } from "./picture.js";
+import { photos } from "./photos.js";
 import type { FeatureSights } from "./prover.js";
+import type { Scene } from "./scene.js";
 
 const viewCount = 3;
 const mostPins = 26;
@@ -46,6 +47,7 @@ export class Board {
     constructor(private readonly changed: (notation: string) => void) {
         const add = (label: string, feature: () => FeatureSights) =>
             make("button", { type: "button", click: () => this.add(feature()) }, label);
+        this.showNothing();
         this.element = make(
             "div",
             { class: "board" },
@@ -62,19 +64,26 @@ export class Board {
         );
     }
 
-    /** Shows a problem that was decided elsewhere: its features, and the program's picture. */
-    show(features: FeatureSights[], svg: string): void {
+    /** Shows a problem that was decided elsewhere: its features, and its scene. */
+    show(features: FeatureSights[], scene: Scene, problem: string): void {
         this.features = structuredClone(features);
         this.fillTable();
-        const drawing = picture(svg);
+        const drawing = photos(scene, problem);
         this.views.replaceChildren(drawing);
-        panelsOf(drawing).forEach((panel, view) => this.makeClickable(panel, view));
+        drawing.querySelectorAll("svg").forEach((photo, view) => this.makeClickable(photo, view));
     }
 
     showNothing(words = "Nothing is drawn yet. Add a point or a line."): void {
         this.features = [];
         this.fillTable();
         this.views.replaceChildren(make("p", { class: "empty" }, words));
+    }
+
+    /** Shows photos that cannot be changed here, and says why. */
+    showOnly(drawing: HTMLElement, words: string): void {
+        this.features = [];
+        this.fillTable();
+        this.views.replaceChildren(drawing, make("p", { class: "quiet" }, words));
     }
 
     private add(feature: FeatureSights): void {
@@ -91,28 +100,32 @@ export class Board {
         this.changed(this.features.map(notationOf).join(" + "));
     }
 
-    /** In a panel each feature has the lines that the view does not see, then those that it sees,
-     * then its point: so the program draws. */
-    private makeClickable(panel: SVGElement[], view: number): void {
-        let next = 0;
+    /** Points and lines of a scene are in the order of the features. */
+    private makeClickable(photo: SVGElement, view: number): void {
+        let points = 0;
+        let lines = 0;
         for (const feature of this.features) {
-            const sight = feature.views[view];
-            if (!sight) continue;
-            for (const seen of [false, true])
-                for (let line = 0; line < feature.lines; ++line)
-                    if (((sight.lines >> line) & 1) === (seen ? 1 : 0))
-                        this.listen(panel[next++], () => this.toggleLine(feature, view, line));
-            if (feature.point) this.listen(panel[next++], () => this.togglePoint(feature, view));
+            for (let line = 0; line < feature.lines; ++line)
+                this.listen(photo, `line[data-line="${lines++}"]`, () =>
+                    this.toggleLine(feature, view, line),
+                );
+            if (feature.point)
+                this.listen(photo, `circle[data-point="${points++}"]`, () =>
+                    this.togglePoint(feature, view),
+                );
         }
     }
 
-    private listen(shape: SVGElement | undefined, action: () => void): void {
+    private listen(photo: SVGElement, selector: string, action: () => void): void {
+        const shape = photo.querySelector<SVGElement>(selector);
         if (!shape) return;
         const target = shape.cloneNode() as SVGElement;
         target.setAttribute("class", "target");
         if (target.localName === "circle") target.setAttribute("r", "9");
         target.addEventListener("click", action);
-        shape.parentElement?.append(target);
+        // Points over lines: who wants the point must not hit a line.
+        if (target.localName === "circle") shape.parentElement?.append(target);
+        else shape.parentElement?.querySelector("circle")?.before(target) ?? shape.after(target);
     }
 
     private togglePoint(feature: FeatureSights, view: number): void {

@@ -1,7 +1,7 @@
 // The reader's own files, checked in the browser. They do not leave it.
 import { CheckView } from "./check_view.js";
 import { atlasFile, type CheckFile } from "./checker.js";
-import { byId, make } from "./elements.js";
+import { byId, inKilobytes, make } from "./elements.js";
 
 const view = new CheckView();
 byId("check", HTMLElement).append(view.element);
@@ -14,7 +14,7 @@ let files: File[] = [];
 function choose(list: FileList | null | undefined): void {
     files = [...(list ?? [])];
     chosen.replaceChildren(
-        ...files.map((file) => make("li", {}, `${file.name}, ${file.size} bytes`)),
+        ...files.map((file) => make("li", {}, `${file.name}, ${inKilobytes(file.size)}`)),
     );
     if (files.length > 0) form.requestSubmit();
 }
@@ -34,7 +34,7 @@ function options(): string[] {
 form.addEventListener("submit", async (event) => {
     event.preventDefault();
     if (files.length === 0) {
-        chosen.replaceChildren(make("li", {}, "Choose a file first."));
+        chosen.replaceChildren(make("li", { class: "complaint", role: "alert" }, "Choose a file first."));
         return;
     }
     const own: CheckFile[] = [];

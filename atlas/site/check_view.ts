@@ -50,6 +50,8 @@ export class CheckView {
         this.output.hidden = true;
         this.bar.hidden = false;
         this.state.className = "state";
+        this.state.textContent = "Starting …";
+        this.comeIntoSight();
         try {
             const outcome = await check(request, (words) => {
                 this.state.textContent = `${words} …`;
@@ -66,6 +68,11 @@ export class CheckView {
         }
     }
 
+    /** What the checker says is read where the reader is: the page moves no further than needed. */
+    private comeIntoSight(): void {
+        this.element.scrollIntoView({ block: "nearest" });
+    }
+
     private show(outcome: Outcome, seconds: string): void {
         const verified = outcome.status === 0;
         const word = verified ? "VERIFIED" : "NOT VERIFIED";
@@ -74,5 +81,7 @@ export class CheckView {
             `${word} in this browser, in ${seconds} s ` + `(exit status ${outcome.status})`;
         this.output.textContent = outcome.errors + outcome.output;
         this.output.hidden = false;
+        this.bar.hidden = true;
+        this.comeIntoSight();
     }
 }

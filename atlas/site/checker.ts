@@ -1,6 +1,8 @@
 // Calls plcheck in a worker of its own, which ends with the call: nothing is kept from one to the
 // next.
 
+import { inKilobytes } from "./elements.js";
+
 export interface CheckFile {
     name: string;
     /** Either the bytes, or an address to load them from. */
@@ -42,7 +44,7 @@ export function check(request: CheckRequest, tell: (words: string) => void): Pro
         worker.addEventListener("message", (event: MessageEvent<CheckReply>) => {
             const reply = event.data;
             if (reply.kind === "file") tell(`Loading ${reply.name}`);
-            if (reply.kind === "replay") tell(`Replaying ${reply.name}: ${reply.bytes} bytes`);
+            if (reply.kind === "replay") tell(`Replaying ${reply.name}: ${inKilobytes(reply.bytes)}`);
             if (reply.kind === "progress")
                 tell(`Replaying: ${reply.records} records, ${reply.solutions} solutions`);
             if (reply.kind === "done") resolve(reply);

@@ -42,7 +42,10 @@ export async function degreeChecks(report: Report, section: HTMLElement): Promis
         section.append(make("p", {}, words));
         return;
     }
-    const meaning = `. For generic photos there are ${withCommas(degree.value)} complex solutions.`;
+    const meaning =
+        `. For generic photos there are ${withCommas(degree.value)} solutions, counted over the ` +
+        "complex numbers. A solver finds all of them, and then the one that fits: so the degree " +
+        "says how hard the problem is.";
     section.append(make("p", {}, degreeView(degree), meaning));
     const number = report.constraint_class;
     if (number === undefined) return;
@@ -51,6 +54,8 @@ export async function degreeChecks(report: Report, section: HTMLElement): Promis
         return;
     }
     const command = make("code", {}, `plprove degree ${report.number ?? ""} -o degree.plc`);
-    const large = "The atlas does not carry the solutions: they are large. ";
+    const large =
+        "A theorem gives this number, and plcheck computes it. The solutions themselves are large, " +
+        "and not in the atlas: ";
     section.append(make("p", {}, large, command, " finds them again."));
 }

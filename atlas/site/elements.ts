@@ -32,6 +32,11 @@ export function withCommas(value: number): string {
     return value.toLocaleString("en-US");
 }
 
+/** 73479 as 73 kB. */
+export function inKilobytes(bytes: number): string {
+    return `${withCommas(Math.max(1, Math.round(bytes / 1000)))} kB`;
+}
+
 /** Waits until nothing was asked for a while: what is typed is answered once. */
 export function afterPause(action: () => void, milliseconds = 150): () => void {
     let timer = 0;

@@ -44,6 +44,11 @@ function certified(claim: DegreeClaim): string {
     return claim.certified_at_least ? `at least ${cell(claim.certified_at_least)}` : "-";
 }
 
+/** The row of all degrees has no claim to compare: all are certified. */
+function verdictOf({ verdict, certified_exactly }: DegreeClaim): string {
+    return verdict === "-" && certified_exactly !== null ? "all certified" : verdict;
+}
+
 function showDegrees(report: ReportOfChecker): void {
     const rows = report.degree_claims.map((claim) =>
         make(
@@ -52,10 +57,19 @@ function showDegrees(report: ReportOfChecker): void {
             make("th", { scope: "row" }, ...withLinks(claim.claim)),
             make("td", { class: "number" }, cell(claim.claimed_exactly)),
             make("td", { class: "number" }, certified(claim)),
-            make("td", {}, verdictMark(claim.verdict)),
+            make("td", {}, verdictMark(verdictOf(claim))),
         ),
     );
     byId("degrees", HTMLTableElement).tBodies[0]?.replaceChildren(...rows);
+    const count = (verdict: string) =>
+        report.degree_claims.filter((claim) => claim.verdict === verdict).length;
+    const certifiedExactly = report.degree_claims.filter(
+        (claim) => claim.certified_exactly !== null || claim.certified_at_least !== null,
+    ).length;
+    byId("degrees-sum", HTMLElement).textContent =
+        `Each of the ${certifiedExactly} rows has a certified number, none is open: ` +
+        `${count("agrees")} are the paper's, ${count("differs")} differ, and of ` +
+        `${count("no claim in the paper")} the paper says nothing.`;
 }
 
 function showCounts(report: ReportOfChecker, caption: string): void {

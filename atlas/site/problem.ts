@@ -2,9 +2,11 @@
 import { certificateView } from "./certificate_view.js";
 import { CheckView } from "./check_view.js";
 import { degreeChecks } from "./degree_checks.js";
-import { byId, download, make } from "./elements.js";
+import { citationView } from "./citation.js";
+import { showContents } from "./contents.js";
+import { byId, download, make, withCommas } from "./elements.js";
 import { showGeneralProblem } from "./general_problem.js";
-import { picture } from "./picture.js";
+import { photos } from "./photos.js";
 import { line, problemAddress, problemLink } from "./problem_links.js";
 import {
     Complaint,
@@ -14,6 +16,7 @@ import {
     Prover,
     type Row,
 } from "./prover.js";
+import { sketch } from "./sketch.js";
 import { factRows, facts, hintsView, notation, verdictView } from "./verdict_view.js";
 
 const prover = new Prover();
@@ -102,7 +105,12 @@ function related(title: string, explanation: string, rows: Row[]): HTMLElement[]
 
 function extensionsView(extensions: Extension[]): HTMLElement[] {
     if (extensions.length === 0) return [];
-    const items = extensions.map(({ words, problem }) => make("li", {}, problemLink(problem, words)));
+    const items = extensions.map(({ words, problem, number, degree }) => {
+        const by = number === undefined ? "" : `, decided by class #${number}`;
+        const item = make("li", {}, problemLink(problem, words), by);
+        if (degree !== undefined) item.append(`, degree ${withCommas(degree)}`);
+        return item;
+    });
     return [
         make("h3", {}, `Extensions (${extensions.length})`),
         make("p", {}, "It stays minimal, with the same degree: the cameras do not feel the change."),
@@ -128,6 +136,9 @@ async function showRelatives(answer: ProblemAnswer, section: HTMLElement): Promi
     );
 }
 
+/** Where the table of contents will stand. */
+const contentsPlace = { class: "contents", "aria-label": "On this page", hidden: true } as const;
+
 function section(id: string, title: string): HTMLElement {
     return make("section", { "aria-labelledby": id }, make("h2", { id }, title));
 }
@@ -136,6 +147,7 @@ async function show(spec: string): Promise<void> {
     const answer = await prover.problem(spec);
     if ("general" in answer) showGeneralProblem(answer, place);
     else await showProblem(answer, spec);
+    showContents();
     place.dataset.ready = "yes";
 }
 
@@ -145,8 +157,19 @@ async function showProblem(answer: ProblemAnswer, spec: string): Promise<void> {
         report.number !== undefined && report.standing === "member" ? `#${report.number}` : "";
     const title = [...answer.names.slice(0, 1), number].filter((word) => word !== "").join(", ");
     document.title = `${title || report.problem} · Atlas of point-line problems`;
+    const page = problemAddress(number === "" ? report.problem : number.slice(1));
     const files = section("downloads", "Downloads");
     files.append(downloads(answer));
+    const cite = section("cite", "Cite this page");
+    cite.append(
+        citationView({
+            what: `problem ${[number, answer.names[0] ?? "", report.problem]
+                .filter((word) => word !== "")
+                .join(", ")}`,
+            key: number === "" ? "problem" : number.slice(1),
+            page,
+        }),
+    );
     const certificate = section("certificate", "Certificate");
     const degree = section("degree", "Degree");
     const relatives = section("related", "Related problems");
@@ -154,22 +177,31 @@ async function showProblem(answer: ProblemAnswer, spec: string): Promise<void> {
         make("h1", {}, title || "A problem"),
         make("p", { class: "asked" }, notation(report.problem)),
         make("p", { class: "quiet" }, `${answer.description}.`),
-        make("figure", {}, picture(answer.picture)),
-        verdictView(report),
-        facts(factRows(answer)),
         make(
-            "p",
-            {},
+            "div",
+            { class: "overview" },
             make(
-                "a",
-                { href: problemAddress(spec).replace("problem", "search") },
-                "Change it on the drawing board",
+                "div",
+                {},
+                make("figure", {}, photos(answer.scene, report.problem)),
+                verdictView(report),
+                facts(factRows(answer)),
+                make(
+                    "p",
+                    {},
+                    make(
+                        "a",
+                        { href: problemAddress(spec).replace("problem", "search") },
+                        "Change it on the drawing board",
+                    ),
+                ),
             ),
+            make("div", {}, sketch(answer.scene), make("nav", contentsPlace)),
         ),
-        files,
         certificate,
-        degree,
+        make("div", { class: "two-columns" }, degree, files),
         relatives,
+        cite,
     );
     await showCertificate(answer, certificate);
     await degreeChecks(report, degree);

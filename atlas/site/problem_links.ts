@@ -1,6 +1,6 @@
 // How a problem, a class and a degree look in a list.
 import { make, withCommas, type Child } from "./elements.js";
-import { picture } from "./picture.js";
+import { photos } from "./photos.js";
 import type { GeneralDegree, Row } from "./prover.js";
 
 export function problemAddress(spec: string | number): string {
@@ -33,7 +33,7 @@ export function card(row: Row): HTMLElement {
         make(
             "a",
             { href: problemAddress(row.number), class: "card-link" },
-            ...(row.picture ? [picture(row.picture)] : []),
+            ...(row.scene ? [photos(row.scene, row.notation, "small")] : []),
             make("span", { class: "card-number" }, `#${row.number}`),
             make("span", { class: "notation" }, row.notation),
         ),

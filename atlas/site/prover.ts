@@ -1,6 +1,8 @@
 // Asks the prover's code, which runs in a worker. The types are those of the answers in
 // atlas/wasm/answers.h, and of `plprove problem --json`.
 
+import type { Scene } from "./scene.js";
+
 /** Of a problem in three views or two. */
 export interface Degree {
     value: number;
@@ -11,7 +13,8 @@ export interface Degree {
 export interface GeneralDegree {
     value: number;
     bound: "exact" | "at-least";
-    status: "certified" | "proof";
+    status: "certified" | "evidence";
+    certified_at_least: number;
     source: string;
 }
 
@@ -70,13 +73,16 @@ export interface ProblemAnswer {
     features: FeatureSights[];
     explanations: string[];
     extensions: Extension[];
-    picture: string;
+    scene: Scene;
 }
 
-/** What may be added to a minimal problem, and the larger problem. */
+/** What may be added to a minimal problem, and the larger problem: the class that decides it, and its
+ * degree. */
 export interface Extension {
     words: string;
     problem: string;
+    number?: number;
+    degree?: number;
 }
 
 /** What `plprove problem --json` says of a problem in general: with shared lines, more than three
@@ -84,17 +90,29 @@ export interface Extension {
 export interface GeneralReport {
     problem: string;
     name: string;
-    cameras: "calibrated" | "projective";
+    cameras: string;
     views: number;
     dimensions: { scene: number; cameras: number; images: number };
-    minimal: boolean;
+    /** null: no certificate is found, and `evidence` says what is seen. */
+    minimal: boolean | null;
     reason: string;
     degree?: GeneralDegree;
+    evidence?: Evidence;
+}
+
+/** Of a problem without a verdict: ranks at three random places; and which cameras, points and lines,
+ * from 1, move while no image changes. */
+export interface Evidence {
+    ranks: number[];
+    moving_cameras: number[];
+    moving_points: number[];
+    moving_lines: number[];
 }
 
 export interface GeneralAnswer {
     general: GeneralReport;
-    certificate: string;
+    certificate?: string;
+    scene: Scene;
 }
 
 export interface Row {
@@ -105,7 +123,7 @@ export interface Row {
     points: number;
     lines: number;
     degree?: number;
-    picture?: string;
+    scene?: Scene;
     dropped?: string;
     added?: string;
 }

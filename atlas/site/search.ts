@@ -3,13 +3,15 @@ import { Board } from "./board.js";
 import { afterPause, byId, make, withCommas } from "./elements.js";
 import { generalFacts, generalVerdictView } from "./general_problem.js";
 import { card, line, problemLink } from "./problem_links.js";
-import { Complaint, type GeneralReport, type ProblemAnswer, Prover } from "./prover.js";
+import { photos } from "./photos.js";
+import { Complaint, type GeneralAnswer, type ProblemAnswer, Prover } from "./prover.js";
 import { factRows, facts, hintsView, notation, verdictView } from "./verdict_view.js";
 
 const rowsOfPage = 24;
 const prover = new Prover();
 const spec = byId("spec", HTMLInputElement);
 const answerPlace = byId("answer", HTMLElement);
+const messagePlace = byId("ask-message", HTMLElement);
 const form = byId("filters", HTMLFormElement);
 const resultPlace = byId("results", HTMLElement);
 const totalPlace = byId("total", HTMLElement);
@@ -29,6 +31,7 @@ let current = 0;
 async function decide(text: string): Promise<void> {
     const question = ++current;
     if (text.trim() === "") {
+        accept();
         answerPlace.replaceChildren();
         board.showNothing();
         return;
@@ -36,7 +39,7 @@ async function decide(text: string): Promise<void> {
     try {
         const answer = await prover.problem(text);
         if (question !== current) return;
-        if ("general" in answer) showGeneralAnswer(answer.general);
+        if ("general" in answer) showGeneralAnswer(answer);
         else await showAnswer(answer, question);
     } catch (error) {
         if (question === current) showComplaint(error);
@@ -47,14 +50,22 @@ function showComplaint(error: unknown): void {
     const words =
         error instanceof Complaint ? error.message : `The program failed: ${String(error)}`;
     spec.setAttribute("aria-invalid", "true");
-    answerPlace.replaceChildren(make("p", { class: "complaint" }, words));
+    messagePlace.replaceChildren(make("p", { class: "complaint" }, words));
+    answerPlace.replaceChildren();
+}
+
+/** What is typed makes sense. */
+function accept(): void {
+    spec.removeAttribute("aria-invalid");
+    messagePlace.replaceChildren();
 }
 
 /** A problem that the drawing board cannot show. */
-function showGeneralAnswer(report: GeneralReport): void {
-    spec.removeAttribute("aria-invalid");
-    board.showNothing(
-        "The board draws what up to three calibrated cameras see of lines with at most one point.",
+function showGeneralAnswer({ general: report, scene }: GeneralAnswer): void {
+    accept();
+    board.showOnly(
+        photos(scene, report.problem),
+        "The board changes what up to three calibrated cameras see of lines with at most one point.",
     );
     answerPlace.replaceChildren(
         make("p", { class: "asked" }, notation(report.problem)),
@@ -66,8 +77,8 @@ function showGeneralAnswer(report: GeneralReport): void {
 
 async function showAnswer(answer: ProblemAnswer, question: number): Promise<void> {
     const { report } = answer;
-    spec.removeAttribute("aria-invalid");
-    board.show(answer.features, answer.picture);
+    accept();
+    board.show(answer.features, answer.scene, report.problem);
     const neighbours = make("div");
     answerPlace.replaceChildren(
         make("p", { class: "asked" }, notation(report.problem)),
@@ -100,6 +111,7 @@ function options(): string[] {
 
 async function search(): Promise<void> {
     const data = new FormData(form);
+    markField("", "");
     const descending = data.get("order") === "descending";
     try {
         const start = performance.now();
@@ -115,9 +127,24 @@ async function search(): Promise<void> {
         resultPlace.replaceChildren(...answer.rows.map(card));
         showPager(answer.total);
     } catch (error) {
-        totalPlace.textContent = error instanceof Complaint ? error.message : String(error);
+        const words = error instanceof Complaint ? error.message : String(error);
+        totalPlace.textContent = words;
+        const [, option = ""] = /--([a-z-]+)/.exec(words) ?? [];
+        markField(option, words);
         resultPlace.replaceChildren();
         pager.replaceChildren();
+    }
+}
+
+/** Shows a complaint beside the field of this name; at other fields none. */
+function markField(name: string, words: string): void {
+    for (const control of form.elements) {
+        if (!(control instanceof HTMLInputElement) || control.type !== "text") continue;
+        control.removeAttribute("aria-invalid");
+        control.parentElement?.querySelector(".field-message")?.remove();
+        if (control.name !== name) continue;
+        control.setAttribute("aria-invalid", "true");
+        control.after(make("span", { class: "field-message" }, words.replace(/^--[a-z-]+: /, "")));
     }
 }
 
@@ -157,7 +184,7 @@ function keepInAddress(): void {
 }
 
 function isDefault(name: string, value: string): boolean {
-    return (name === "sort" && value === "number") || (name === "order" && value === "ascending");
+    return (name === "sort" && value === "size") || (name === "order" && value === "ascending");
 }
 
 function readAddress(): void {

@@ -1,8 +1,17 @@
-// The start page: the main counts of the paper, and the button that derives them anew.
+// The start page: a problem in space, famous problems, the main counts of the paper, and the button that
+// derives them anew.
 import { checkOnClick } from "./check_view.js";
 import { atlasFile } from "./checker.js";
 import { builtCaption, builtReport, countsTable, ownCaption, type ReportOfChecker } from "./claims.js";
 import { byId } from "./elements.js";
+import { famous, famousCard, sceneOf } from "./famous.js";
+import { photos } from "./photos.js";
+import { sketch } from "./sketch.js";
+
+const question = "2*P/P/P + a/Pa/Pa + a/a/a";
+byId("question", HTMLElement).replaceChildren(photos(sceneOf(question), question));
+byId("space", HTMLElement).replaceChildren(sketch(sceneOf(question)));
+byId("famous-list", HTMLElement).replaceChildren(...famous.map(famousCard));
 
 const main = new Set([
     "label classes",

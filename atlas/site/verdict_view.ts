@@ -1,18 +1,23 @@
 // What the program decides of a problem, for people: the verdict, why, and what follows.
 import { make, withCommas, type Child } from "./elements.js";
+import { term } from "./glossary.js";
 import { problemLink, statusMark } from "./problem_links.js";
 import type { Degree, Families, Hint, ProblemAnswer, Report } from "./prover.js";
 
-const verdicts: Readonly<Record<string, string>> = {
-    minimal: "Minimal",
-    "camera-minimal": "Camera-minimal, but not minimal",
-    obstructed: "Neither minimal nor camera-minimal: obstructed",
-    "under-constrained": "Neither minimal nor camera-minimal: under-constrained",
-    "over-constrained": "Neither minimal nor camera-minimal: over-constrained",
-};
+const neither = (why: Child): Child[] => [
+    "Neither ",
+    term("minimal"),
+    " nor ",
+    term("camera-minimal"),
+    ": ",
+    why,
+];
 
-export function verdictInWords(report: Report): string {
-    return verdicts[report.verdict] ?? report.verdict;
+export function verdictInWords({ verdict }: Report): Child[] {
+    if (verdict === "minimal") return [term("minimal", "Minimal")];
+    if (verdict === "camera-minimal")
+        return [term("camera-minimal", "Camera-minimal"), ", but not minimal"];
+    return neither(verdict === "obstructed" ? term("obstructed") : verdict);
 }
 
 export function notation(text: string): HTMLElement {
@@ -24,7 +29,7 @@ export function verdictView(report: Report): HTMLElement {
     return make(
         "div",
         { class: `verdict ${report.camera_minimal ? "holds" : "fails"}` },
-        make("p", { class: "verdict-word" }, verdictInWords(report)),
+        make("p", { class: "verdict-word" }, ...verdictInWords(report)),
         ...report.reasons.map((reason) => make("p", {}, sentence(reason))),
     );
 }
@@ -33,14 +38,20 @@ function sentence(text: string): string {
     return `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
 }
 
-export function familyNames(families: Families): string[] {
-    const names: [boolean, string][] = [
-        [families.pl0p, "free points and free lines only (PL0P)"],
-        [families.at_most_one_pin, "at most one pin per point"],
-        [families.plmp !== null, `complete visibility: ${families.plmp ?? ""} in PLMP`],
-        [families.five_point_extension, "extension of the five-point problem"],
-        [families.registration, "camera registration"],
-        [families.trifocal_linear, "one of the 66 problems linear in the trifocal tensor"],
+export function familyNames(families: Families): Child[][] {
+    const names: [boolean, Child[]][] = [
+        [families.pl0p, ["free points and free lines only (", term("PL0P"), ")"]],
+        [families.at_most_one_pin, ["at most one ", term("pin"), " per point"]],
+        [
+            families.plmp !== null,
+            [term("complete visibility"), `: ${families.plmp ?? ""} in PLMP`],
+        ],
+        [
+            families.five_point_extension,
+            [term("five-point extension", "extension of the five-point problem")],
+        ],
+        [families.registration, [term("camera registration")]],
+        [families.trifocal_linear, ["one of the 66 problems linear in the trifocal tensor"]],
     ];
     return names.filter(([member]) => member).map(([, name]) => name);
 }
@@ -56,10 +67,25 @@ export function degreeView(degree: Degree): HTMLElement {
     );
 }
 
+/** What rows are called, and the word of the glossary that says what it means. */
+const words: Readonly<Record<string, string>> = {
+    class: "label class",
+    degree: "degree",
+    dimensions: "dimensions",
+    reduction: "reduction",
+    terminal: "terminal",
+};
+
+function rowName(name: string): Child {
+    const word = words[name];
+    return word === undefined ? name : term(word, name);
+}
+
 /** A table of names and what stands for them. */
 export function facts(rows: [string, Child[]][]): HTMLElement {
     const list = make("dl", { class: "facts-list" });
-    for (const [name, value] of rows) list.append(make("dt", {}, name), make("dd", {}, ...value));
+    for (const [name, value] of rows)
+        list.append(make("dt", {}, rowName(name)), make("dd", {}, ...value));
     return list;
 }
 
@@ -92,7 +118,8 @@ export function factRows(answer: ProblemAnswer): [string, Child[]][] {
         rows.push(["terminal", [notation(report.terminal)]]);
     if (report.families) {
         const names = familyNames(report.families);
-        rows.push(["families", [names.length > 0 ? names.join("; ") : "none of the named ones"]]);
+        const joined = names.flatMap((name, index) => (index === 0 ? name : ["; ", ...name]));
+        rows.push(["families", names.length > 0 ? joined : ["none of the named ones"]]);
     }
     return rows;
 }

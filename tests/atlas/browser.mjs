@@ -13,6 +13,11 @@ const axeSource = require("axe-core").source;
 export const root = path.resolve(fileURLToPath(import.meta.url), "../../..");
 export const atlas = path.join(root, "build/atlas");
 
+/** A problem that nobody has decided, of tests/programs/general.cpp. */
+export const openProblem =
+    "projective: -/-/P/P/P + -/-/Pabc/Pabc/Pabc + P/P/-/P/P + 2*P/P/P/P/P + " +
+    "Pabc/Pabc/Pabc/-/- + a/a/a/a/a";
+
 /** Milliseconds after which a page that does not answer hangs. (How fast it is, tests/bench/atlas.mjs
  * measures.) */
 const patience = 600_000;

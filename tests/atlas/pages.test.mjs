@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";
-import { atlas as folder, open, textOf, violationsOf } from "./browser.mjs";
+import { atlas as folder, open, openProblem, textOf, violationsOf } from "./browser.mjs";
 
 const pages = {
     "index.html": "#counts tbody tr",
@@ -14,12 +14,14 @@ const pages = {
     "problem.html?p=P/P/P+%2B+a/a/a+%2B+5*-/P/P+%2B+P/-/P": "[data-ready]",
     "problem.html?p=1021_1": "[data-ready]",
     "problem.html?p=projective:+4*PL/PL+%2B+2*P/P": "[data-ready]",
+    [`problem.html?p=${encodeURIComponent(openProblem)}`]: "[data-ready]",
     "problem.html?p=nonsense": ".complaint",
     "paper.html": "#degrees tbody tr",
     "families.html": "#problems li",
     "families.html?family=projective&views=9": "#problems li",
     "check.html": "#files",
     "how.html": ".matrix",
+    "cite.html": "#citation pre",
 };
 
 let atlas;
@@ -89,6 +91,19 @@ test("every page has a strict policy and no script of its own", () => {
             name,
         );
     }
+});
+
+test("every page describes itself, for those who pass a link on", () => {
+    const descriptions = readdirSync(folder)
+        .filter((file) => file.endsWith(".html"))
+        .map((name) => {
+            const text = readFileSync(path.join(folder, name), "utf8");
+            const [, words] = /<meta name="description" content="([^"]{40,200})">/.exec(text) ?? [];
+            assert.ok(words, name);
+            assert.ok(text.includes(`<meta property="og:description" content="${words}">`), name);
+            return words;
+        });
+    assert.equal(new Set(descriptions).size, descriptions.length);
 });
 
 test("the scripts never make HTML of text", () => {

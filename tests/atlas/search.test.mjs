@@ -41,17 +41,19 @@ test("problems of any number of views and of projective cameras are decided", as
     await page.fill("#spec", "4*PL/PL/PL/PL");
     await until(page, () => /4 calibrated/.test(document.querySelector("#answer").textContent));
     assert.match(await textOf(page, "#answer"), /Not minimal.*against images/s);
-    assert.match(await textOf(page, "#board"), /The board draws/);
+    assert.match(await textOf(page, "#board"), /The board changes/);
     await page.getByRole("link", { name: /Its page/ }).click();
     assert.equal(await textOf(page, "#problem .asked"), "4*PL/PL/PL/PL");
 });
 
 test("what is no problem is refused with the program's words", async () => {
     const page = await atlas.visit("search.html?p=2*Q/P/P");
-    assert.match(await textOf(page, "#answer .complaint"), /column 3/);
+    assert.match(await textOf(page, "#ask .complaint"), /column 3/);
+    assert.equal(await page.getAttribute("#spec", "aria-invalid"), "true");
+    assert.match(await textOf(page, "#board"), /Nothing is drawn yet/);
     const page2 = await atlas.visit("search.html?p=%3Cimg src=x onerror=alert(1)%3E");
-    assert.ok(await textOf(page2, "#answer .complaint"));
-    assert.equal(await page2.locator("#answer img").count(), 0);
+    assert.ok(await textOf(page2, "#ask .complaint"));
+    assert.equal(await page2.locator("main img").count(), 0);
 });
 
 test("features are drawn, hidden by a click in a view, and shown by a key", async () => {
@@ -74,7 +76,7 @@ test("features are drawn, hidden by a click in a view, and shown by a key", asyn
 test("a line in the drawing is hidden in the view that is clicked", async () => {
     const page = await atlas.visit("search.html?p=Pab/Pab/Pab+%2B+a/a/a");
     await page.waitForSelector(".board-views line.target");
-    const lines = page.locator(".board-views svg > g > g:nth-of-type(2) line.target");
+    const lines = page.locator(".board-views .photo-frame:nth-of-type(2) line.target");
     assert.equal(await lines.count(), 3);
     await lines.nth(2).click();
     await until(page, () => document.querySelector("#spec").value.endsWith("a/-/a"));
@@ -97,6 +99,10 @@ test("a filter that makes no sense is refused with what was expected", async () 
     await until(page, () =>
         /expected N or N\.\.M/.test(document.querySelector("#total").textContent),
     );
+    // Beside the field, too.
+    assert.match(await textOf(page, "label:has([name=points]) .field-message"), /expected N or N\.\.M/);
+    await page.fill("[name=points]", "3");
+    await until(page, () => document.querySelector(".field-message") === null);
 });
 
 test("an address restores search and page; back leads to it", async () => {
