@@ -1,6 +1,7 @@
 // A browser on the built atlas, as a reader has it: Debian's Chromium, and Python's web server.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
+import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
 import assert from "node:assert/strict";
@@ -13,10 +14,12 @@ const axeSource = require("axe-core").source;
 export const root = path.resolve(fileURLToPath(import.meta.url), "../../..");
 export const atlas = path.join(root, "build/atlas");
 
-/** A problem that nobody has decided, of tests/programs/general.cpp. */
-export const openProblem =
-    "projective: -/-/P/P/P + -/-/Pabc/Pabc/Pabc + P/P/-/P/P + 2*P/P/P/P/P + " +
-    "Pabc/Pabc/Pabc/-/- + a/a/a/a/a";
+/** A problem that nobody has decided: that of the tests of plprove. */
+export const openProblem = (() => {
+    const source = readFileSync(path.join(root, "tests/programs/general.cpp"), "utf8");
+    const [, literals] = /open_problem =((?:\s*"[^"]*")+);/.exec(source);
+    return [...literals.matchAll(/"([^"]*)"/g)].map(([, text]) => text).join("");
+})();
 
 /** Milliseconds after which a page that does not answer hangs. (How fast it is, tests/bench/atlas.mjs
  * measures.) */
