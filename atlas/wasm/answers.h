@@ -21,8 +21,8 @@ private:
 };
 
 /// {"spec": ...}, a problem in any of the ways of parse_spec: what `plprove problem --json` says of
-/// it, its names, what each view sees, what may be added to it, and its scene. Of a problem that only
-/// parse_general_spec reads: what the program says of it, as `general`, its scene, and its
+/// it, its names, what each view sees, what may be added to it, and its scene. Of a problem that
+/// only parse_general_spec reads: what the program says of it, as `general`, its scene, and its
 /// certificate, if one is found. Throws NotationError.
 Json problem_answer(const Json& request);
 
@@ -43,9 +43,9 @@ Json search_answer(Library& library, const Json& request);
 /// that come of it when one feature is exchanged.
 Json relatives_answer(Library& library, const Json& request);
 
-/// What pages need to draw a problem: the number of views; of each point the views that see it, a bit
-/// each; of each line its points and the views that see it. Points and lines are in the order of the
-/// features.
+/// What pages need to draw a problem: the number of views; of each point the views that see it, a
+/// bit each; of each line its points and the views that see it. Points and lines are in the order
+/// of the features.
 Json scene_of(const plprove::Problem& problem);
 Json scene_of(const plprove::Features& problem);
 

@@ -46,8 +46,8 @@ Json explanations_of(const Reduction& reduction) {
     return words;
 }
 
-/// What may be added to a minimal problem, and the larger problem: the class that decides it, and its
-/// degree.
+/// What may be added to a minimal problem, and the larger problem: the class that decides it, and
+/// its degree.
 Json extensions_of(const Decision& decision) {
     Json rows = Json::array();
     if (decision.verdict != Verdict::minimal) return rows;
