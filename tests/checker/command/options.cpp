@@ -64,6 +64,11 @@ TEST_CASE("wrong words on the command line are refused, each for its reason") {
         {{"--family", "plmp", "--verdict", "minimal", "f"},
          "--family expects a whole family; leave out --expect, --verdict, --degree and "
          "--classification"},
+        {{"--expect-list", "mine.txt", "--degree", "3", "f"},
+         "--expect-list expects all problems of a list; leave out --expect, --degree, "
+         "--classification and --family"},
+        {{"--expect-list", "/", "f"}, "--expect-list: / cannot be read"},
+        {{"--expect-list", "/dev/null", "f"}, "/dev/null has no problem; write one a line"},
         {{"--expect", "no such.model", "--degree", "3", "f"},
          "--expect no such.model: the file of the model cannot be read"},
     };
