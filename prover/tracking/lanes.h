@@ -1,7 +1,8 @@
 // Real numbers for the path tracker, several paths at a time: one number per path ("lane"), added,
 // multiplied and compared lane by lane. The width is that of the instruction set which a file is
 // compiled for. Every operation is the correctly rounded one of IEEE 754, fused where it says fma,
-// so that each lane computes the same bits whatever the width.
+// so that each lane computes the same bits whatever the width. WebAssembly alone fuses nothing: its
+// fma rounds twice.
 //
 // A file that includes this may use inline functions of the standard library only with care: the
 // linker keeps one copy of them, which must not contain instructions that the machine lacks.
@@ -19,6 +20,9 @@
 #define PLC_LANES avx2
 #define PLC_UNROLLED _Pragma("GCC unroll 16")
 #else
+#if defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#endif
 #define PLC_LANES portable
 #define PLC_UNROLLED
 #endif
@@ -135,6 +139,62 @@ inline Real select(Mask m, Real a, Real b) {
     return {_mm256_blendv_pd(b.v, a.v, m.v)};
 }
 
+#elif defined(__wasm_simd128__)
+
+struct Mask {
+    v128_t v;
+};
+inline bool any(Mask m) {
+    return wasm_v128_any_true(m.v);
+}
+inline bool get(Mask m, int lane) {
+    return (wasm_i64x2_bitmask(m.v) >> lane & 1) != 0;
+}
+inline Mask both(Mask a, Mask b) {
+    return {wasm_v128_and(a.v, b.v)};
+}
+inline Mask either(Mask a, Mask b) {
+    return {wasm_v128_or(a.v, b.v)};
+}
+inline Mask without(Mask a, Mask b) {
+    return {wasm_v128_andnot(a.v, b.v)};
+}
+
+struct Real {
+    static constexpr int width = 2;
+    v128_t v;
+    static Real of(double x) { return {wasm_f64x2_splat(x)}; }
+    static Real load(const double* x) { return {wasm_v128_load(x)}; }
+    void store(double* x) const { wasm_v128_store(x, v); }
+};
+inline Real operator+(Real a, Real b) {
+    return {wasm_f64x2_add(a.v, b.v)};
+}
+inline Real operator-(Real a, Real b) {
+    return {wasm_f64x2_sub(a.v, b.v)};
+}
+inline Real operator*(Real a, Real b) {
+    return {wasm_f64x2_mul(a.v, b.v)};
+}
+inline Real operator/(Real a, Real b) {
+    return {wasm_f64x2_div(a.v, b.v)};
+}
+inline Real fma(Real a, Real b, Real c) {
+    return a * b + c;
+}
+inline Real fnma(Real a, Real b, Real c) {
+    return c - a * b;
+}
+inline Real sqrt(Real a) {
+    return {wasm_f64x2_sqrt(a.v)};
+}
+inline Mask less(Real a, Real b) {
+    return {wasm_f64x2_lt(a.v, b.v)};
+}
+inline Real select(Mask m, Real a, Real b) {
+    return {wasm_v128_bitselect(a.v, b.v, m.v)};
+}
+
 #else
 
 /// One path at a time, on any machine.
@@ -191,6 +251,21 @@ inline Real select(Mask m, Real a, Real b) {
 }
 
 #endif
+
+/// product - a b, where the product is a b rounded: exactly, but where it underflows or, without
+/// fused operations, a factor is larger than 1e300.
+inline Real rounding_error(Real a, Real b, Real product) {
+#if defined(__wasm_simd128__)
+    // In halves of the digits, whose products are exact (T. J. Dekker, Numer. Math. 18, 1971).
+    const Real splitter = Real::of(134217729); // 2^27 + 1
+    const Real wide_a = splitter * a, wide_b = splitter * b;
+    const Real a1 = wide_a - (wide_a - a), a2 = a - a1;
+    const Real b1 = wide_b - (wide_b - b), b2 = b - b1;
+    return (((product - a1 * b1) - a1 * b2) - a2 * b1) - a2 * b2;
+#else
+    return fnma(a, b, product);
+#endif
+}
 
 /// The number in one lane.
 inline double at(Real x, int lane) {

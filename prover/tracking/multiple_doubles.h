@@ -36,18 +36,18 @@ struct DoubleDouble {
     return a + DoubleDouble{zero - b.high, zero - b.low};
 }
 [[gnu::always_inline]] inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
-    const Real high = a.high * b.high, rounding_error = fnma(a.high, b.high, high);
-    return quick_sum(high, fma(a.high, b.low, fma(a.low, b.high, Real::of(0) - rounding_error)));
+    const Real high = a.high * b.high, error = rounding_error(a.high, b.high, high);
+    return quick_sum(high, fma(a.high, b.low, fma(a.low, b.high, Real::of(0) - error)));
 }
 [[gnu::always_inline]] inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
     const Real high = a.high / b.high;
     return quick_sum(high, (a - b * widen(high)).high / b.high);
 }
 [[gnu::always_inline]] inline DoubleDouble fma(DoubleDouble a, DoubleDouble b, DoubleDouble c) {
-    const Real high = a.high * b.high, rounding_error = fnma(a.high, b.high, high);
+    const Real high = a.high * b.high, error = rounding_error(a.high, b.high, high);
     const DoubleDouble sum = exact_sum(c.high, high);
     const Real low = fma(a.high, b.low, fma(a.low, b.high, c.low + sum.low));
-    return quick_sum(sum.high, low - rounding_error);
+    return quick_sum(sum.high, low - error);
 }
 [[gnu::always_inline]] inline DoubleDouble fnma(DoubleDouble a, DoubleDouble b, DoubleDouble c) {
     const Real zero = Real::of(0);
@@ -101,11 +101,11 @@ struct TripleDouble {
 // The large ones are calls: inlined everywhere they would take the compiler minutes.
 [[gnu::noinline]] inline TripleDouble operator*(const TripleDouble& a, const TripleDouble& b) {
     const Real zero = Real::of(0);
-    const Real high = a.high * b.high, rounding_error = fnma(a.high, b.high, high);
-    const Real across = a.high * b.middle, error_across = fnma(a.high, b.middle, across);
-    const Real back = a.middle * b.high, error_back = fnma(a.middle, b.high, back);
+    const Real high = a.high * b.high, error = rounding_error(a.high, b.high, high);
+    const Real across = a.high * b.middle, error_across = rounding_error(a.high, b.middle, across);
+    const Real back = a.middle * b.high, error_back = rounding_error(a.middle, b.high, back);
     const DoubleDouble crossed = exact_sum(across, back);
-    const DoubleDouble middle = exact_sum(crossed.high, zero - rounding_error);
+    const DoubleDouble middle = exact_sum(crossed.high, zero - error);
     const Real low = fma(a.high, b.low, fma(a.low, b.high, a.middle * b.middle));
     const Real rest = (crossed.low + middle.low) - (error_across + error_back);
     return renormalized(high, middle.high, low + rest);
