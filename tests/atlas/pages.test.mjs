@@ -22,6 +22,7 @@ const pages = {
     "check.html": "#files",
     "how.html": ".matrix",
     "cite.html": "#citation pre",
+    "demo.html": "#demo[data-settled]",
 };
 
 let atlas;

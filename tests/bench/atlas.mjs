@@ -1,5 +1,6 @@
 // How long a reader of the atlas waits: for the start page, a search, and a replay of the whole
-// classification, beside the same replay by plcheck.
+// classification, beside the same replay by plcheck; and how many pictures a second there are on the
+// page Play while a camera moves.
 //
 // Usage: node tests/bench/atlas.mjs       after atlas/build
 import { execFileSync } from "node:child_process";
@@ -45,6 +46,20 @@ try {
         return Number(await search.getAttribute("#results", "data-milliseconds"));
     });
     console.log(`search                ${found.toFixed(0)} ms`);
+
+    for (const problem of ["five-points", "chicago"]) {
+        const seconds = 5;
+        const page = await atlas.visit(`demo.html?problem=${problem}`);
+        await page.waitForSelector("#demo[data-settled]");
+        await page.check("#moving");
+        await page.waitForTimeout(1000);
+        const pictures = () =>
+            page.evaluate(() => Number(document.querySelector("#demo").dataset.pictures));
+        const before = await pictures();
+        const time = await timed(() => page.waitForTimeout(seconds * 1000));
+        const rate = (1000 * ((await pictures()) - before)) / time;
+        console.log(`play, ${problem.padEnd(15)} ${rate.toFixed(1)} pictures a second`);
+    }
 
     const browser = await shortest(async () => {
         const page = await atlas.visit("index.html");
