@@ -4,6 +4,7 @@
 #include "prover/solver/decompositions.h"
 #include "prover/solver/poses.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
