@@ -21,7 +21,7 @@ const farthest = 20_000;
 
 export class SketchView {
     readonly element = shape("svg", {
-        class: "drawing space",
+        class: "drawing play-space",
         viewBox: `0 0 ${width} ${height}`,
         role: "group",
         tabindex: 0,

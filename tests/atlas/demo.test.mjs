@@ -22,7 +22,7 @@ async function visit(problem, options = {}) {
 const dataOf = (page) => page.evaluate(() => ({ ...document.querySelector("#demo").dataset }));
 const pathsOf = (page) =>
     page
-        .locator(".space .solution")
+        .locator(".play-space .solution")
         .evaluateAll((paths) => paths.map((path) => path.getAttribute("d")));
 
 /** Waits for more pictures, and until the page rests. */
