@@ -148,3 +148,32 @@ TEST_CASE("the workflow of docs/ci.md checks a certificate, and fails for a bad 
     REQUIRE(run(in_workspace + "sed -i '$ s/[0-9]*$/1/' mine.plc").status == 0);
     CHECK(run_step(check, complete(inputs), runner).status == 1);
 }
+
+TEST_CASE("a word for classification that nobody reads stops the action with what to write") {
+    const TemporaryFolder runner;
+    prepare(runner);
+    const YAML::Node first = action()["runs"]["steps"][0];
+    for (const char* word : {"yes", "True", "TRUE", "1", "", "true false", "true\nfalse"}) {
+        CAPTURE(word);
+        const Outcome outcome =
+            run_step(first, complete({{"files", "a.plc"}, {"classification", word}}), runner);
+        CHECK(outcome.status == 3);
+        CHECK(outcome.out.find("write true or false") != std::string::npos);
+        CHECK(lines_of(outcome.out).size() == 1);
+    }
+    CHECK(run_step(first, complete({{"files", "a.plc"}}), runner).status == 0);
+    for (const char* word : {"true", "false"})
+        CHECK(run_step(first, complete({{"files", "a.plc"}, {"classification", word}}), runner)
+                  .status == 0);
+}
+
+TEST_CASE("the action asks for packages after it has read the lists of them") {
+    for (const YAML::Node& step : action()["runs"]["steps"]) {
+        const std::string text = step["run"].as<std::string>();
+        const std::size_t asks = text.find("apt-cache show");
+        if (asks == std::string::npos) continue;
+        CHECK(text.find("apt-get -qq update") < asks);
+        return;
+    }
+    FAIL("no step asks for packages");
+}
