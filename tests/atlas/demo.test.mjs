@@ -135,7 +135,9 @@ test("a mouse, a finger and the keyboard move points and cameras", async () => {
 
     // In a photo: the truth is gone until the change is undone.
     const dragged = async () => {
-        const box = await handle("Point 1 in photo 2").locator(".target").boundingBox();
+        const target = handle("Point 1 in photo 2").locator(".target");
+        await target.scrollIntoViewIfNeeded();
+        const box = await target.boundingBox();
         const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
         await page.mouse.move(x, y);
         await page.mouse.down();
