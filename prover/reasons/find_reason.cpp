@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <iterator>
 
 namespace plprove {
 
@@ -36,12 +37,11 @@ std::vector<std::vector<int>> subsets(const std::vector<int>& numbers) {
     return all;
 }
 
-/// Adds numbers to ascending ones.
-void merge(std::vector<int>& ascending, const std::vector<int>& more) {
-    ascending.insert(ascending.end(), more.begin(), more.end());
-    std::ranges::sort(ascending);
-    const auto repeated = std::ranges::unique(ascending);
-    ascending.erase(repeated.begin(), repeated.end());
+/// All numbers that are in one of two ascending lists.
+std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
+    std::vector<int> result;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+    return result;
 }
 
 /// The best reason seen so far.
@@ -105,8 +105,8 @@ public:
         CameraMotion all{.kind = MotionKind::loose};
         for (const CameraMotion& motion : single) {
             CameraMotion more = all;
-            merge(more.points, motion.points);
-            merge(more.lines, motion.lines);
+            more.points = united(all.points, motion.points);
+            more.lines = united(all.lines, motion.lines);
             if (motions(problem_, part, more) > motions(problem_, part, all)) all = more;
         }
         consider(part, all);

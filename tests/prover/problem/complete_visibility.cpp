@@ -207,7 +207,7 @@ TEST_CASE("seven points: the verdict of three views holds for any number of view
         if (reason == nullptr) continue;
         CHECK(reason->part.points == whole(certificate.problem).points);
         CHECK(reason->part.lines == whole(certificate.problem).lines);
-        CHECK(reason->motion.moving == all_views(3));
+        CHECK(moving_views(reason->motion) == all_views(3));
         const bool plane = reason->motion.kind == MotionKind::plane;
         CHECK(reason->excess >= (plane ? 3 * 3 - 4 - 1 : 2));
     }
