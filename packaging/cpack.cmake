@@ -18,10 +18,24 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What a program needs that links the library.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, libgmp-dev, libflint-dev, libflint-arb-dev")
-set(CPACK_DEBIAN_PACKAGE_CONFLICTS ${other_package})
-set(CPACK_DEBIAN_PACKAGE_REPLACES ${other_package})
+# Three packages: the programs, the checker as a library, certificates and documents.
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_ALL programs checker-library documents)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME ${CPACK_PACKAGE_NAME})
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS ${CPACK_PACKAGE_NAME}-doc)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_CONFLICTS ${other_package})
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_REPLACES ${other_package})
+set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION "${summary}")
+set(CPACK_DEBIAN_CHECKER-LIBRARY_PACKAGE_NAME libplcheck-dev)
+set(CPACK_DEBIAN_CHECKER-LIBRARY_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_CHECKER-LIBRARY_PACKAGE_DEPENDS ${PLCHECK_DEB_NEEDS})
+set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_NAME ${CPACK_PACKAGE_NAME}-doc)
+set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_CONFLICTS ${other_package}-doc)
+set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_REPLACES ${other_package}-doc)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${summary})
 set(CPACK_PACKAGE_DESCRIPTION
 "Which points and lines in three photos fix the cameras? A certificate gives the
@@ -29,11 +43,20 @@ answer for a problem. plcheck replays it, and believes nothing. plprove, where
 it is part of the package, finds certificates.")
 include(CPack)
 
-# Debian wants licence and change log here.
-set(package_documents ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_PACKAGE_NAME})
+# Debian wants licence and change log of each package here.
 configure_file(changelog.in changelog @ONLY)
 add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz
   COMMAND ${GZIP} -9 -n -c changelog > ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz
   DEPENDS ${CMAKE_CURRENT_BINARY_DIR}/changelog)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz DESTINATION ${package_documents})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${package_documents} RENAME copyright)
+foreach(component ${CPACK_COMPONENTS_ALL})
+  string(TOUPPER ${component} upper)
+  set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+  set(only_in_packages EXCLUDE_FROM_ALL)
+  if(component STREQUAL programs)
+    set(only_in_packages)
+  endif()
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz DESTINATION ${folder}
+          COMPONENT ${component} ${only_in_packages})
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${folder} RENAME copyright
+          COMPONENT ${component} ${only_in_packages})
+endforeach()

@@ -1,23 +1,30 @@
-// The package for Debian: what it needs, what it has, and that it is the same each time. That it
-// installs on a bare system, tests/packages tries.
+// The packages for Debian: what they need, what they have, and that they are the same each time.
+// That they install on a bare system, tests/packages tries.
 #include "tests/packaging/installation.h"
 
 #include <doctest/doctest.h>
+#include <map>
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Makes the package of this build in a folder; the result is its path.
-fs::path make_package(const TemporaryFolder& folder) {
-    const Outcome outcome =
-        run("cd " BUILD_DIR " && SOURCE_DATE_EPOCH=1767225600 cpack -B " + folder.path().string());
+using Packages = std::map<std::string, fs::path>;
+
+/// Makes the packages of this build in a folder: their paths by their names.
+Packages make_packages(const TemporaryFolder& folder) {
+    // Compressed fast: users get smaller ones.
+    const Outcome outcome = run("cd " BUILD_DIR " && SOURCE_DATE_EPOCH=1767225600 cpack "
+                                "-D CPACK_DEBIAN_COMPRESSION_TYPE=gzip -B " +
+                                folder.path().string());
     CAPTURE(outcome.err);
     REQUIRE(outcome.status == 0);
-    for (const auto& entry : fs::directory_iterator(folder.path()))
-        if (entry.path().extension() == ".deb") return entry.path();
-    FAIL("cpack has made no package");
-    return {};
+    Packages packages;
+    for (const auto& entry : fs::directory_iterator(folder.path())) {
+        const std::string name = entry.path().filename().string();
+        if (name.ends_with(".deb")) packages[name.substr(0, name.find('_'))] = entry.path();
+    }
+    return packages;
 }
 
 std::string field(const fs::path& package, const std::string& name) {
@@ -26,32 +33,62 @@ std::string field(const fs::path& package, const std::string& name) {
 
 } // namespace
 
-TEST_CASE("the package names the libraries it needs, runs, and is the same each time") {
+TEST_CASE("the packages name what they need, have what they should, and are the same each time") {
     if (!has_program("dpkg-shlibdeps")) {
         MESSAGE("left out: dpkg-shlibdeps is not installed");
         return;
     }
     const TemporaryFolder first;
-    const fs::path package = make_package(first);
-    CHECK(package.filename().string().starts_with("point-line-certificates_" PROJECT_VERSION "_"));
-    CHECK(field(package, "Version") == PROJECT_VERSION "\n");
-    for (const char* library : {"libc6", "libgmp10", "libflint", "libsqlite3-0"}) {
-        CAPTURE(library);
-        CHECK(field(package, "Depends").find(library) != std::string::npos);
+    const Packages packages = make_packages(first);
+    REQUIRE(packages.size() == 3);
+    const fs::path programs = packages.at("point-line-certificates");
+    const fs::path library = packages.at("libplcheck-dev");
+    const fs::path documents = packages.at("point-line-certificates-doc");
+    for (const auto& [name, package] : packages) {
+        CAPTURE(name);
+        CHECK(field(package, "Package") == name + "\n");
+        CHECK(field(package, "Version") == PROJECT_VERSION "\n");
     }
+    for (const char* needed : {"libc6", "libgmp10", "libflint", "libsqlite3-0"}) {
+        CAPTURE(needed);
+        CHECK(field(programs, "Depends").find(needed) != std::string::npos);
+    }
+    for (const char* needed : {"libgmp-dev", "libflint-dev"}) {
+        CAPTURE(needed);
+        CHECK(field(library, "Depends").find(needed) != std::string::npos);
+    }
+    CHECK(field(documents, "Architecture") == "all\n");
 
     const TemporaryFolder root;
     const std::string at = root.path().string();
-    REQUIRE(run("dpkg-deb --extract " + package.string() + ' ' + at).status == 0);
+    REQUIRE(run("dpkg-deb --extract " + programs.string() + ' ' + at).status == 0);
     CHECK(run(at + "/usr/bin/plprove certify 2394 -o " + at + "/chicago.plc").status == 0);
     CHECK(run(at + "/usr/bin/plcheck " + at + "/chicago.plc").status == 0);
-    for (const char* file :
-         {"copyright", "changelog.gz", "README.md", "docs/install.md", "certs/FORMAT.md"}) {
+    // The programs come without headers, library and certificates.
+    CHECK(!fs::exists(root / "usr/include"));
+    CHECK(!fs::exists(root / "usr/share/point-line-certificates"));
+    const fs::path of_all = root / "usr/share/doc";
+    CHECK(fs::exists(of_all / "point-line-certificates/copyright"));
+
+    REQUIRE(run("dpkg-deb --extract " + library.string() + ' ' + at).status == 0);
+    CHECK(fs::exists(root / "usr/include/plcheck/plcheck.h"));
+    CHECK(!fs::exists(root / "usr/share/point-line-certificates"));
+    REQUIRE(run("dpkg-deb --extract " + documents.string() + ' ' + at).status == 0);
+    CHECK(fs::exists(root / "usr/share/point-line-certificates/certs/classification.plc"));
+    for (const char* file : {"README.md", "docs/install.md", "certs/FORMAT.md"}) {
         CAPTURE(file);
-        CHECK(fs::exists(root / "usr/share/doc/point-line-certificates" / file));
+        CHECK(fs::exists(of_all / "point-line-certificates" / file));
+    }
+    for (const auto& [name, package] : packages) {
+        CAPTURE(name);
+        CHECK(fs::exists(of_all / name / "copyright"));
+        CHECK(fs::exists(of_all / name / "changelog.gz"));
     }
 
     const TemporaryFolder second;
-    const bool same = read_file(make_package(second)) == read_file(package);
-    CHECK(same);
+    for (const auto& [name, package] : make_packages(second)) {
+        CAPTURE(name);
+        const bool same = read_file(package) == read_file(packages.at(name));
+        CHECK(same);
+    }
 }

@@ -74,3 +74,27 @@ TEST_CASE("the package says its version, and refuses to stand for another major 
     CHECK(configure(PROJECT_VERSION) == 0);
     CHECK(configure("999.0") != 0);
 }
+
+TEST_CASE("pkg-config says how to build with either library, wherever it is installed") {
+    if (!has_program("pkg-config")) {
+        MESSAGE("left out: pkg-config is not installed");
+        return;
+    }
+    const std::string find = "find " + installed().string() + " -name plcheck.pc -printf %h";
+    const std::string folder = run(find).out;
+    REQUIRE(folder.ends_with("/pkgconfig"));
+    const std::string ask = "PKG_CONFIG_PATH=" + folder + " pkg-config ";
+    CHECK(run(ask + "--modversion plcheck").out == PROJECT_VERSION "\n");
+    const Outcome flags = run(ask + "--cflags --libs --static plcheck");
+    CAPTURE(flags.err);
+    CHECK(flags.out.find("-lplcheck") != std::string::npos);
+    const TemporaryFolder work;
+    write_file(work / "check.cpp", block_of(read_file(SOURCE_DIR "/docs/install.md"), "cpp"));
+    const Outcome build =
+        run("c++ -std=c++20 " LINK_OPTIONS " -o " + (work / "check").string() + ' ' +
+            (work / "check.cpp").string() + " $(" + ask + "--cflags --libs --static plcheck)");
+    CAPTURE(build.err);
+    CHECK(build.status == 0);
+    CHECK(run("PKG_CONFIG_PATH=" BUILD_DIR "/prover/library pkg-config --libs pointline")
+              .out.find("-lpointline") != std::string::npos);
+}
