@@ -6,6 +6,8 @@ Usage: deposit.py SOURCES PLPROVE PLCHECK
 
 import csv
 import hashlib
+import importlib.machinery
+import importlib.util
 import json
 import os
 import pathlib
@@ -162,6 +164,64 @@ class Artifact(unittest.TestCase):
         self.assertEqual(expected.strip("`"), line)
 
 
+class Book(unittest.TestCase):
+    """What `./reproduce book` makes a PDF of. TeX itself is not run here: it takes half a minute,
+    and a large installation."""
+
+    def setUp(self):
+        sys.dont_write_bytecode = True
+        loader = importlib.machinery.SourceFileLoader("book", str(SOURCES / "packaging/book"))
+        self.book = importlib.util.module_from_spec(importlib.util.spec_from_loader("book", loader))
+        loader.exec_module(self.book)
+
+    def test_every_page_of_proofs_is_in_the_book_once(self):
+        written = [str(file.relative_to(SOURCES / "proofs"))
+                   for file in (SOURCES / "proofs").rglob("*.md")]
+        self.assertGreater(len(written), 20)
+        self.assertEqual(sorted(self.book.pages()), sorted(written))
+        self.assertEqual(self.book.pages()[:2], ["README.md", "classification.md"])
+
+    def test_links_lead_somewhere(self):
+        inside = 0
+        for page in self.book.pages():
+            for target in self.book.targets(text(f"proofs/{page}")):
+                if re.match("https?:", target):
+                    continue
+                path, _, anchor = target.partition("#")
+                file = self.book.resolved(page, path) if path else f"proofs/{page}"
+                self.assertTrue((SOURCES / file).exists(), f"{page}: {target}")
+                inside += file.removeprefix("proofs/") in self.book.pages()
+                if anchor and file.endswith(".md"):
+                    headings = re.findall("^#+ (.*)$", text(file), re.M)
+                    self.assertIn(anchor, [re.sub(r"[^\w -]", "", heading).lower().replace(" ", "-")
+                                           for heading in headings], f"{page}: {target}")
+        self.assertGreater(inside, 100)
+
+    def test_the_fonts_have_every_character(self):
+        for page in self.book.pages():
+            for character in text(f"proofs/{page}"):
+                self.assertTrue(character.isascii() or character in self.book.LETTERS
+                                or character in self.book.SIGNS, f"{page}: {character!r}")
+
+    def test_title_is_that_of_the_citation(self):
+        citation = yaml.safe_load(text("CITATION.cff"))
+        self.assertEqual(self.book.cited("title"), [citation["title"]])
+        self.assertEqual(self.book.cited("version"), [citation["version"]])
+        self.assertEqual(self.book.cited("name"), [author["name"] for author in citation["authors"]])
+
+    def test_links_become_places_of_the_book_or_paths(self):
+        def link(target):
+            return {"t": "Link", "c": [["", [], []], [{"t": "Str", "c": "here ∎"}], [target, ""]]}
+
+        (inside,) = self.book.rewritten("three_views/1_spaces.md", [link("../degrees.md#2-a")])
+        self.assertEqual(inside["c"][2], ["#degrees-md--2-a", ""])
+        (outside,) = self.book.rewritten("models.md", [link("https://a.b/c")])
+        self.assertEqual(outside["c"][2], ["https://a.b/c", ""])
+        source = self.book.rewritten("three_views/1_spaces.md", [link("../../checker/file")])
+        self.assertEqual(source[-1]["c"], ["latex", r"(\path{checker/file})"])
+        self.assertEqual(source[1]["c"], ["latex", r"\rule{1ex}{1ex}"])
+
+
 @unittest.skipUnless(repository(), "the sources are in no repository")
 class Archive(unittest.TestCase):
     """`./reproduce archive`, in a clone."""
@@ -201,12 +261,13 @@ class Archive(unittest.TestCase):
         names = ["atlas/index.html", *(f"atlas/{name}.html" for name in "hbfdBgaecD")]
         for name in names:
             self.write(name, f"<p>{self.commit}\n")
+        self.write("book.pdf", f"<< /Commit ({self.commit}) >>\n")
         large = self.large()
         first = self.archive()
         self.assertEqual(first.returncode, 0, first.stderr)
         digests = self.packed()
-        self.assertEqual(sorted(digests), ["SHA256SUMS", "SWHID", "atlas.tar.gz", "large.tar.gz",
-                                           "point-line-certificates.tar.gz"])
+        self.assertEqual(sorted(digests), ["SHA256SUMS", "SWHID", "atlas.tar.gz", "book.pdf",
+                                           "large.tar.gz", "point-line-certificates.tar.gz"])
         # Written in another order, at another time, for others to read or not.
         shutil.rmtree(self.clone / "build/atlas")
         for name in reversed(names):
@@ -251,6 +312,12 @@ class Archive(unittest.TestCase):
             outcome = self.archive()
             self.assertEqual(outcome.returncode, 1)
             self.assertIn("build/atlas is not of the last commit", outcome.stderr)
+        shutil.rmtree(self.clone / "build/atlas")
+        for commit in ["0" * 40, self.commit + "-dirty"]:
+            self.write("book.pdf", f"<< /Commit ({commit}) >>\n")
+            outcome = self.archive()
+            self.assertEqual(outcome.returncode, 1)
+            self.assertIn("build/book.pdf is not of the last commit", outcome.stderr)
 
 
 if __name__ == "__main__":
