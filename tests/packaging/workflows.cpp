@@ -59,6 +59,25 @@ TEST_CASE("workflows run actions by commit and images by digest, and jobs that m
     CHECK(publishing >= 1);
 }
 
+TEST_CASE("the workflow that publishes the atlas says where atlas and repository stand") {
+    const std::string build = read_file(SOURCE_DIR "/atlas/build");
+    const YAML::Node workflow = YAML::LoadFile(SOURCE_DIR "/.github/workflows/atlas.yml");
+    std::size_t builds = 0;
+    for (const YAML::Node& step : workflow["jobs"]["build"]["steps"]) {
+        if (!step["run"] || step["run"].as<std::string>() != "./reproduce atlas") continue;
+        ++builds;
+        REQUIRE(step["env"].size() == 2);
+        for (const auto& setting : step["env"])
+            CHECK(build.find("${" + setting.first.as<std::string>() + "-") != std::string::npos);
+        CHECK(step["env"]["ATLAS_REPOSITORY"].as<std::string>() ==
+              "${{ github.server_url }}/${{ github.repository }}");
+        CHECK(step["env"]["ATLAS_ADDRESS"].as<std::string>() ==
+              "${{ vars.ATLAS_ADDRESS || format('https://{0}.github.io/{1}/', "
+              "github.repository_owner, github.event.repository.name) }}");
+    }
+    CHECK(builds == 1);
+}
+
 TEST_CASE("the container and the workflow of docs/ci.md name what they start from by digest") {
     std::size_t images = 0, actions = 0;
     for (const std::string& line : lines_of(read_file(SOURCE_DIR "/packaging/Containerfile"))) {
