@@ -69,6 +69,7 @@ TEST_CASE("the packages name what they need, have what they should, and are the 
     CHECK(!fs::exists(root / "usr/share/point-line-certificates"));
     const fs::path of_all = root / "usr/share/doc";
     CHECK(fs::exists(of_all / "point-line-certificates/copyright"));
+    CHECK(fs::exists(of_all / "point-line-certificates/sbom.spdx.json"));
 
     REQUIRE(run("dpkg-deb --extract " + library.string() + ' ' + at).status == 0);
     CHECK(fs::exists(root / "usr/include/plcheck/plcheck.h"));
