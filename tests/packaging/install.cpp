@@ -152,6 +152,13 @@ TEST_CASE("what ./reproduce builds is all that is installed") {
     }
 }
 
+TEST_CASE("no installed folder is empty: uninstall knows files, and the folders above them") {
+    for (const auto& entry : fs::recursive_directory_iterator(installed())) {
+        CAPTURE(entry.path().string());
+        CHECK((!entry.is_directory() || !fs::is_empty(entry.path())));
+    }
+}
+
 TEST_CASE("the links between the installed documents work") {
     const fs::path documents = installed() / "share/doc/point-line-certificates";
     const std::regex link(R"re(\]\(([^)#:]+\.md)[)#])re");
