@@ -14,7 +14,7 @@ foreach(list ${lists})
     endif()
     # The folders that only this project has go, too, when they are empty.
     cmake_path(GET file PARENT_PATH folder)
-    while(folder MATCHES "/(plcheck|pointline|${PROJECT_NAME})(/|$)")
+    while(folder MATCHES "/(lib)?(plcheck|pointline|${PROJECT_NAME})(-dev|-doc)?(/|$)")
       list(APPEND folders ${folder})
       cmake_path(GET folder PARENT_PATH folder)
     endwhile()

@@ -20,7 +20,8 @@ TEST_CASE("uninstall removes the files of its lists and the folders that they le
     const TemporaryFolder build, prefix;
     const fs::path ours = prefix / "lib/cmake/plcheck", shared = prefix / "bin";
     const fs::path documents = prefix / "share/doc/point-line-certificates";
-    for (const fs::path& folder : {ours, shared, documents / "docs"})
+    const fs::path of_package = prefix / "share/doc/point-line-certificates-doc";
+    for (const fs::path& folder : {ours, shared, documents / "docs", of_package})
         fs::create_directories(folder);
     for (const fs::path& file : {ours / "plcheckConfig.cmake", shared / "plcheck",
                                  documents / "docs/ci.md", documents / "mine.txt"})
@@ -29,12 +30,14 @@ TEST_CASE("uninstall removes the files of its lists and the folders that they le
     write_file(build / "install_manifest.txt", at + "/lib/cmake/plcheck/plcheckConfig.cmake\n" +
                                                    at + "/bin/plcheck\n" + at + "/bin/gone");
     write_file(build / "install_manifest_library.txt",
-               at + "/share/doc/point-line-certificates/docs/ci.md\n");
+               at + "/share/doc/point-line-certificates/docs/ci.md\n" + at +
+                   "/share/doc/point-line-certificates-doc/copyright\n");
 
     CHECK(uninstall(build).status == 0);
     CHECK(fs::is_empty(shared));
     CHECK(fs::is_empty(prefix / "lib/cmake"));
     CHECK(!fs::exists(documents / "docs"));
+    CHECK(!fs::exists(of_package));
     CHECK(fs::exists(documents / "mine.txt")); // not ours
     const Outcome again = uninstall(build);
     CHECK(again.status != 0);
