@@ -149,7 +149,7 @@ test("the gallery shows what the prover knows", async () => {
     }
     assert.equal(await page.locator("#famous-list li").count(), entries.length);
     await page.getByRole("link", { name: "Chicago" }).click();
-    assert.equal(await textOf(page, "#problem h1"), "Chicago, #2394");
+    await titled(page, "Chicago, #2394");
 });
 
 test("a problem without a verdict is shown as open, with what is seen", async () => {
