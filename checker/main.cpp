@@ -28,10 +28,12 @@ static constexpr std::string_view help = R"(Usage: plcheck [OPTION]... [--] FILE
 
 What do you expect? Status 0 then says that the files prove just that:
     --expect PROBLEM     a problem like '2*Pa/Pa/Pa + P/P/P' or 'projective: 7*P/P', or the file of
-                         a model, models/p3p.model; add one of the next two, or both
+                         a model, models/p3p.model; add some of the next three
     --verdict VERDICT    minimal, camera-minimal, not-minimal, obstructed, under-constrained or
                          over-constrained
     --degree N           exactly N solutions for the cameras; '>=N' at least N
+    --group GROUP        how images permute these solutions: S312 in any way; '>=A312' in any even
+                         way, at least
     --classification     that every label class has a certificate
     --family FAMILY      that every problem of it has one: plmp, projective, or what plprove list
                          --family names for other cameras
@@ -69,9 +71,9 @@ plcheck trusts no certificate, no program that wrote one, and no number of a pap
 )";
 static constexpr std::string_view with_arb = "This plcheck was built with Arb.\n";
 static constexpr std::string_view without_arb =
-    "This plcheck was built without Arb: it refuses degree files and files of\n"
-    "solutions. Install FLINT with Arb (Debian:\n"
-    "libflint-dev libflint-arb-dev) and build plcheck again to check them.\n";
+    "This plcheck was built without Arb: it refuses solutions that are given by\n"
+    "decimals, in degree files and files of solutions. Install FLINT with Arb\n"
+    "(Debian: libflint-dev libflint-arb-dev) and build plcheck again to check them.\n";
 
 static std::string version() {
     return say("plcheck ", software_version, ", certificate format ", format_version, '\n', trusted,

@@ -48,7 +48,7 @@ if(PLCHECK_NEEDS_FLINT OR PLC_PROVER)
   read_version(version ${FLINT_INCLUDE_DIR}/flint/flint.h __FLINT_VERSION)
   sbom_package(FLINT ${version} LGPL-2.1-or-later libflint)
 endif()
-if(PLCHECK_NEEDS_FLINT AND ARB_LIBRARY) # beside FLINT 2
+if((PLCHECK_NEEDS_FLINT OR PLC_PROVER) AND ARB_LIBRARY) # beside FLINT 2
   read_version(version ${FLINT_INCLUDE_DIR}/arb.h __ARB_VERSION)
   cmake_path(GET ARB_LIBRARY STEM arb_file)
   sbom_package(Arb ${version} LGPL-2.1-or-later ${arb_file})

@@ -12,6 +12,7 @@ export const glossary: Readonly<Record<string, string>> = {
     generic: "As most photos are: all but those that satisfy an equation of their own, such as three points in a line.",
     degree:
         "How many solutions a problem has for generic photos, counted over the complex numbers. A solver has to find all of them, so a small degree means a fast solver.",
+    group: "How loops of photos permute the solutions. S312 means: in every way, so the problem with its 312 solutions does not decompose into smaller ones.",
     obstructed: "Not minimal for a reason that has a name: see obstruction.",
     dimensions:
         "How many numbers it takes to say where the scene is, where the cameras are, and what the images show.",

@@ -56,6 +56,7 @@ export interface Report {
     constraint_class?: number;
     families?: Families;
     degree?: Degree;
+    group?: { name: string; status: "certified" };
     hints?: Hint[];
 }
 

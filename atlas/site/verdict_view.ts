@@ -71,6 +71,7 @@ export function degreeView(degree: Degree): HTMLElement {
 const words: Readonly<Record<string, string>> = {
     class: "label class",
     degree: "degree",
+    group: "group",
     dimensions: "dimensions",
     reduction: "reduction",
     terminal: "terminal",
@@ -99,6 +100,8 @@ export function factRows(answer: ProblemAnswer): [string, Child[]][] {
     }
     if (answer.names.length > 0) rows.push(["name", [answer.names.join(", ")]]);
     if (report.degree) rows.push(["degree", [degreeView(report.degree)]]);
+    if (report.group)
+        rows.push(["group", [report.group.name, " ", statusMark(report.group.status)]]);
     rows.push(["dimensions", [dimensionsInWords(report)]]);
     if (report.reduction.length > 0) {
         const steps = report.reduction.map((step, index) =>

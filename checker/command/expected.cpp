@@ -40,6 +40,15 @@ static ExpectedDegree parse_degree(std::string_view text) {
     return {exactly, *solutions};
 }
 
+/// Reads S312, or >=A312.
+static std::string parse_group(std::string_view text) {
+    const bool is_bound = text.starts_with(">=A");
+    if ((is_bound || text.starts_with('S')) && parse_number(text.substr(is_bound ? 3 : 1)))
+        return std::string(text);
+    throw WrongUsage{
+        say("--group ", printable(text, 40), " is no group; write S312, or '>=A312' in quotes")};
+}
+
 /// Whether only section 13 of FORMAT.md may spell this: a kind of cameras, shared lines, many
 /// views.
 static bool only_in_general(std::string_view notation) {
@@ -64,9 +73,9 @@ static ExpectedProblem parse_expected(std::string_view notation, const std::stri
 }
 
 static Expectation list_of(const ExpectedWords& words) {
-    if (words.problem || words.degree || words.classification || words.family)
+    if (words.problem || words.degree || words.group || words.classification || words.family)
         throw WrongUsage{"--expect-list expects all problems of a list; leave out --expect, "
-                         "--degree, --classification and --family"};
+                         "--degree, --group, --classification and --family"};
     const std::string file(*words.list);
     std::ifstream stream(file);
     WholeList expected{.file = printable(file, 4096)};
@@ -85,9 +94,9 @@ static Expectation list_of(const ExpectedWords& words) {
 }
 
 static Expectation family_of(const ExpectedWords& words) {
-    if (words.problem || words.verdict || words.degree || words.classification)
-        throw WrongUsage{"--family expects a whole family; leave out --expect, --verdict, --degree "
-                         "and --classification"};
+    if (words.problem || words.verdict || words.degree || words.group || words.classification)
+        throw WrongUsage{"--family expects a whole family; leave out --expect, --verdict, "
+                         "--degree, --group and --classification"};
     if (!cameras_of_family(*words.family)) {
         std::string names;
         for (const CameraModel* cameras : camera_models())
@@ -106,6 +115,7 @@ static Expectation model_of(const ExpectedWords& words) {
     if (!stream)
         throw WrongUsage{
             say("--expect ", printable(file, 200), ": the file of the model cannot be read")};
+    if (words.group) throw WrongUsage{"--group is not known of models; leave it out"};
     if (words.verdict && *words.verdict != "minimal")
         throw WrongUsage{"of a model one can expect --verdict minimal, or --degree N"};
     ExpectedModel expected{.file = printable(file, 4096), .text = lines_of_model(text)};
@@ -117,22 +127,24 @@ Expectation expectation_of(const ExpectedWords& words) {
     if (words.list) return list_of(words);
     if (words.family) return family_of(words);
     if (words.classification) {
-        if (words.problem || words.verdict || words.degree)
+        if (words.problem || words.verdict || words.degree || words.group)
             throw WrongUsage{"--classification expects the whole table; leave out --expect, "
-                             "--verdict and --degree"};
+                             "--verdict, --degree and --group"};
         return WholeClassification{};
     }
     if (!words.problem) {
-        if (words.verdict || words.degree)
-            throw WrongUsage{"--verdict and --degree are about a problem; add --expect PROBLEM"};
+        if (words.verdict || words.degree || words.group)
+            throw WrongUsage{
+                "--verdict, --degree and --group are about a problem; add --expect PROBLEM"};
         return {};
     }
-    if (!words.verdict && !words.degree)
+    if (!words.verdict && !words.degree && !words.group)
         throw WrongUsage{"say what to expect of the problem: add --verdict minimal, or --degree N"};
     if (words.problem->ends_with(".model")) return model_of(words);
     ExpectedProblem expected = parse_expected(*words.problem, "--expect ");
     if (words.verdict) expected.verdict = checked_verdict(*words.verdict);
     if (words.degree) expected.degree = parse_degree(*words.degree);
+    if (words.group) expected.group = parse_group(*words.group);
     return expected;
 }
 } // namespace checker

@@ -10,6 +10,7 @@ struct ExpectedWords {
     std::optional<std::string_view> list{};    // of --expect-list
     std::optional<std::string_view> verdict{};
     std::optional<std::string_view> degree{};
+    std::optional<std::string_view> group{};
     std::optional<std::string_view> family{};
     bool classification = false;
 };

@@ -77,6 +77,8 @@ static void take_option(Arguments& arguments, Options& options, ExpectedWords& e
         set(expected.verdict, "--verdict", arguments.value_of(option));
     else if (is(option, "--degree"))
         set(expected.degree, "--degree", arguments.value_of(option));
+    else if (is(option, "--group"))
+        set(expected.group, "--group", arguments.value_of(option));
     else if (is(option, "--threads"))
         options.threads = parse_threads(arguments.value_of(option));
     else if (is(option, "--effort"))

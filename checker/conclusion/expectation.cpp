@@ -10,6 +10,11 @@ std::string in_words(const ExpectedProblem& expected) {
     if (!expected.verdict.empty()) text += " is " + expected.verdict;
     if (!expected.verdict.empty() && expected.degree) text += ", and";
     if (expected.degree) text += ' ' + in_words(*expected.degree, "camera solutions");
+    if (expected.group.empty()) return text;
+    if (!expected.verdict.empty() || expected.degree) text += ", and";
+    const bool is_bound = expected.group.starts_with(">=");
+    text += is_bound ? " has a group that contains " + expected.group.substr(2)
+                     : " has the group " + expected.group;
     return text;
 }
 

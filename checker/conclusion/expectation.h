@@ -10,13 +10,14 @@ struct ExpectedDegree {
     std::size_t solutions = 0;
 };
 
-/// The verdict on a problem, or its degree, or both.
+/// The verdict on a problem, its degree, and the group of its solutions, or some of these.
 struct ExpectedProblem {
     std::string notation{}; // printable
     Problem problem{};
     bool in_general = false; // whether only section 13 may spell it
     std::string verdict{};   // a word of `expected_verdicts`, perhaps with a number; empty for any
     std::optional<ExpectedDegree> degree{};
+    std::string group{}; // S312 or >=A312, see group.h; empty for any
 };
 
 /// That every label class has a certificate.

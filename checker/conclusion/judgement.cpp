@@ -1,7 +1,9 @@
 #include "checker/conclusion/judgement.h"
 
+#include "checker/conclusion/group.h"
 #include "checker/conclusion/known_degree.h"
 #include "checker/conclusion/pages_of_theorems.h"
+#include "checker/degrees/constraint_class.h"
 
 namespace checker {
 static void add_file(Judgement& judgement, const std::string& file) {
@@ -75,6 +77,25 @@ static std::string judge_verdict(Judgement& judgement, const Proved& proved,
     return gap;
 }
 
+/// Judges the group of the solutions: adds the steps, returns what is missing.
+static std::string judge_group(Judgement& judgement, const Classification& classes,
+                               const Findings& findings, const Proved& proved,
+                               const ExpectedProblem& expected) {
+    if (!proved.number)
+        return "these files do not say to which class it reduces; add certs/classification.plc, "
+               "or its certificate";
+    const Signature& signature = classes.representatives[*proved.number];
+    const std::string group = group_of(bounds_of(findings.degrees, signature));
+    if (group.empty())
+        return "no fibres certify its group; add the file that plprove group PROBLEM -o FILE "
+               "writes";
+    judgement.why.push_back(say("its group is ", group, ", by fibres: proofs/fibres.md"));
+    if (!implies_group(group, expected.group)) return "the group is certified to be " + group;
+    for (const std::string& file : degree_files(classes, findings, constraint_class(signature)))
+        add_file(judgement, file);
+    return {};
+}
+
 Judgement judge(const Classification& classes, const Findings& findings,
                 const ExpectedProblem& expected) {
     Judgement judgement;
@@ -84,6 +105,10 @@ Judgement judge(const Classification& classes, const Findings& findings,
         if (!proved.file.empty()) add_file(judgement, proved.file);
         gap = judge_degree(judgement, degree_of(classes, findings, proved, expected),
                            expected.in_general, *expected.degree);
+    }
+    if (gap.empty() && !expected.group.empty()) {
+        if (!proved.file.empty()) add_file(judgement, proved.file);
+        gap = judge_group(judgement, classes, findings, proved, expected);
     }
     judgement.verified = gap.empty();
     judgement.statement = in_words(expected);

@@ -4,9 +4,8 @@
 #include "checker/degrees/constraint_class.h"
 
 namespace checker {
-/// The degree files with a record of the constraint class.
-static std::vector<std::string> degree_files(const Classification& classes,
-                                             const Findings& findings, const Signature& key) {
+std::vector<std::string> degree_files(const Classification& classes, const Findings& findings,
+                                      const Signature& key) {
     const auto is_own = [&](std::size_t number) {
         return constraint_class(classes.representatives[number]) == key;
     };
@@ -108,7 +107,7 @@ KnownDegree degree_of(const Classification& classes, const Findings& findings, c
 
 std::optional<std::size_t> class_asked(const Classification& classes, const Findings& findings,
                                        const ExpectedProblem& expected) {
-    if (!expected.degree) return std::nullopt;
+    if (!expected.degree && expected.group.empty()) return std::nullopt;
     const Proved proved = prove(classes, findings, verdicts_in_general(findings), expected);
     return implies(proved.verdict, "camera-minimal") ? proved.number : std::nullopt;
 }

@@ -17,10 +17,14 @@ struct KnownDegree {
     std::string source{}; // in words, whose degree it is; empty if the files do not say
 };
 
-/// The label class that has the degree of the problem, if its degree is expected and a file proves
-/// that the class is minimal.
+/// The label class that has the degree of the problem, if degree or group are expected and a file
+/// proves that the class is minimal.
 std::optional<std::size_t> class_asked(const Classification& classes, const Findings& findings,
                                        const ExpectedProblem& expected);
+
+/// The degree files with a record of the constraint class.
+std::vector<std::string> degree_files(const Classification& classes, const Findings& findings,
+                                      const Signature& key);
 
 /// The bounds of a problem's degree that follow from what is proved.
 KnownDegree degree_of(const Classification& classes, const Findings& findings, const Proved& proved,

@@ -1,6 +1,9 @@
 #include "checker/degrees/degree_file.h"
 
+#include "checker/degrees/cameras_at.h"
 #include "checker/degrees/solutions.h"
+#include "checker/fibres/frobenius.h"
+#include "checker/fibres/prove_fibre.h"
 #include "checker/minimal/obstruction.h"
 
 namespace checker {
@@ -104,27 +107,94 @@ static CameraSystem system_of(const DegreeRecord& record, const Classification& 
     return system;
 }
 
-DegreeFile replay_degrees(Reader& reader, const Classification& classes,
-                          const Execution& execution) try {
-    DegreeFile file;
-    if (!has_arb) {
-        file.refusals.add(reader.line(), "this plcheck was built without Arb");
-        return file;
+/// A fibre, and the factor of its polynomial that is irreducible, or empty.
+struct FibreRecord {
+    Fibre fibre{};
+    Polynomial factor{}; // without its highest term
+};
+
+static FibreRecord read_fibre_record(Reader& reader) {
+    const std::size_t degree = read_fibre_degree(reader);
+    FibreRecord record{read_fibre(reader, degree, camera_unknowns)};
+    if (reader.comes("factor")) {
+        reader.take("factor");
+        const auto factor_degree =
+            static_cast<std::size_t>(reader.integer(1, static_cast<std::int64_t>(degree)));
+        record.factor = read_residues(reader, factor_degree);
+        reader.end_line();
     }
-    SolutionsReplay solutions(reader, file.refusals, execution);
-    for (std::size_t due = 0; !reader.at_end();) {
-        const DegreeRecord record = read_record(reader);
-        const std::string about = say("class ", record.number);
-        if (record.number < due) throw Malformed{{record.line, about + ": is out of order"}};
-        due = record.number + 1;
+    return record;
+}
+
+/// Throws Refused if the factor is none, or is not proved irreducible.
+static FrobeniusElement frobenius_of(const FibreRecord& record) {
+    const Polynomial& lower = record.fibre.lower;
+    const FrobeniusElement element{lower.size(), frobenius_is_even(lower), record.factor.size()};
+    if (record.factor.empty()) return element;
+    Polynomial factor = record.factor;
+    factor.push_back({1});
+    if (!remainder(Extension(lower).modulus_polynomial(), factor).empty())
+        throw Refused("the factor does not divide the polynomial");
+    if (!is_irreducible_of_prime_degree(record.factor))
+        throw Refused("the factor is not irreducible, or its degree is no prime");
+    return element;
+}
+
+/// What the records of a file are about, and where what they prove goes.
+class DegreeReplay {
+public:
+    DegreeReplay(Reader& reader, const Classification& classes, const Execution& execution,
+                 DegreeFile& file)
+        : reader_(reader), classes_(classes), file_(file), records_(file.refusals, execution),
+          solutions_(reader, records_, execution.threads) {}
+
+    void run() {
+        for (std::size_t due = 0; !reader_.at_end();) {
+            const DegreeRecord record = read_record(reader_);
+            const std::string about = say("class ", record.number);
+            if (record.number < due) throw Malformed{{record.line, about + ": is out of order"}};
+            const bool is_fibre = reader_.comes("fibre");
+            due = is_fibre ? record.number : record.number + 1;
+            if (is_fibre)
+                replay_fibre(record, about);
+            else
+                replay_solutions(record, about);
+        }
+    }
+
+private:
+    void replay_fibre(const DegreeRecord& record, const std::string& about) {
+        const FibreRecord fibre = read_fibre_record(reader_);
+        records_.replay(record.line, about + ": ", [&] {
+            records_.spend(effort_of(fibre.fibre));
+            prove_fibre<CamerasAt>(system_of(record, classes_), fibre.fibre);
+            const FrobeniusElement frobenius = frobenius_of(fibre);
+            file_.bounds.push_back({record.number, frobenius.solutions, frobenius});
+        });
+    }
+
+    void replay_solutions(const DegreeRecord& record, const std::string& about) {
         const auto prepare = [&]() -> Certify {
-            return [system = system_of(record, classes)](const ApproximateSolution& start) {
+            if (!has_arb) throw Refused("this plcheck was built without Arb: see --version");
+            return [system = system_of(record, classes_)](const ApproximateSolution& start) {
                 return certify(system, start);
             };
         };
-        const auto count = solutions.run({camera_unknowns, "degree"}, record.line, about, prepare);
-        if (count) file.bounds.push_back({record.number, *count});
+        const auto count = solutions_.run({camera_unknowns, "degree"}, record.line, about, prepare);
+        if (count) file_.bounds.push_back({record.number, *count, {}});
     }
+
+    Reader& reader_;
+    const Classification& classes_;
+    DegreeFile& file_;
+    Records records_;
+    SolutionsReplay solutions_;
+};
+
+DegreeFile replay_degrees(Reader& reader, const Classification& classes,
+                          const Execution& execution) try {
+    DegreeFile file;
+    DegreeReplay(reader, classes, execution, file).run();
     return file;
 } catch (const TooMuchEffort& too_much) {
     return {.refusals = too_much.refusals()};

@@ -19,8 +19,8 @@ struct SolutionLines {
 /// After one that is refused, the others of its record are only read.
 class SolutionsReplay {
 public:
-    SolutionsReplay(Reader& reader, Refusals& refusals, const Execution& execution)
-        : reader_(reader), threads_(execution.threads), records_(refusals, execution) {}
+    SolutionsReplay(Reader& reader, Records& records, std::size_t threads)
+        : reader_(reader), threads_(threads), records_(records) {}
 
     /// How many solutions the record proves; none if it is refused. `line` is where it begins,
     /// `about` is what it is about, and `prepare` says how its solutions are proved, or throws
@@ -37,6 +37,6 @@ private:
 
     Reader& reader_;
     std::size_t threads_;
-    Records records_;
+    Records& records_;
 };
 } // namespace checker

@@ -42,7 +42,8 @@ SolutionsFile replay_solutions(Reader& reader, const Execution& execution) try {
         file.refusals.add(reader.line(), "this plcheck was built without Arb");
         return file;
     }
-    SolutionsReplay solutions(reader, file.refusals, execution);
+    Records records(file.refusals, execution);
+    SolutionsReplay solutions(reader, records, execution.threads);
     while (!reader.at_end()) {
         const ImagesRecord record = read_record_of_images(reader);
         const std::string& notation = record.problem.notation;

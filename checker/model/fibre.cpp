@@ -1,41 +1,13 @@
 #include "checker/model/fibre.h"
 
+#include "checker/model/dual_extension.h"
+
 namespace checker {
-std::vector<Residue> read_residues(Reader& reader, std::size_t count) {
-    std::vector<Residue> residues;
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto value = reader.integer(0, static_cast<std::int64_t>(modulus) - 1);
-        residues.push_back({static_cast<std::uint64_t>(value)});
-    }
-    return residues;
-}
-
-static std::vector<Residue> read_line(Reader& reader, std::string_view word, std::size_t count) {
-    reader.take(word);
-    std::vector<Residue> residues = read_residues(reader, count);
-    reader.end_line();
-    return residues;
-}
-
-static Numbers read_numbers(Reader& reader, std::size_t count) {
-    Numbers numbers;
-    for (std::size_t i = 0; i < count; ++i)
-        numbers.push_back(reader.small_integer(-999'999, 999'999));
-    return numbers;
-}
-
-Fibre read_fibre(Reader& reader, const Layout& layout) {
-    Fibre fibre;
-    reader.take("fibre");
-    const auto degree = static_cast<std::size_t>(reader.integer(1, 10'000));
-    reader.end_line();
-    fibre.data = read_line(reader, "data", layout.data.scalars);
-    fibre.lower = read_line(reader, "polynomial", degree);
-    for (std::size_t i = 0; i < layout.unknowns.scalars; ++i)
-        fibre.unknowns.push_back(read_line(reader, "unknown", degree));
-    reader.take("separated by");
-    fibre.separated_by = read_numbers(reader, layout.unknowns.scalars);
-    reader.end_line();
+ModelFibre read_fibre(Reader& reader, const Layout& layout) {
+    ModelFibre fibre;
+    const std::size_t degree = read_fibre_degree(reader);
+    fibre.data = read_residue_line(reader, "data", layout.data.scalars);
+    fibre.solutions = read_fibre(reader, degree, layout.unknowns.scalars);
     fibre.distinct = degree;
     if (layout.counted > 0) {
         reader.take("distinct");
@@ -47,37 +19,12 @@ Fibre read_fibre(Reader& reader, const Layout& layout) {
     return fibre;
 }
 
-std::uint64_t effort_of(const Layout& layout, const Fibre& fibre) {
-    const std::uint64_t unknowns = layout.unknowns.scalars, degree = fibre.lower.size();
+std::uint64_t effort_of(const Layout& layout, const ModelFibre& fibre) {
+    const std::uint64_t unknowns = layout.unknowns.scalars, degree = fibre.solutions.lower.size();
     const std::uint64_t products = layout.multiplications * (2 * unknowns + 1) +
                                    unknowns * unknowns * unknowns +
                                    (layout.counted > 0 ? degree + layout.counted : 0);
     return 1 + products * degree * degree / 100'000;
-}
-
-static Polynomial derivative(const Polynomial& g) {
-    Polynomial result;
-    for (std::size_t i = 1; i < g.size(); ++i)
-        result.push_back(Residue::of(i) * g[i]);
-    return result;
-}
-
-static Polynomial combination_of(const Extension& extension, const Numbers& numbers,
-                                 const std::vector<Polynomial>& values) {
-    Polynomial sum = extension.constant({});
-    for (std::size_t i = 0; i < values.size(); ++i)
-        sum =
-            sum_of(std::move(sum),
-                   extension.multiply(extension.constant(in_ring<Residue>(numbers[i])), values[i]));
-    return sum;
-}
-
-/// The variable t modulo g.
-static Polynomial variable(const Extension& extension) {
-    Polynomial t = extension.constant({});
-    if (t.size() == 1) return {-extension.modulus_polynomial()[0]};
-    t[1] = {1};
-    return t;
 }
 
 /// The powers 1, x, x^2, ..., `count` of them, are linearly independent.
@@ -105,7 +52,7 @@ static bool powers_are_independent(const Extension& extension, const Polynomial&
 }
 
 static Given<DualExtension> values_at(const DualExtension& ring, const Extension& extension,
-                                      const Layout& layout, const Fibre& fibre) {
+                                      const Layout& layout, const ModelFibre& fibre) {
     Given<DualExtension> given;
     std::size_t next = 0;
     for (const auto& [name, size] : layout.data.names)
@@ -114,12 +61,12 @@ static Given<DualExtension> values_at(const DualExtension& ring, const Extension
     next = 0;
     for (const auto& [name, size] : layout.unknowns.names)
         for (std::size_t i = 0; i < size; ++i, ++next)
-            given[name].push_back(ring.unknown(fibre.unknowns[next], next));
+            given[name].push_back(ring.unknown(fibre.solutions.unknowns[next], next));
     return given;
 }
 
 static void require_distinct(const Extension& extension, const Outcome<DualExtension>& outcome,
-                             const Fibre& fibre) {
+                             const ModelFibre& fibre) {
     std::vector<Polynomial> values;
     for (const Fraction<DualExtension::Element>& scalar : outcome.counted) {
         Polynomial value = scalar.numerator.value;
@@ -135,17 +82,13 @@ static void require_distinct(const Extension& extension, const Outcome<DualExten
                       " different ones");
 }
 
-std::size_t check_fibre(const Program& program, const Layout& layout, const Fibre& fibre) {
+std::size_t check_fibre(const Program& program, const Layout& layout, const ModelFibre& fibre) {
     const std::size_t unknowns = layout.unknowns.scalars;
     if (layout.equations != unknowns)
         throw Refused("the model has ", layout.equations, " equations for ", unknowns,
                       " unknowns: a fibre needs as many");
-    const Extension extension(fibre.lower);
-    const Polynomial g = extension.modulus_polynomial();
-    if (common_divisor(g, derivative(g)).size() != 1)
-        throw Refused("the polynomial has a multiple root");
-    if (combination_of(extension, fibre.separated_by, fibre.unknowns) != variable(extension))
-        throw Refused("the sum of `separated by` is not t");
+    const Extension extension(fibre.solutions.lower);
+    require_separate_solutions(extension, fibre.solutions);
     DualExtension ring(extension);
     const Given<DualExtension> given = values_at(ring, extension, layout, fibre);
     const Outcome<DualExtension> outcome = Machine<DualExtension>(ring, given).run(program);
@@ -156,7 +99,7 @@ std::size_t check_fibre(const Program& program, const Layout& layout, const Fibr
         jacobian.back().resize(unknowns, extension.constant({}));
     }
     for (std::size_t i = 0; i < outcome.conditions.size(); ++i)
-        if (!extension.inverse(outcome.conditions[i].value))
+        if (!extension.is_unit(outcome.conditions[i].value))
             throw Refused("condition ", i + 1, " has a common factor with g");
     if (!is_regular(extension, std::move(jacobian))) throw Refused("the Jacobian has no inverse");
     if (layout.counted > 0) require_distinct(extension, outcome, fibre);

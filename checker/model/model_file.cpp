@@ -17,7 +17,7 @@ ModelFile replay_model(Reader& reader, const Execution& execution) try {
     Records records(file.refusals, execution);
     while (!reader.at_end() && !reader.comes("elimination")) {
         const std::size_t line = reader.line();
-        const Fibre fibre = read_fibre(reader, layout);
+        const ModelFibre fibre = read_fibre(reader, layout);
         records.replay(line, "a fibre: ", [&] {
             records.spend(effort_of(layout, fibre));
             file.at_least = std::max(file.at_least, check_fibre(program, layout, fibre));

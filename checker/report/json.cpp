@@ -78,7 +78,7 @@ static std::string members(const ProblemFile& file) {
 
 static std::string members(const DegreeFile& file) {
     std::vector<std::string> items;
-    for (const auto& [number, solutions] : file.bounds)
+    for (const auto& [number, solutions, frobenius] : file.bounds)
         items.push_back(say("{\"class\": ", number, ", \"certified_at_least\": ", solutions, "}"));
     return ", \"degrees\": " + array_of(items);
 }
@@ -163,6 +163,15 @@ static std::string item(const ExactDegree& exact) {
     return say("[", exact.number, ", ", exact.degree, "]");
 }
 
+/// The classes whose group is known: number, group.
+static std::vector<std::string> groups_of(const std::vector<ExactDegree>& degrees) {
+    std::vector<std::string> items;
+    for (const ExactDegree& exact : degrees)
+        if (!exact.group.empty())
+            items.push_back(say("[", exact.number, ", ", json_string(exact.group), "]"));
+    return items;
+}
+
 template <class Item> static std::string array_of(const std::vector<Item>& list) {
     std::vector<std::string> items;
     for (const Item& one : list)
@@ -187,6 +196,7 @@ std::string json(const Report& report) {
                ",\n\"claims\": ", array_of(report.claims),
                ",\n\"families\": ", array_of(report.families),
                ",\n\"degree_claims\": ", array_of(report.degrees),
-               ",\n\"certified_exactly\": ", array_of(report.exact), "}\n");
+               ",\n\"certified_exactly\": ", array_of(report.exact),
+               ",\n\"certified_groups\": ", array_of(groups_of(report.exact)), "}\n");
 }
 } // namespace checker

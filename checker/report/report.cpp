@@ -1,5 +1,6 @@
 #include "checker/report/report.h"
 
+#include "checker/conclusion/group.h"
 #include "checker/conclusion/in_general.h"
 #include "checker/conclusion/known_degree.h"
 #include "checker/conclusion/models.h"
@@ -41,7 +42,8 @@ static std::vector<ExactDegree> exact_degrees(const paper::KnownDegrees& known) 
         if (!is_minimal(known.verdicts, n)) continue;
         const DegreeBounds bounds = paper::bounds_of(known, n);
         if (bounds.exact())
-            exact.push_back({n, bounds.at_least, notation(known.classes.representatives[n])});
+            exact.push_back(
+                {n, bounds.at_least, group_of(bounds), notation(known.classes.representatives[n])});
     }
     return exact;
 }
@@ -124,7 +126,7 @@ static Proofs proofs_of(const Findings& findings) {
             proofs.problems[file->meaning] = file->problem + " is " + file->verdict;
         if (const auto* file = std::get_if<ProblemsFile>(&content)) add(proofs, *file);
         if (const auto* file = std::get_if<DegreeFile>(&content))
-            for (const auto& [number, solutions] : file->bounds)
+            for (const auto& [number, solutions, frobenius] : file->bounds)
                 proofs.solutions[number] = std::max(proofs.solutions[number], solutions);
         add_once(proofs.files, name);
     }
@@ -172,6 +174,10 @@ static std::string statement_of(const Report& report, const Proofs& proofs) {
         say("upper bounds of the degrees of ", bounds.count(), " problems in general"));
     add(report.exact.size(), "the exact degrees of 1 label class",
         say("the exact degrees of ", report.exact.size(), " label classes"));
+    const auto groups = std::ranges::count_if(
+        report.exact, [](const ExactDegree& exact) { return !exact.group.empty(); });
+    add(static_cast<std::size_t>(groups), "the group of 1 label class",
+        say("the groups of ", groups, " label classes"));
     const auto models = models_of(report.findings);
     if (!models.empty())
         add(models.size(), in_words(models.begin()->second),

@@ -10,6 +10,7 @@ namespace checker {
 struct ExactDegree {
     std::size_t number = 0;
     std::size_t degree = 0;
+    std::string group{};   // of the solutions, see checker/conclusion/group.h
     std::string problem{}; // that represents the class
 };
 

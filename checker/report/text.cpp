@@ -49,7 +49,8 @@ static std::string summary_of_classes(const Report& report) {
 }
 
 static std::string in_words(const ExactDegree& exact) {
-    return say(exact.degree, " solutions: class ", exact.number, ", ", exact.problem);
+    return say(exact.degree, " solutions", exact.group.empty() ? "" : " with the group ",
+               exact.group, ": class ", exact.number, ", ", exact.problem);
 }
 
 static std::string summary_of_exact(const Report& report) {

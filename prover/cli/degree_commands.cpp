@@ -5,12 +5,12 @@
 #include "prover/cli/degree_report.h"
 #include "prover/cli/many_views_degree.h"
 #include "prover/cli/two_view_report.h"
-#include "prover/degree_sweep/write.h"
 #include "prover/problem/five_points.h"
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
+#include "prover/three_views/degree_text.h"
 
 #include <chrono>
 #include <sstream>

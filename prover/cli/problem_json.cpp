@@ -92,6 +92,8 @@ std::string json_report(const ProblemReport& full_report) {
     if (is_camera_minimal(decision)) report["terminal"] = notation(decision.terminal);
     if (decision.classes) add_classes(report, decision);
     add_degree(report, decision);
+    if (const auto group = group_of(decision))
+        report["group"] = {{"name", *group}, {"status", "certified"}};
     if (!hints.empty()) report["hints"] = json_hints(hints);
     return report.dump(2) + "\n";
 }

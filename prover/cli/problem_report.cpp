@@ -1,4 +1,6 @@
 #include "prover/cli/problem_report.h"
+
+#include "prover/catalogue/groups.h"
 #include "prover/cli/problem_facts.h"
 #include "prover/cli/sections.h"
 
@@ -104,6 +106,7 @@ void write_verdict(std::ostream& out, const Decision& decision) {
 void write_degree(std::ostream& out, const Decision& decision) {
     if (const std::optional<int> degree = degree_of(decision))
         section(out, "degree") << *degree << " certified\n";
+    if (const auto group = group_of(decision)) section(out, "group") << *group << " certified\n";
 }
 
 /// The number of the class; of a problem that is none of its members, with a member.
@@ -178,6 +181,11 @@ std::optional<int> degree_of(const Decision& decision) {
     if (!is_camera_minimal(decision)) return std::nullopt;
     if (decision.classes) return degree_on_file(decision.classes->constraint);
     return degree_in_two_views;
+}
+
+std::optional<std::string_view> group_of(const Decision& decision) {
+    if (!is_camera_minimal(decision) || !decision.classes) return std::nullopt;
+    return group_on_file(decision.classes->constraint);
 }
 
 ProblemReport report_on(const Features& problem) {

@@ -5,6 +5,7 @@
 #include "prover/minimal/hints.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plprove {
@@ -18,6 +19,8 @@ struct ProblemReport {
 
 /// The degree of a problem that was decided; nothing if it does not fix its cameras.
 std::optional<int> degree_of(const Decision& decision);
+/// The certified group of its solutions, where it is known (prover/catalogue/groups.h).
+std::optional<std::string_view> group_of(const Decision& decision);
 
 /// Decides, and looks for hints.
 ProblemReport report_on(const Features& problem);

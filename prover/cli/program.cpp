@@ -6,6 +6,7 @@
 #include "prover/cli/catalogue_commands.h"
 #include "prover/cli/degree_commands.h"
 #include "prover/cli/degrees_command.h"
+#include "prover/cli/group_command.h"
 #include "prover/cli/model_command.h"
 #include "prover/cli/problem_commands.h"
 #include "prover/cli/solve_command.h"
@@ -113,12 +114,19 @@ std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
                    "Exit status: 0 done, 1 failed, 2 bad input, 3 wrong use.");
     program.set_version_flag("--version", version_text());
     program.require_subcommand(1);
-    return {add_problem_command(program, deliver), add_show_command(program, deliver),
-            add_list_command(program, deliver),    add_certify_command(program, deliver),
-            classification_command(program),       add_degree_command(program, deliver, compute),
-            add_degrees_command(program, compute), add_collect_command(program),
-            add_model_command(program, deliver),   add_solve_command(program, deliver),
-            add_start_command(program, deliver),   export_command(program)};
+    return {add_problem_command(program, deliver),
+            add_show_command(program, deliver),
+            add_list_command(program, deliver),
+            add_certify_command(program, deliver),
+            classification_command(program),
+            add_degree_command(program, deliver, compute),
+            add_group_command(program, deliver),
+            add_degrees_command(program, compute),
+            add_collect_command(program),
+            add_model_command(program, deliver),
+            add_solve_command(program, deliver),
+            add_start_command(program, deliver),
+            export_command(program)};
 }
 
 int run(int argc, char** argv, const ComputeDegree& compute) {

@@ -1,7 +1,6 @@
 #include "prover/cli/solve_command.h"
 
 #include "prover/cli/solve_report.h"
-#include "prover/degree_sweep/write.h"
 #include "prover/many_views/certificate.h"
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
@@ -11,6 +10,7 @@
 #include "prover/solver/synthetic.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
+#include "prover/three_views/degree_text.h"
 
 #include <fstream>
 #include <iostream>

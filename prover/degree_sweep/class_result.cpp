@@ -1,7 +1,7 @@
 #include "prover/degree_sweep/class_result.h"
 
-#include "prover/degree_sweep/write.h"
 #include "prover/system/sha256.h"
+#include "prover/three_views/degree_text.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,8 +1,8 @@
 #include "prover/degree_sweep/collect.h"
 
 #include "prover/catalogue/degrees.h"
-#include "prover/degree_sweep/write.h"
 #include "prover/system/atomic_file.h"
+#include "prover/three_views/degree_text.h"
 
 namespace plprove {
 

@@ -1,6 +1,7 @@
 #include "prover/model/certificate.h"
 
 #include "prover/format/certificate_text.h"
+#include "prover/model/fibre_text.h"
 #include "prover/model/fields.h"
 #include "prover/model/gradient_ring.h"
 #include "prover/model/monomial.h"
@@ -34,14 +35,6 @@ std::string why_no_fibre(const Program& program) {
            std::to_string(program.unknowns) + " unknowns";
 }
 
-/// The first `count` coefficients.
-std::vector<Residue> coefficients(const Univariate& polynomial, std::size_t count) {
-    std::vector<Residue> result;
-    for (std::size_t i = 0; i < count; ++i)
-        result.push_back(polynomial.coefficient(i).value());
-    return result;
-}
-
 std::vector<Residue> values(const std::vector<Modular>& residues) {
     std::vector<Residue> result;
     for (const Modular residue : residues)
@@ -50,13 +43,9 @@ std::vector<Residue> values(const std::vector<Modular>& residues) {
 }
 
 void append(CertificateText& text, const Fibre& fibre) {
-    const std::size_t count = fibre.polynomial.degree();
-    text.line("fibre", count);
+    text.line("fibre", fibre.polynomial.degree());
     text.line("data", values(fibre.data));
-    text.line("polynomial", coefficients(fibre.polynomial, count));
-    for (const Univariate& unknown : fibre.unknowns)
-        text.line("unknown", coefficients(unknown, count));
-    text.line("separated by", fibre.form);
+    append_solutions(text, fibre.polynomial, fibre.unknowns, fibre.form);
     if (!fibre.counted_form.empty())
         text.line("distinct", fibre.distinct, "by", fibre.counted_form);
 }

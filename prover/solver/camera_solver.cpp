@@ -2,7 +2,7 @@
 
 #include "prover/monodromy/solution_set.h"
 #include "prover/solver/alignment.h"
-#include "prover/solver/in_parts.h"
+#include "prover/system/in_parts.h"
 #include "prover/three_views/scene.h"
 
 #include <atomic>

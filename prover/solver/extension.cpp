@@ -2,9 +2,9 @@
 
 #include "prover/minimal/obstruction.h"
 #include "prover/solver/five_points.h"
-#include "prover/solver/in_parts.h"
 #include "prover/solver/poses.h"
 #include "prover/solver/templates/values.h"
+#include "prover/system/in_parts.h"
 
 namespace plprove {
 

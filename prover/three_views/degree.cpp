@@ -17,8 +17,9 @@ DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
     DegreeRun run;
     run.number = number;
     for (std::size_t attempt = 0; attempt < most_images && run.degree < wanted; ++attempt) {
-        auto [certificate, counts] = find_for_integer_images(
-            system, wanted, options.seed, number + (attempt << 32U), options.progress);
+        auto [certificate, counts] =
+            find_for_integer_images(system, wanted, options.seed, number + (attempt << 32U),
+                                    options.small_images, options.progress);
         run.tracks += counts.tracks;
         run.retried += counts.retried;
         run.failed += counts.failed;

@@ -21,7 +21,8 @@ struct DegreeOptions {
     int at_least = 0;       ///< not 0: find this many solutions, whatever the degree is
     /// Called now and then by the thread that computes; has no part in the result.
     std::function<void(const MonodromyProgress&)> progress = {};
-    int degree = 0; ///< that a theorem gives: the number of all solutions
+    bool small_images = false; ///< images with few digits
+    int degree = 0;            ///< that a theorem gives: the number of all solutions
 };
 
 /// What one view sees of a feature: integer vectors as in FORMAT.md, section 9.

@@ -140,12 +140,12 @@ DegreeCertificate certificate_of(const CameraSystem& system,
 } // namespace
 
 LowerBound find_for_integer_images(const CameraSystem& system, int wanted, std::uint64_t seed,
-                                   std::uint64_t stream,
+                                   std::uint64_t stream, bool small,
                                    const std::function<void(const MonodromyProgress&)>& progress) {
     constexpr int most_edges = 6;
     std::vector<IntegerVector> vectors;
     CameraLoops loops(system, seed, stream, [&](const Images& scene, Random& random) {
-        vectors = vectors_near(system, scene, random);
+        vectors = small ? small_vectors(system, random) : vectors_near(system, scene, random);
         return unit_images(vectors);
     });
     auto monodromy = camera_monodromy(std::move(loops), progress);

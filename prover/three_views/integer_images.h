@@ -13,11 +13,11 @@ struct LowerBound {
     PathCounts counts;
 };
 
-/// Finds `wanted` solutions for random integer images by monodromy between these and the
-/// images of a real scene nearby. The certificate shows those found, each real solution and pair
-/// once, ordered by their coordinates.
+/// Finds `wanted` solutions for random integer images, with few digits if `small`, by monodromy
+/// between these and the images of a real scene; else they are near this scene's. The certificate
+/// shows those found, each real solution and pair once, ordered by their coordinates.
 LowerBound find_for_integer_images(const CameraSystem& system, int wanted, std::uint64_t seed,
-                                   std::uint64_t stream,
+                                   std::uint64_t stream, bool small,
                                    const std::function<void(const MonodromyProgress&)>& progress);
 
 /// The certificate for these images, one vector for each free vector of the system, with those of

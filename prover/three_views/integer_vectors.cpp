@@ -104,6 +104,21 @@ std::vector<IntegerVector> vectors_near(const CameraSystem& system, const Images
     return best;
 }
 
+std::vector<IntegerVector> small_vectors(const CameraSystem& system, Random& random) {
+    constexpr int patience = 300;
+    std::int64_t largest = 3;
+    int tried = 0;
+    // Where many vectors of a view have to be generic, the smallest integers do not suffice.
+    return generic_vectors(system, [&](std::size_t) {
+        if (++tried % patience == 0) ++largest;
+        const auto width = static_cast<std::uint64_t>(2 * largest + 1);
+        IntegerVector x;
+        for (std::int64_t& coordinate : x)
+            coordinate = static_cast<std::int64_t>(random.bits() % width) - largest;
+        return x;
+    });
+}
+
 Images unit_images(const std::vector<IntegerVector>& vectors) {
     Images result;
     for (const auto& [x, y, z] : vectors) {

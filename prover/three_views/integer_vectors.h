@@ -16,6 +16,9 @@ using IntegerVector = std::array<std::int64_t, 3>;
 std::vector<IntegerVector> vectors_near(const CameraSystem& system, const Images& images,
                                         Random& random);
 
+/// Vectors of small integers: what is computed from them has few digits, too.
+std::vector<IntegerVector> small_vectors(const CameraSystem& system, Random& random);
+
 /// Images of the same directions, and of length 1 as those that paths come from.
 Images unit_images(const std::vector<IntegerVector>& vectors);
 

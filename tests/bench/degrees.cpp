@@ -2,12 +2,12 @@
 // this machine, with one lane, with two and three times as many digits, and by the engine for any
 // number of views, which knows nothing of three views; and proving solutions in the checker.
 #include "checker/replay.h"
-#include "prover/degree_sweep/write.h"
-#include "prover/problem/notation.h"
 #include "prover/many_views/monodromy.h"
 #include "prover/many_views/path.h"
+#include "prover/problem/notation.h"
 #include "prover/three_views/camera_loops.h"
 #include "prover/three_views/degree.h"
+#include "prover/three_views/degree_text.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

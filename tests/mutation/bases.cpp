@@ -145,6 +145,9 @@ std::vector<Base> degree_bases() {
     }
     const File& whole = *std::ranges::find(all, fewest, shown);
     bases.push_back({degree_file({{class_of(whole), whole}})});
+    for (int copy = 0; copy < 4; ++copy) // so that a tenth of all mutants is of fibres
+        for (const char* name : {"degrees-fibre.plc", "degrees-two-fibres.plc"})
+            bases.push_back({committed(std::string("vectors/") + name)});
     return bases;
 }
 

@@ -1,5 +1,7 @@
 #include "tests/mutation/degree_referee.h"
 
+#include "prover/fibres/cameras_over.h"
+#include "prover/fibres/univariate_field.h"
 #include "prover/minimal/obstruction.h"
 #include "prover/problem/notation.h"
 #include "prover/three_views/scene.h"
@@ -7,6 +9,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <flint/ulong_extras.h>
 
 namespace mutation {
 
@@ -191,18 +194,71 @@ File whole_lines(const std::string& text) {
     return lines;
 }
 
-/// The record of this class in a file that conforms; empty if there is none.
-File record_of(const std::string& text, std::size_t number) {
-    for (const File& record : records(whole_lines(text)))
-        if (class_of(record) == number) return record;
+/// The polynomial with the residues of a line from some word on, and a further coefficient 1 if it
+/// is monic.
+plprove::model::Univariate polynomial(const Words& words, std::size_t first, bool monic) {
+    std::vector<plprove::Modular> coefficients;
+    for (std::size_t i = first; i < words.size(); ++i)
+        coefficients.push_back(plprove::Modular::of(std::stoull(words[i])));
+    if (monic) coefficients.push_back(plprove::Modular(1));
+    return plprove::model::Univariate(coefficients);
+}
+
+/// Why the lines of a fibre do not solve the equations; they conform, and the checker accepts them.
+/// All is done by FLINT, and by the prover's equations and derivatives.
+std::optional<std::string> objection_to_fibre(const plprove::CameraSystem& system,
+                                              const plprove::Images& free,
+                                              const std::vector<const Words*>& lines) {
+    using plprove::model::Univariate;
+    const Univariate g = polynomial(*lines[1], 1, true);
+    if (nmod_poly_is_squarefree(g.get()) == 0) return "the polynomial has a multiple root";
+    const plprove::UnivariateField field(g);
+    std::vector<Univariate> coordinates;
+    Univariate sum = field.constant(0);
+    for (std::size_t k = 0; k < plprove::camera_dimension; ++k) {
+        coordinates.push_back(polynomial(*lines[2 + k], 1, false));
+        const int factor = std::stoi((*lines[2 + plprove::camera_dimension])[2 + k]);
+        sum = field.sum(sum, field.scaled(coordinates.back(), factor));
+    }
+    const Univariate t = field.reduced(Univariate({plprove::Modular(0), plprove::Modular(1)}));
+    if (nmod_poly_equal(sum.get(), t.get()) == 0) return "the sum is not t";
+    std::vector<plprove::IntegerVector> vectors;
+    for (const plprove::Complex3& x : free)
+        vectors.push_back({static_cast<std::int64_t>(x[0].real()),
+                           static_cast<std::int64_t>(x[1].real()),
+                           static_cast<std::int64_t>(x[2].real())});
+    const plprove::CameraImages images = plprove::camera_images(system, vectors);
+    plprove::CamerasOver cameras(field, images, coordinates);
+    std::vector<std::vector<Univariate>> jacobian;
+    for (const plprove::CameraEquation& equation : system.equations) {
+        if (!cameras.value(equation).is_zero()) return "an equation is not 0";
+        jacobian.push_back(cameras.gradient(equation));
+    }
+    const Univariate determinant = plprove::model::determinant(field, jacobian);
+    if (field.without_common_factors(determinant).degree() != g.degree())
+        return "a singular Jacobian";
+    if (lines.back()->front() != "factor") return {};
+    const Univariate factor = polynomial(*lines.back(), 2, true);
+    if (nmod_poly_is_irreducible(factor.get()) == 0 || n_is_prime(factor.degree()) == 0)
+        return "the factor is reducible, or of a degree that is no prime";
+    if (field.without_common_factors(factor).degree() != g.degree() - factor.degree())
+        return "the factor is none";
     return {};
+}
+
+/// The records of this class in a file that conforms.
+std::vector<File> records_of(const std::string& text, std::size_t number) {
+    std::vector<File> found;
+    for (const File& record : records(whole_lines(text)))
+        if (class_of(record) == number) found.push_back(record);
+    return found;
 }
 
 /// Why the record does not show this number of different solutions of the class with this number.
 std::optional<std::string> objection_to_record(const File& record, std::size_t number,
                                                std::size_t solutions) {
     const auto& classes = plprove::label_classes();
-    if (record.empty() || number >= classes.size()) return "no record of the class";
+    if (number >= classes.size()) return "no such class";
     if (plprove::obstruction(plprove::problem_of(classes[number])).deficiency() != 0)
         return "the class is not minimal";
     std::vector<const Words*> image_lines, solution_lines;
@@ -214,6 +270,10 @@ std::optional<std::string> objection_to_record(const File& record, std::size_t n
     if (!free) return "the images are not those of the class";
     const auto vectors = plprove::image_vectors(system, plprove::standard_constants(system), *free);
     if (std::ranges::count(vectors, plprove::Complex3{}) > 0) return "an image is zero";
+    if (solution_lines.front()->front() == "fibre") {
+        if (std::stoul((*solution_lines.front())[1]) != solutions) return "another number of roots";
+        return objection_to_fibre(system, *free, solution_lines);
+    }
     const Equations equations(system, vectors);
     std::vector<Point> found;
     for (const Words* solution : solution_lines) {
@@ -244,14 +304,19 @@ DegreeReferee::DegreeReferee() {
 
 std::optional<std::string>
 DegreeReferee::objection(const std::string& text, const std::vector<checker::LowerBound>& bounds) {
-    for (const auto& [number, solutions] : bounds) {
+    for (const auto& [number, solutions, frobenius] : bounds) {
         if (known_.contains(number) && solutions > known_[number])
             return "more solutions than there are";
-        const File record = record_of(text, number);
-        const auto [place, is_new] =
-            found_.try_emplace(std::to_string(solutions) + "\n" + join(record));
-        if (is_new) place->second = objection_to_record(record, number, solutions);
-        if (place->second) return place->second;
+        // A class may have several fibres.
+        std::optional<std::string> reason = "no record of the class";
+        for (const File& record : records_of(text, number)) {
+            const auto [place, is_new] =
+                found_.try_emplace(std::to_string(solutions) + "\n" + join(record));
+            if (is_new) place->second = objection_to_record(record, number, solutions);
+            reason = place->second;
+            if (!reason) break;
+        }
+        if (reason) return reason;
     }
     return {};
 }

@@ -1,7 +1,7 @@
 // A second opinion on records of degree files, by other means than the checker's: the prover's
 // equations of the class, whose Jacobian is taken from differences; Newton's method with the digits
 // of long double; and the prover's measure of nondegeneracy. No proof, but another way to the same
-// numbers. The second checker does not read these files.
+// numbers. Of fibres it computes all anew, by FLINT. The second checker does not read these files.
 #pragma once
 
 #include "checker/degrees/degree_file.h"

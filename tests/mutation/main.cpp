@@ -82,7 +82,7 @@ private:
 
 Claims claims_of(const checker::DegreeFile& file) {
     Claims claims;
-    for (const auto& [number, solutions] : file.bounds)
+    for (const auto& [number, solutions, frobenius] : file.bounds)
         claims.push_back(checker::say("class ", number, ": at least ", solutions));
     return claims;
 }

@@ -90,14 +90,16 @@ TEST_CASE("the archive of the checker alone builds without Arb, and CMake takes 
     REQUIRE(build.status == 0);
     CHECK(run(inside + "test -e prover").status != 0);
     CHECK(run(inside + "cmake --preset checker-only").status == 0);
-    // It says what the other plcheck says, of all but degree files.
+    // It says what the other plcheck says, of all but approximate solutions.
     const std::string built = (folder / "plcheck/plcheck").string();
     const Outcome fresh = run("cd " SOURCE_DIR " && " + built + " certs/*.plc");
     CHECK(fresh.status == 0);
     CHECK(fresh.out.find("143494 certificates hold") != std::string::npos);
     CHECK(fresh.out == run("cd " SOURCE_DIR " && " BUILD_DIR "/bin/plcheck certs/*.plc").out);
-    const Outcome degrees =
-        run(inside + "printf 'plcert 2 degrees\n' >degrees.plc && ./plcheck degrees.plc");
+    const Outcome degrees = run(inside + "sed '/^real/q;/^pair/q' " SOURCE_DIR
+                                         "/certs/degrees/small.plc >degrees.plc && "
+                                         "./plcheck degrees.plc");
     CHECK(degrees.status == 1);
-    CHECK(degrees.err == "degrees.plc:1: refused: this plcheck was built without Arb\n");
+    CHECK(degrees.err.find("this plcheck was built without Arb: see --version\n") !=
+          std::string::npos);
 }

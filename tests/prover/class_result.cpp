@@ -1,7 +1,7 @@
 // What a sweep keeps of a class, as a file: written as FORMAT.md has it, and read back.
 #include "prover/degree_sweep/class_result.h"
-#include "prover/degree_sweep/write.h"
 #include "prover/problem/notation.h"
+#include "prover/three_views/degree_text.h"
 #include "prover/three_views/integer_vectors.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/program.h"

@@ -2,8 +2,8 @@
 // plcheck accepted and nothing else.
 #include "prover/catalogue/degrees.h"
 #include "prover/degree_sweep/collect.h"
-#include "prover/degree_sweep/write.h"
 #include "prover/system/sha256.h"
+#include "prover/three_views/degree_text.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/program.h"
 

@@ -16,6 +16,8 @@ LIMITS = {"INT": (-999999, 999999), "ENTRY": (1 - 10**1000, 10**1000 - 1), "MINO
           "NUMBER": COUNTED, "POOL": COUNTED, "RANK": COUNTED, "EXCESS": COUNTED, "STAR": COUNTED,
           "ROW": NUMBERED, "COLUMN": (1, 11), "OWN": NUMBERED, "POSITION": (1, 1000), "K": NUMBERED,
           "DEGREE": (1, 6), "EQUATION": NUMBERED, "MONOMIAL": NUMBERED, "CONDITIONS": NUMBERED,
+          "RESIDUE": (0, Q - 1), "COUNT": (1, 10000), "LONG": (1 - 10**18, 10**18 - 1),
+          "BITS": (0, 200), "EDGES": (0, 99), "EXPONENT": (-99, -1),
           "POINT": NUMBERED, "JOINED": NUMBERED, "LINE": NUMBERED, "VIEW": NUMBERED}
 ASCENDING = ("ROW", "COLUMN", "OWN", "MONOMIAL", "POINT", "LINE", "VIEW")
 CLOSING = {"{": "}", "[": "]", "(": ")"}
@@ -56,7 +58,8 @@ def words_of(data):
 
 def choices_of(tokens):
     """The alternatives of an expression up to a closing bracket, each a list of items: a bracket and
-    its alternatives; `word` and words to the letter; or a name, and how many of it."""
+    its alternatives; `word` and words to the letter; or a name, and how many of it, None for all in the
+    line."""
     found = [[]]
     while tokens and tokens[0] not in CLOSING.values():
         token = tokens.pop(0)
@@ -71,7 +74,7 @@ def choices_of(tokens):
             tokens.pop(0)
         else:
             count, _, name = token.rpartition("*")
-            found[-1].append((name, int(count) if count.isdigit() else 1))
+            found[-1].append((name, int(count) if count.isdigit() else None if count else 1))
     return found
 
 
@@ -139,7 +142,7 @@ class Parser:
             node["words"] += [word for word in content if word != END]
             self.at += len(content)
         elif kind != "[":
-            for _ in range(content):
+            for _ in range(self.words.index(END, self.at) - self.at if content is None else content):
                 node[kind].append(self.value(kind, node[kind]))
 
     def value(self, name, before):

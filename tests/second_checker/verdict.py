@@ -1,15 +1,17 @@
 """What this checker finds of a file."""
 
 import classification
+import degree_file
 import general_file
 import problem_file
 from grammar import Fault, Parser, Refused, parse
 
-KINDS = {"classification": classification, "problem": problem_file, "problems": general_file}
+KINDS = {"classification": classification, "problem": problem_file, "problems": general_file,
+         "degrees": degree_file}
 
 
 class OtherKind(Exception):
-    """A kind of file that this checker does not read."""
+    """A kind of file that this checker does not read, or of record: one with approximate solutions."""
 
 
 def verdict(data, every=1):
@@ -18,9 +20,11 @@ def verdict(data, every=1):
     try:
         parser = Parser(data)
         if parser.words[:2] == ["plcert", "2"] and parser.words[2] in (
-                "degrees", "solutions", "at-most", "model"):
+                "solutions", "at-most", "model"):
             raise OtherKind(parser.words[2])
         node = parse(parser)
+        if any(record["solution"] for record in node["degree"]):
+            raise OtherKind("degrees")
         file = KINDS[node["words"][2]].File(node)
     except Fault as fault:
         return None, [], [str(fault)]

@@ -56,16 +56,27 @@ TEST_CASE("wrong words on the command line are refused, each for its reason") {
         {{"--expect", "5*P/P", "f"},
          "say what to expect of the problem: add --verdict minimal, or --degree N"},
         {{"--verdict", "minimal", "f"},
-         "--verdict and --degree are about a problem; add --expect PROBLEM"},
+         "--verdict, --degree and --group are about a problem; add --expect PROBLEM"},
         {{"--degree", "3", "f"},
-         "--verdict and --degree are about a problem; add --expect PROBLEM"},
+         "--verdict, --degree and --group are about a problem; add --expect PROBLEM"},
+        {{"--group", "S3", "f"},
+         "--verdict, --degree and --group are about a problem; add --expect PROBLEM"},
+        {{"--expect", "5*P/P", "--group", "M12", "f"},
+         "--group M12 is no group; write S312, or '>=A312' in quotes"},
+        {{"--expect", "5*P/P", "--group", "A312", "f"},
+         "--group A312 is no group; write S312, or '>=A312' in quotes"},
+        {{"--expect", "5*P/P", "--group", ">=A0", "f"},
+         "--group >=A0 is no group; write S312, or '>=A312' in quotes"},
+        {{"--expect", SOURCE_DIR "/models/p3p.model", "--group", "S8", "f"},
+         "--group is not known of models; leave it out"},
         {{"--classification", "--degree", "3", "f"},
-         "--classification expects the whole table; leave out --expect, --verdict and --degree"},
+         "--classification expects the whole table; leave out --expect, --verdict, --degree and "
+         "--group"},
         {{"--family", "plmp", "--verdict", "minimal", "f"},
-         "--family expects a whole family; leave out --expect, --verdict, --degree and "
+         "--family expects a whole family; leave out --expect, --verdict, --degree, --group and "
          "--classification"},
         {{"--expect-list", "mine.txt", "--degree", "3", "f"},
-         "--expect-list expects all problems of a list; leave out --expect, --degree, "
+         "--expect-list expects all problems of a list; leave out --expect, --degree, --group, "
          "--classification and --family"},
         {{"--expect-list", "/", "f"}, "--expect-list: / cannot be read"},
         {{"--expect-list", "/dev/null", "f"}, "/dev/null has no problem; write one a line"},

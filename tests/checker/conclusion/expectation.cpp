@@ -190,6 +190,39 @@ TEST_CASE("degrees, exact by theorem for what is proved minimal, and at least by
     CHECK_FALSE(verified({all}, expect(obstructed, "", at_least(1))));
 }
 
+TEST_CASE("groups, by fibres and the degree that a theorem says") {
+    const LowerBound cycle{2394, 271, FrobeniusElement{271, true, 271}};
+    const LowerBound even{2394, 312, FrobeniusElement{312, true, 0}};
+    const LowerBound odd{2394, 312, FrobeniusElement{312, false, 0}};
+    const ReplayedFile all = whole_classification();
+    const auto group = [](const std::string& name) {
+        ExpectedProblem expected = expect(chicago, "");
+        expected.group = name;
+        return expected;
+    };
+    for (const auto& [bounds, contains, symmetric] :
+         std::initializer_list<std::tuple<std::vector<LowerBound>, bool, bool>>{
+             {{even, odd}, false, false},
+             {{cycle, even}, true, false},
+             {{cycle, even, odd}, true, true}}) {
+        const std::vector<ReplayedFile> files{all, degree_file(bounds)};
+        CHECK(verified(files, group(">=A312")) == contains);
+        CHECK(verified(files, group("S312")) == symmetric);
+        CHECK_FALSE(verified(files, group("S311")));
+        CHECK_FALSE(verified({files[1]}, group(">=A312"))); // not proved minimal
+    }
+    const Report report = report_on({all, degree_file({cycle, even, odd})}, group("S312"));
+    CHECK(conclusion(report) ==
+          "VERIFIED: " + chicago + " has the group S312 (classification.plc, degrees.plc)\n");
+    CHECK(report.judgement.why.back() == "its group is S312, by fibres: proofs/fibres.md");
+    CHECK(conclusion(report_on({all}, group("S312"))) ==
+          "NOT VERIFIED: " + chicago +
+              " has the group S312: no fibres certify its group; add the file that plprove group "
+              "PROBLEM -o FILE writes (classification.plc)\n");
+    CHECK(contains(json(report), "\"certified_groups\": [\n  [2394, \"S312\"]]"));
+    CHECK(contains(text(report), "312 solutions with the group S312: class 2394"));
+}
+
 TEST_CASE("a record that counts more solutions than the theorem refuses its file") {
     const ReplayedFile more = degree_file({{6722, 200}, {2394, 313}});
     const Report report =

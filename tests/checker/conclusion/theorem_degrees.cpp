@@ -22,8 +22,8 @@ using Exact = std::map<std::size_t, std::size_t>;
 /// The exact degrees of a report, by class.
 Exact exact(const Report& report) {
     Exact degrees;
-    for (const auto& [number, degree, problem] : report.exact)
-        degrees[number] = degree;
+    for (const ExactDegree& one : report.exact)
+        degrees[one.number] = one.degree;
     return degrees;
 }
 } // namespace

@@ -1,11 +1,10 @@
 // A file that takes more effort than it may proves nothing, and FORMAT.md says what takes how much.
 #include "checker/degrees/krawczyk.h"
 #include "checker/report/report.h"
+#include "tests/support/file.h"
 #include "tests/support/text.h"
 
 #include <doctest/doctest.h>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <vector>
 
@@ -14,11 +13,6 @@ using namespace checker;
 namespace {
 
 const std::string too_much = "the file takes more effort than allowed";
-
-std::string read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// All that is said of the file.
 std::string told(const std::string& text, std::uint64_t effort, std::size_t threads = 1) {

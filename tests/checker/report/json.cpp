@@ -37,7 +37,7 @@ Names members_of_file(Names own) {
 /// The only file of a report, after a check of the members that all files have.
 Json only_file(const Json& report, const std::string& kind, const Names& own, int status) {
     CHECK(names_of(report) == Names{"format", "status", "conclusion", "files", "claims", "families",
-                                    "degree_claims", "certified_exactly"});
+                                    "degree_claims", "certified_exactly", "certified_groups"});
     CHECK(report["conclusion"]["verified"] == (status == 0));
     CHECK(report["format"] == 2);
     CHECK(report["status"] == status);

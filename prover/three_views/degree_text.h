@@ -9,6 +9,10 @@
 
 namespace plprove {
 
+/// The lines of a record before its solutions. Throws FormatLimit if the format does not allow
+/// them.
+std::string write_images(std::size_t number, std::span<const FeatureImage> images);
+
 /// The record of one class, without the first line of the file. Throws FormatLimit if the format
 /// does not allow it.
 std::string write_record(const DegreeCertificate& certificate);

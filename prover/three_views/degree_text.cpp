@@ -1,4 +1,4 @@
-#include "prover/degree_sweep/write.h"
+#include "prover/three_views/degree_text.h"
 
 #include "prover/format/certificate_text.h"
 #include "prover/problem/notation.h"
@@ -31,14 +31,19 @@ std::string words_of(const StartingValues& solution) {
 
 } // namespace
 
+std::string write_images(std::size_t number, std::span<const FeatureImage> images) {
+    CertificateText text;
+    text.line("degree", number, "evidence none");
+    for (const FeatureImage& image : images)
+        text.line("image", words_of(image));
+    return text.take();
+}
+
 std::string write_record(const DegreeCertificate& certificate) {
     CertificateText text;
-    text.line("degree", certificate.number, "evidence none");
-    for (const FeatureImage& image : certificate.images)
-        text.line("image", words_of(image));
     for (const StartingValues& solution : certificate.solutions)
         text.line(solution.real ? "real" : "pair", words_of(solution));
-    return text.take();
+    return write_images(certificate.number, certificate.images) + text.take();
 }
 
 std::string degree_file(std::string_view records) {

@@ -1,4 +1,6 @@
-#include "checker/model/extension.h"
+#include "checker/fibres/extension.h"
+
+#include "checker/file/complaint.h"
 
 namespace checker {
 static void trim(Polynomial& a) {
@@ -6,8 +8,8 @@ static void trim(Polynomial& a) {
         a.pop_back();
 }
 
-/// The remainder of a by b, which is trimmed and not 0; and the quotient, if one is wanted.
-static Polynomial remainder(Polynomial a, const Polynomial& b, Polynomial* quotient = nullptr) {
+/// As below, with the quotient, if one is wanted.
+static Polynomial remainder(Polynomial a, const Polynomial& b, Polynomial* quotient) {
     const Residue lead = b.back().inverse();
     if (quotient) quotient->assign(a.size() < b.size() ? 0 : a.size() - b.size() + 1, Residue{});
     for (trim(a); a.size() >= b.size(); trim(a)) {
@@ -20,8 +22,48 @@ static Polynomial remainder(Polynomial a, const Polynomial& b, Polynomial* quoti
     return a;
 }
 
+Polynomial remainder(Polynomial a, const Polynomial& b) {
+    return remainder(std::move(a), b, nullptr);
+}
+
+/// The bytes of a coefficient in `packed`: they hold a sum of 2^14 products of residues, as 14 and
+/// twice 61 bits are 136.
+static constexpr std::size_t packed_bytes = 17;
+
+/// The value of the polynomial at 2^136.
+static mpz_class packed(const Polynomial& a) {
+    std::vector<unsigned char> bytes(packed_bytes * a.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t k = 0; k < 8; ++k)
+            bytes[packed_bytes * i + k] = static_cast<unsigned char>(a[i].value >> (8 * k));
+    mpz_class result;
+    mpz_import(result.get_mpz_t(), bytes.size(), -1, 1, 0, 0, bytes.data());
+    return result;
+}
+
+/// The polynomial with so many coefficients, less than 2^136, that has this value at 2^136.
+static Polynomial unpacked(const mpz_class& value, std::size_t coefficients) {
+    std::vector<unsigned char> bytes(packed_bytes * coefficients);
+    mpz_export(bytes.data(), nullptr, -1, 1, 0, 0, value.get_mpz_t());
+    Polynomial result(coefficients);
+    for (std::size_t i = 0; i < coefficients; ++i) {
+        std::array<std::uint64_t, 3> words{};
+        for (std::size_t k = 0; k < packed_bytes; ++k)
+            words[k / 8] |= std::uint64_t{bytes[packed_bytes * i + k]} << (8 * (k % 8));
+        // 2^64 is 8 modulo q, and 2^128 is 64.
+        result[i] = Residue::of(words[0]) + Residue::of(words[1]) * Residue{8} +
+                    Residue::of(words[2]) * Residue{64};
+    }
+    return result;
+}
+
+/// By one product of integers, unless a factor is short.
 static Polynomial product(const Polynomial& a, const Polynomial& b) {
-    Polynomial result(a.empty() || b.empty() ? 0 : a.size() + b.size() - 1);
+    constexpr std::size_t is_short = 100; // term by term is as fast, as measured
+    if (a.empty() || b.empty()) return {};
+    const std::size_t size = a.size() + b.size() - 1;
+    if (std::min(a.size(), b.size()) >= is_short) return unpacked(packed(a) * packed(b), size);
+    Polynomial result(size);
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t j = 0; j < b.size() && a[i] != Residue{}; ++j)
             result[i + j] = result[i + j] + a[i] * b[j];
@@ -59,6 +101,25 @@ bool is_zero(const Polynomial& a) {
     return std::ranges::all_of(a, [](Residue x) { return x == Residue{}; });
 }
 
+Polynomial derivative(const Polynomial& a) {
+    Polynomial result;
+    for (std::size_t i = 1; i < a.size(); ++i)
+        result.push_back(Residue::of(i) * a[i]);
+    return result;
+}
+
+Extension::Extension(Polynomial lower) : lower_(std::move(lower)) {
+    // The terms s_k of the series: the sum of g_(N-i) s_(k-i) over i is 0 for k > 0.
+    inverse_of_reversed_.push_back({1});
+    while (inverse_of_reversed_.size() < degree()) {
+        const std::size_t k = inverse_of_reversed_.size();
+        Residue sum;
+        for (std::size_t i = 1; i <= k; ++i)
+            sum = sum + lower_[degree() - i] * inverse_of_reversed_[k - i];
+        inverse_of_reversed_.push_back(-sum);
+    }
+}
+
 Polynomial Extension::constant(Residue value) const {
     Polynomial result(degree());
     result[0] = value;
@@ -71,16 +132,33 @@ Polynomial Extension::modulus_polynomial() const {
     return g;
 }
 
+Polynomial Extension::variable() const {
+    if (degree() == 1) return {-lower_[0]};
+    Polynomial t = constant({});
+    t[1] = {1};
+    return t;
+}
+
+/// With reversed coefficients, the quotient by g is the product with the inverse power series.
 Polynomial Extension::multiply(const Polynomial& a, const Polynomial& b) const {
     Polynomial full = product(a, b);
-    for (std::size_t top = full.size(); top-- > degree();) {
-        const Residue factor = full[top];
-        if (factor == Residue{}) continue;
-        for (std::size_t i = 0; i < degree(); ++i)
-            full[top - degree() + i] = full[top - degree() + i] - factor * lower_[i];
+    if (full.size() > degree()) {
+        const std::size_t size = full.size() - degree(); // of the quotient
+        const Polynomial high(full.rbegin(), full.rbegin() + std::ptrdiff_t(size));
+        const auto inverse = inverse_of_reversed_.begin();
+        Polynomial quotient = product(high, Polynomial(inverse, inverse + std::ptrdiff_t(size)));
+        quotient.resize(size);
+        std::reverse(quotient.begin(), quotient.end());
+        Polynomial multiple = product(quotient, lower_);
+        multiple.resize(degree());
+        full = difference_of(std::move(full), multiple);
     }
     full.resize(degree());
     return full;
+}
+
+bool Extension::is_unit(const Polynomial& a) const {
+    return common_divisor(modulus_polynomial(), a).size() == 1;
 }
 
 std::optional<Polynomial> Extension::inverse(const Polynomial& a) const {
@@ -102,37 +180,6 @@ std::optional<Polynomial> Extension::inverse(const Polynomial& a) const {
         coefficient = coefficient * scale;
     s0.resize(std::max(s0.size(), degree()));
     return multiply(s0, constant({1}));
-}
-
-DualExtension::Element DualExtension::unknown(Polynomial value, std::size_t number) const {
-    Element result{std::move(value), {}};
-    result.change.resize(number + 1, extension_.constant({}));
-    result.change.back() = extension_.constant({1});
-    return result;
-}
-
-DualExtension::Element DualExtension::add(const Element& a, const Element& b) const {
-    Element sum{sum_of(a.value, b.value), a.change};
-    sum.change.resize(std::max(a.change.size(), b.change.size()), extension_.constant({}));
-    for (std::size_t i = 0; i < b.change.size(); ++i)
-        sum.change[i] = sum_of(std::move(sum.change[i]), b.change[i]);
-    return sum;
-}
-
-DualExtension::Element DualExtension::multiply(const Element& a, const Element& b) const {
-    Element result{extension_.multiply(a.value, b.value), {}};
-    result.change.resize(std::max(a.change.size(), b.change.size()), extension_.constant({}));
-    for (std::size_t i = 0; i < a.change.size(); ++i)
-        result.change[i] = extension_.multiply(a.change[i], b.value);
-    for (std::size_t i = 0; i < b.change.size(); ++i)
-        result.change[i] =
-            sum_of(std::move(result.change[i]), extension_.multiply(a.value, b.change[i]));
-    return result;
-}
-
-DualExtension::Element DualExtension::inverse(const Element& a) const {
-    if (a.value[0] == Residue{}) throw Refused("the model divides by the constant 0");
-    return {extension_.constant(a.value[0].inverse()), {}};
 }
 
 bool is_regular(const Extension& extension, std::vector<std::vector<Polynomial>> matrix) {

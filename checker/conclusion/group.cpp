@@ -1,0 +1,26 @@
+#include "checker/conclusion/group.h"
+
+namespace checker {
+std::string group_of(const DegreeBounds& bounds) {
+    if (!bounds.theorem) return {};
+    const std::size_t degree = bounds.theorem->solutions;
+    bool has_cycle = false, is_even = false, is_odd = false;
+    for (const FrobeniusElement& element : bounds.frobenius) {
+        has_cycle |= 2 * element.cycle > degree && element.cycle + 2 < degree;
+        const bool of_all = element.solutions == degree;
+        is_even |= of_all && element.even;
+        is_odd |= of_all && !element.even;
+    }
+    if (!has_cycle) return {};
+    return say(is_even && is_odd ? "S" : ">=A", degree);
+}
+
+bool implies_group(const std::string& known, const std::string& expected) {
+    if (known.empty()) return false;
+    const auto degree = [](const std::string& group) {
+        return group.substr(group.find_first_of("AS") + 1);
+    };
+    return known == expected || (known.starts_with('S') && expected.starts_with(">=A") &&
+                                 degree(known) == degree(expected));
+}
+} // namespace checker

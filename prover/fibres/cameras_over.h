@@ -1,0 +1,164 @@
+// The camera equations (certs/FORMAT.md, section 9) at given integer images, over a field or an
+// algebra, with their derivatives. Field has a type Element and functions constant(int), sum,
+// difference, product, and scaled(Element, integer).
+#pragma once
+
+#include "prover/fibres/camera_images.h"
+
+namespace plprove {
+
+template <class Field>
+class CamerasOver {
+public:
+    using Element = typename Field::Element;
+    using Vector = std::array<Element, 3>;
+
+    /// At these camera coordinates, 11 of them.
+    CamerasOver(const Field& field, const CameraImages& images,
+                const std::vector<Element>& coordinates)
+        : field_(field), system_(images.system) {
+        centres_[0].fill(field.constant(0));
+        centres_[1] = {field.constant(1), coordinates[6], coordinates[7]};
+        centres_[2] = {coordinates[8], coordinates[9], coordinates[10]};
+        for (std::size_t n = 0; n < images.vectors.size(); ++n) {
+            const int view = system_.vectors[n].view;
+            const IntegerVector& x = images.vectors[n];
+            turned_.push_back(view == 0 ? fixed(x)
+                                        : turned(&coordinates[3 * (index(view) - 1)], x));
+        }
+    }
+
+    Element value(const CameraEquation& equation) {
+        const auto& [a, b, c] = equation.vectors;
+        switch (equation.kind) {
+        case EquationKind::epipolar:
+            return dot(base(b, a), cross(at(a), at(b)));
+        case EquationKind::pencil:
+            return dot(at(a), cross(at(b), at(c)));
+        case EquationKind::incidence:
+            break;
+        }
+        return field_.difference(field_.product(dot(at(b), base(a, b)), dot(at(c), at(a))),
+                                 field_.product(dot(at(c), base(a, c)), dot(at(b), at(a))));
+    }
+
+    /// The derivatives of an equation by the 11 coordinates.
+    std::vector<Element> gradient(const CameraEquation& equation) {
+        row_.assign(camera_dimension, field_.constant(0));
+        const auto& [a, b, c] = equation.vectors;
+        if (equation.kind == EquationKind::epipolar) {
+            const Vector normal = cross(at(a), at(b));
+            add_by_vector(a, cross(at(b), base(b, a)));
+            add_by_vector(b, cross(base(b, a), at(a)));
+            add_by_centre(b, normal);
+            add_by_centre(a, scaled(field_.constant(-1), normal));
+        } else if (equation.kind == EquationKind::pencil) {
+            add_by_vector(a, cross(at(b), at(c)));
+            add_by_vector(b, cross(at(c), at(a)));
+            add_by_vector(c, cross(at(a), at(b)));
+        } else {
+            const Vector to_b = base(a, b), to_c = base(a, c);
+            const Element b_apart = dot(at(b), to_b), b_ray = dot(at(b), at(a));
+            const Element c_apart = dot(at(c), to_c), c_ray = dot(at(c), at(a));
+            const Vector by_b = scaled(c_ray, at(b)), by_c = scaled(b_ray, at(c));
+            add_by_vector(a, minus(scaled(b_apart, at(c)), scaled(c_apart, at(b))));
+            add_by_vector(b, minus(scaled(c_ray, to_b), scaled(c_apart, at(a))));
+            add_by_vector(c, minus(scaled(b_apart, at(a)), scaled(b_ray, to_c)));
+            add_by_centre(a, minus(by_b, by_c));
+            add_by_centre(b, scaled(field_.constant(-1), by_b));
+            add_by_centre(c, by_c);
+        }
+        return std::move(row_);
+    }
+
+private:
+    /// R^T x, and its derivatives by the three coordinates of the quaternion, if the view has some.
+    struct Turned {
+        Vector vector;
+        std::array<Vector, 3> changes;
+    };
+
+    static std::size_t index(int n) { return static_cast<std::size_t>(n); }
+    int view(int n) const { return system_.vectors[index(n)].view; }
+    const Vector& at(int n) const { return turned_[index(n)].vector; }
+    /// From the centre of the view of vector b to that of a.
+    Vector base(int a, int b) const {
+        return minus(centres_[index(view(a))], centres_[index(view(b))]);
+    }
+
+    Turned fixed(const IntegerVector& x) const {
+        return {{field_.constant(x[0]), field_.constant(x[1]), field_.constant(x[2])}, {}};
+    }
+
+    /// With q = (1, q) as quaternions: R^T x = 2 (q·x) q + (1 - q·q) x + 2 x × q, for vectors q, x.
+    Turned turned(const Element* q, const IntegerVector& x) const {
+        Element along = field_.constant(0), size = along;
+        for (std::size_t k = 0; k < 3; ++k) {
+            along = field_.sum(along, field_.scaled(q[k], 2 * x[k]));
+            size = field_.sum(size, field_.product(q[k], q[k]));
+        }
+        const Element rest = field_.difference(field_.constant(1), size);
+        Turned result;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+            const Element across =
+                field_.difference(field_.scaled(q[k], 2 * x[j]), field_.scaled(q[j], 2 * x[k]));
+            result.vector[i] = field_.sum(
+                field_.sum(field_.product(along, q[i]), field_.scaled(rest, x[i])), across);
+            // By q_n: 2 x_n q_i + (if i = n) 2 q·x - 2 q_n x_i + 2 (x × e_n)_i.
+            for (std::size_t n = 0; n < 3; ++n) {
+                Element change =
+                    field_.difference(field_.scaled(q[i], 2 * x[n]), field_.scaled(q[n], 2 * x[i]));
+                if (n == i) change = field_.sum(change, along);
+                if (n == k) change = field_.sum(change, field_.constant(2 * x[j]));
+                if (n == j) change = field_.difference(change, field_.constant(2 * x[k]));
+                result.changes[n][i] = std::move(change);
+            }
+        }
+        return result;
+    }
+
+    Element dot(const Vector& a, const Vector& b) const {
+        return field_.sum(field_.sum(field_.product(a[0], b[0]), field_.product(a[1], b[1])),
+                          field_.product(a[2], b[2]));
+    }
+    Vector cross(const Vector& a, const Vector& b) const {
+        Vector result;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+            result[i] = field_.difference(field_.product(a[j], b[k]), field_.product(a[k], b[j]));
+        }
+        return result;
+    }
+    Vector minus(const Vector& a, const Vector& b) const {
+        return {field_.difference(a[0], b[0]), field_.difference(a[1], b[1]),
+                field_.difference(a[2], b[2])};
+    }
+    Vector scaled(const Element& factor, const Vector& a) const {
+        return {field_.product(factor, a[0]), field_.product(factor, a[1]),
+                field_.product(factor, a[2])};
+    }
+
+    void add(std::size_t column, const Element& change) {
+        row_[column] = field_.sum(row_[column], change);
+    }
+    void add_by_vector(int n, const Vector& by) {
+        if (view(n) == 0) return;
+        for (std::size_t k = 0; k < 3; ++k)
+            add(3 * (index(view(n)) - 1) + k, dot(by, turned_[index(n)].changes[k]));
+    }
+    void add_by_centre(int n, const Vector& by) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (view(n) == 1 && k > 0) add(5 + k, by[k]);
+            if (view(n) == 2) add(8 + k, by[k]);
+        }
+    }
+
+    const Field& field_;
+    const CameraSystem& system_;
+    std::array<Vector, 3> centres_;
+    std::vector<Turned> turned_;
+    std::vector<Element> row_;
+};
+
+} // namespace plprove

@@ -1,0 +1,74 @@
+#include "prover/fibres/group.h"
+
+#include <algorithm>
+#include <flint/ulong_extras.h>
+
+namespace plprove {
+
+namespace {
+
+/// Whether a transitive group of this degree with a cycle of this length contains A_d (Jordan).
+bool shows_alternating(int degree, int cycle) {
+    return 2 * cycle > degree && cycle + 2 < degree && n_is_prime(static_cast<ulong>(cycle)) != 0;
+}
+
+std::vector<int> degrees_of(const std::vector<FibreFactor>& factors) {
+    std::vector<int> degrees;
+    for (const FibreFactor& factor : factors)
+        degrees.push_back(factor.degree);
+    return degrees;
+}
+
+/// Adds what a fibre shows; its record if that is new.
+void add(GroupSearch& search, const ClassFibre& fibre) {
+    const std::vector<FibreFactor> factors = factors_of(fibre);
+    search.cycle_types.push_back(degrees_of(factors));
+    const auto found = std::ranges::find_if(factors, [&](const FibreFactor& factor) {
+        return shows_alternating(search.degree, factor.degree);
+    });
+    const bool is_even = (search.degree - static_cast<int>(factors.size())) % 2 == 0;
+    bool& parity = is_even ? search.even : search.odd;
+    const bool new_cycle = !search.alternating && found != factors.end();
+    if (!new_cycle && parity) return;
+    search.alternating |= new_cycle;
+    parity = true;
+    search.records += write_record(fibre, new_cycle ? &*found : nullptr);
+}
+
+} // namespace
+
+bool has_cycle_length(int degree) {
+    for (int cycle = degree / 2 + 1; cycle < degree - 2; ++cycle)
+        if (shows_alternating(degree, cycle)) return true;
+    return false;
+}
+
+std::string GroupSearch::group() const {
+    if (!alternating) return {};
+    return (symmetric() ? "S" : ">=A") + std::to_string(degree);
+}
+
+// A random permutation has no cycle longer than half with probability 1 - log 2, some 0.31.
+bool GroupSearch::looks_smaller() const {
+    constexpr std::size_t enough = 8;
+    return cycle_types.size() >= enough &&
+           std::ranges::all_of(cycle_types, [&](const std::vector<int>& lengths) {
+               return 2 * lengths.back() <= degree;
+           });
+}
+
+GroupSearch find_group(std::size_t number, int degree, const GroupOptions& options) {
+    GroupSearch search;
+    search.degree = degree;
+    const std::uint64_t first = options.seed * static_cast<std::uint64_t>(options.fibres);
+    for (int n = 0; n < options.fibres && !search.symmetric() && !search.looks_smaller(); ++n) {
+        const auto fibre =
+            find_class_fibre(number, degree, first + static_cast<std::uint64_t>(n), [&](long bits) {
+                options.progress(static_cast<int>(search.cycle_types.size()), bits);
+            });
+        if (fibre) add(search, *fibre);
+    }
+    return search;
+}
+
+} // namespace plprove

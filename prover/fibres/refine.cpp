@@ -1,0 +1,114 @@
+#include "prover/fibres/refine.h"
+
+#include "prover/fibres/cameras_over.h"
+#include "prover/system/in_parts.h"
+
+#include <algorithm>
+#include <flint/flint.h>
+#include <stdexcept>
+#include <thread>
+
+namespace plprove {
+
+namespace {
+
+constexpr slong first_bits = 256;
+/// Bits of a step that the condition of the equations may cost, with a good margin.
+constexpr slong margin = 64;
+
+class Matrix {
+public:
+    Matrix(slong rows, slong columns) { acb_mat_init(value_, rows, columns); }
+    Matrix(const Matrix&) = delete;
+    Matrix& operator=(const Matrix&) = delete;
+    ~Matrix() { acb_mat_clear(value_); }
+
+    acb_mat_struct* get() { return value_; }
+    acb_ptr entry(slong row, slong column) { return acb_mat_entry(value_, row, column); }
+
+private:
+    acb_mat_t value_;
+};
+
+/// The least e with |x| < 2^e, or nearly so; `least` if there is none above it.
+slong exponent(acb_srcptr x, slong least) {
+    mag_t size;
+    mag_init(size);
+    acb_get_mag(size, x);
+    slong result = least;
+    if (!mag_is_zero(size)) result = std::max(least, fmpz_get_si(MAG_EXPREF(size)));
+    mag_clear(size);
+    return result;
+}
+
+std::vector<BigComplex> start(const StartingValues& solution) {
+    std::vector<BigComplex> result(camera_dimension);
+    auto value = solution.values.begin();
+    for (BigComplex& x : result) {
+        arb_set_si(acb_realref(x.get()), *value++);
+        if (!solution.real) arb_set_si(acb_imagref(x.get()), *value++);
+        acb_mul_2exp_si(x.get(), x.get(), -solution.bits);
+    }
+    return result;
+}
+
+/// A Newton step with so many bits; for the derivatives half of them do. Returns the exponent of
+/// its largest change.
+slong step(const CameraImages& images, std::vector<BigComplex>& point, slong bits) {
+    const auto size = static_cast<slong>(point.size());
+    const ManyDigits fine{bits}, coarse{bits / 2 + margin};
+    std::vector<BigComplex> rounded = point;
+    for (BigComplex& x : rounded)
+        acb_set_round(x.get(), x.get(), coarse.bits);
+    CamerasOver values(fine, images, point);
+    CamerasOver slopes(coarse, images, rounded);
+    Matrix jacobian(size, size), right(size, 1), change(size, 1);
+    slong row = 0;
+    for (const CameraEquation& equation : images.system.equations) {
+        acb_set(right.entry(row, 0), values.value(equation).get());
+        slong column = 0;
+        for (const BigComplex& slope : slopes.gradient(equation))
+            acb_set(jacobian.entry(row, column++), slope.get());
+        ++row;
+    }
+    if (acb_mat_approx_solve(change.get(), jacobian.get(), right.get(), coarse.bits) == 0)
+        throw std::runtime_error("a solution is singular");
+    slong largest = -bits;
+    for (slong k = 0; k < size; ++k) {
+        BigComplex& x = point[static_cast<std::size_t>(k)];
+        largest = std::max(largest, exponent(change.entry(k, 0), -bits));
+        acb_sub(x.get(), x.get(), change.entry(k, 0), bits);
+        acb_get_mid(x.get(), x.get());
+    }
+    return largest;
+}
+
+std::vector<BigComplex> refined(const CameraImages& images, const StartingValues& solution) {
+    std::vector<BigComplex> point = start(solution);
+    constexpr int most_steps = 40;
+    int steps = 0;
+    while (step(images, point, first_bits) > -first_bits / 2)
+        if (++steps == most_steps) throw std::runtime_error("Newton's method does not converge");
+    return point;
+}
+
+} // namespace
+
+Refinement::Refinement(const DegreeCertificate& certificate)
+    : images_(camera_images(certificate)), bits_(first_bits) {
+    for (const StartingValues& solution : certificate.solutions)
+        solutions_.push_back({solution.real, refined(images_, solution)});
+}
+
+void Refinement::double_digits() {
+    bits_ = 2 * (bits_ - margin);
+    const auto refine_some = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n)
+            if (step(images_, solutions_[n].coordinates, bits_) > -bits_ / 2 + margin)
+                throw std::runtime_error("Newton's method loses too many digits");
+        flint_cleanup(); // what FLINT keeps for a thread
+    };
+    in_parts(solutions_.size(), std::thread::hardware_concurrency(), refine_some);
+}
+
+} // namespace plprove

@@ -1,0 +1,158 @@
+// Arithmetic modulo q and g, by other means than those of the checker.
+#include "checker/fibres/extension.h"
+
+#include "checker/fibres/frobenius.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace checker;
+
+namespace {
+class RandomPolynomials {
+public:
+    Residue residue() { return Residue::of(engine_()); }
+    Polynomial polynomial(std::size_t coefficients) {
+        Polynomial result(coefficients);
+        for (Residue& coefficient : result)
+            coefficient = residue();
+        return result;
+    }
+
+private:
+    std::mt19937_64 engine_{61};
+};
+
+/// The product, term by term.
+Polynomial by_terms(const Polynomial& a, const Polynomial& b) {
+    Polynomial result(a.size() + b.size() - 1);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t k = 0; k < b.size(); ++k)
+            result[i + k] = result[i + k] + a[i] * b[k];
+    return result;
+}
+
+Polynomial with_degree(Polynomial a, std::size_t degree) {
+    a.resize(degree);
+    return a;
+}
+
+/// g without its highest term, for g the product of these.
+Polynomial lower_of_product(const std::vector<Polynomial>& factors) {
+    Polynomial g{{1}};
+    for (const Polynomial& factor : factors)
+        g = by_terms(g, factor);
+    g.pop_back();
+    return g;
+}
+
+/// t^l - c.
+Polynomial pure(std::size_t degree, Residue c) {
+    Polynomial result(degree + 1);
+    result[0] = -c;
+    result[degree] = {1};
+    return result;
+}
+
+/// Whether c is an l-th power modulo q, for a prime l that divides q - 1.
+bool is_power(Residue c, std::uint64_t l) {
+    return power(c, (modulus - 1) / l) == Residue{1};
+}
+} // namespace
+
+TEST_CASE("a product modulo g is the remainder of the product term by term") {
+    RandomPolynomials random;
+    for (const std::size_t degree : {1U, 2U, 3U, 17U, 99U, 100U, 101U, 130U}) {
+        const Extension extension(random.polynomial(degree));
+        const Polynomial a = random.polynomial(degree), b = random.polynomial(degree);
+        Polynomial expected = by_terms(a, b);
+        while (!expected.empty() && expected.back() == Residue{})
+            expected.pop_back();
+        expected = with_degree(remainder(expected, extension.modulus_polynomial()), degree);
+        CHECK(extension.multiply(a, b) == expected);
+        const auto inverse = extension.inverse(a);
+        REQUIRE(inverse);
+        CHECK(extension.multiply(a, *inverse) == extension.constant({1}));
+    }
+}
+
+TEST_CASE("the largest coefficients do not run over") {
+    const std::size_t degree = 140;
+    const Polynomial largest(degree, Residue{modulus - 1});
+    const Extension extension(largest);
+    const Polynomial expected =
+        remainder(by_terms(largest, largest), extension.modulus_polynomial());
+    CHECK(extension.multiply(largest, largest) == with_degree(expected, degree));
+}
+
+TEST_CASE("what has a root in common with g has no inverse") {
+    RandomPolynomials random;
+    const Polynomial common = pure(1, random.residue());
+    const Extension extension(
+        lower_of_product({common, pure(1, random.residue()), pure(1, random.residue())}));
+    const Polynomial a = with_degree(by_terms(common, random.polynomial(2)), 3);
+    CHECK_FALSE(extension.inverse(a));
+    CHECK_FALSE(extension.is_unit(a));
+    CHECK(extension.is_unit(random.polynomial(3)));
+}
+
+TEST_CASE("t^l - c is irreducible if and only if c is no l-th power") {
+    RandomPolynomials random;
+    int irreducible = 0, reducible = 0;
+    for (const std::size_t l : {2U, 3U, 5U, 7U, 11U, 13U, 31U}) {
+        REQUIRE((modulus - 1) % l == 0);
+        for (int n = 0; n < 4; ++n) {
+            const Residue c = n == 0 ? power(random.residue(), l) : random.residue();
+            Polynomial lower = pure(l, c);
+            lower.pop_back();
+            CHECK(is_irreducible_of_prime_degree(lower) == !is_power(c, l));
+            ++(is_power(c, l) ? reducible : irreducible);
+        }
+    }
+    CHECK(irreducible > 10);
+    CHECK(reducible > 6);
+}
+
+TEST_CASE("a product is not irreducible, nor has what is irreducible a degree that is no prime") {
+    RandomPolynomials random;
+    Residue square_free = random.residue(), cube_free = random.residue();
+    while (is_power(square_free, 2))
+        square_free = random.residue();
+    while (is_power(cube_free, 3))
+        cube_free = random.residue();
+    const Polynomial quadratic = pure(2, square_free), cubic = pure(3, cube_free);
+    const Polynomial linear = pure(1, random.residue());
+    CHECK_FALSE(is_irreducible_of_prime_degree(lower_of_product({quadratic, cubic})));
+    CHECK_FALSE(is_irreducible_of_prime_degree(lower_of_product({linear, quadratic})));
+    CHECK_FALSE(is_irreducible_of_prime_degree(lower_of_product({cubic, cubic, linear})));
+    CHECK_FALSE(is_irreducible_of_prime_degree(lower_of_product({linear})));
+    // t^6 - c is irreducible if c is neither a square nor a cube.
+    while (is_power(cube_free, 3) || is_power(cube_free, 2))
+        cube_free = random.residue();
+    CHECK_FALSE(is_irreducible_of_prime_degree(lower_of_product({pure(6, cube_free)})));
+}
+
+TEST_CASE("the permutation of the roots is even as the degrees of the factors say") {
+    RandomPolynomials random;
+    for (std::size_t linear = 0; linear < 4; ++linear)
+        for (std::size_t quadratic = 0; quadratic < 4; ++quadratic)
+            for (std::size_t cubic = 0; cubic < 3; ++cubic) {
+                if (linear + quadratic + cubic == 0) continue;
+                std::vector<Polynomial> factors;
+                const auto add = [&](std::size_t l) {
+                    Residue c = random.residue();
+                    while (l > 1 && is_power(c, l))
+                        c = random.residue();
+                    factors.push_back(pure(l, c));
+                };
+                for (std::size_t n = 0; n < linear; ++n)
+                    add(1);
+                for (std::size_t n = 0; n < quadratic; ++n)
+                    add(2);
+                for (std::size_t n = 0; n < cubic; ++n)
+                    add(3);
+                // A cycle of two is odd, one of three even.
+                CHECK(frobenius_is_even(lower_of_product(factors)) == (quadratic % 2 == 0));
+            }
+}
