@@ -41,6 +41,16 @@ std::size_t order_at(const SceneSystem& system, const Resection& resection, cons
     return order_in(system, resection, own, choices.row(own.size()));
 }
 
+/// Why this is refused; empty if it is not.
+std::string refusal(const auto& attempt) {
+    try {
+        attempt();
+    } catch (const Refused& refused) {
+        return refused.reason;
+    }
+    return {};
+}
+
 } // namespace
 
 TEST_CASE("the cubic forms of all views vanish at a solution, and not at other depths") {
@@ -95,4 +105,32 @@ TEST_CASE("the cubic forms of any image vanish at base scenes, and only there to
     }
     CHECK(pencils > 100);
     CHECK(tangents > 10);
+}
+
+TEST_CASE("an image with fewer than 12 equations has no cubic forms") {
+    const auto tried = [](const std::string& notation) {
+        const Problem problem = problem_of(notation);
+        const SceneSystem system = scene_system(problem, random_views(problem, 2, 1));
+        return say(system.equations.size(), ": ",
+                   refusal([&] { const Resection resection(system, 0); }));
+    };
+    CHECK(tried("projective: 3*PL/PL + 3*PM/PM + P/P") == "12: ");
+    CHECK(tried("projective: PLMN/PLMN + 2*PL/PL + 2*PM/PM + 2*PN/PN") ==
+          "11: an image has fewer than 12 equations");
+}
+
+TEST_CASE("view 1 may not show another point of the line where it shows the one of a tangent") {
+    const Problem problem = problem_of("projective: 2*PLab/PLab/PLab + PLabc/PLabc/PLabc + P/P/P");
+    std::vector<Numbers> views = random_views(problem, 3, 1);
+    views[0][6] = 0; // factors of points 0 and 1
+    views[0][7] = 1; // so point 2 is where point 1 is
+    const SceneSystem system = scene_system(problem, views);
+    const std::vector<Tangent> tangents = base_scenes(problem, system).tangents;
+    REQUIRE(tangents.size() == 2);
+    for (const Tangent& tangent : tangents) {
+        CAPTURE(tangent.point);
+        Choices choices;
+        CHECK(refusal([&] { choose_tangent(problem, system, tangent, choices); }) ==
+              (tangent.point == 0 ? "" : "view 1 is too special: take other images there"));
+    }
 }
