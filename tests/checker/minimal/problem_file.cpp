@@ -52,6 +52,11 @@ TEST_CASE("the proof of a problem in two views is refused if anything in it is a
     CHECK(outcome_of_problem(with(five_points, "3\nfeature",
                                   "3\ncamera 3 quaternion 1 0 0 0 translation 1 0 0"
                                   "\nfeature")) != "holds");
+    const std::string last = "feature P/P point -2 -3 3\n";
+    CHECK(contains(outcome_of_problem(with(five_points, last, "")),
+                   "the pool lacks the feature P/P"));
+    CHECK(contains(outcome_of_problem(with(five_points, last, last + last)),
+                   "the problem has no more features"));
     CHECK(outcome_of_problem(with(five_points, "verdict minimal", "verdict camera-minimal")) !=
           "holds");
     CHECK(outcome_of_problem(with(five_points, "minimal - 1", "minimal 0 1")) != "holds");

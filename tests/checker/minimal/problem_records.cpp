@@ -287,6 +287,12 @@ TEST_CASE("a line joins its points, and a core counts whole") {
                    "a view is not in the part"));
     CHECK(altered(core, "core views 3 6 7", "core views 3").starts_with("syntax"));
     CHECK(altered(core, "motion directions", "motion none").starts_with("syntax"));
+    const std::string without_centre = "problem upright-focal: P/P/P + Pabc/Pabc/Pabc\n"
+                                       "excess 1\n"
+                                       "part views 1 2 3 points 1 2 lines 1 2 3\n"
+                                       "motion directions\n"
+                                       "core views 1 2 points 1 lines 1 2 3\n";
+    CHECK(contains(outcome_of_record(without_centre), "the core does not arise by leaving out"));
 }
 
 TEST_CASE("a line that one view sees is loose, and so is a point on it") {
@@ -432,6 +438,7 @@ TEST_CASE("a camera that sees a line of four points turns about it") {
     CHECK(contains(altered(fourth, "camera 4", "camera 3"), "the excess is -1"));
     CHECK(contains(altered(fourth, "views 1 2 3 4 5 6", "views 1 4"),
                    "fewer than two cameras of the part rest"));
+    CHECK(contains(altered(fourth, "views 1 2 3 4 5 6", "views 1 2 4"), "the excess is "));
     CHECK(
         contains(altered(fourth, "views 1 2 3 4 5 6", "views 1 2 3"), "a view is not in the part"));
     CHECK(altered(fourth, "camera 4", "camera 7").starts_with("syntax"));

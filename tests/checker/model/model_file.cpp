@@ -2,7 +2,7 @@
 // anything is altered in them.
 #include "checker/model/model_file.h"
 #include "checker/conclusion/models.h"
-#include "checker/model/program.h"
+#include "checker/model/layout.h"
 #include "tests/support/text.h"
 
 #include <doctest/doctest.h>
@@ -192,6 +192,106 @@ TEST_CASE("a model that makes no sense is malformed, and the line is said") {
     const std::string fine = with(circle, "x [ 1 + 0 ]", "x");
     CHECK(fault(with(fine, "unknown x , y", "unknown x , y , w")) ==
           "10: the model has 2 equations for 3 unknowns: it needs one for each");
+}
+
+TEST_CASE("functions and items refuse what they are not made for") {
+    const auto of = [](const std::string& expression) {
+        return fault(with(circle, "let zero", "let w = " + expression + "\nlet zero"));
+    };
+    const std::string fine = "11: a scalar has no items"; // that of the circle itself
+    CHECK(of("c [ 2 ]") == fine);
+    CHECK(of("c [ 3 ]") == "5: there is no item 3");
+    CHECK(of("c [ 0 ]") == "5: there is no item 0");
+    CHECK(of("c [ 999999 + 1 ]") == "5: there is no item 1000000");
+    CHECK(of("c [ 999999 + 2 ]") == "5: an index larger than 1,000,000");
+    CHECK(of("c [ 1 - 999999 - 999999 ]") == "5: an index larger than 1,000,000");
+    CHECK(of("[ x , c ]") == "5: the items of a list have different shapes");
+    CHECK(of("u ^ 2") == "5: only scalars have powers");
+    CHECK(of("dot ( u , [ x , y , 1 ] )") == "5: this needs vectors of one size");
+    CHECK(of("dot ( [ u , u ] , [ u , u ] )") == "5: this needs vectors of one size");
+    for (const char* call :
+         {"skew ( u )", "cross ( u , [ x , y , 1 ] )", "cross ( [ x , y , 1 ] , u )"})
+        CHECK(of(call) == "5: this needs vectors of three");
+    for (const char* call : {"det ( u )", "det ( [ u , u , u ] )", "trace ( [ u ] )"})
+        CHECK(of(call) == "5: this needs a square matrix");
+    CHECK(of("transpose ( u )") == "5: only a matrix has a transpose");
+    CHECK(of("det ( identity ( 6 ) )") == fine);
+    CHECK(of("det ( identity ( 7 ) )") == "5: a determinant has at most 6 rows");
+    for (const char* call : {"rotation ( u )", "rotation ( identity ( 3 ) )"})
+        CHECK(of(call) == "5: a rotation needs a vector of three or four");
+    for (const char* call : {"identity ( 1 )", "identity ( 100 )"})
+        CHECK(of(call) == fine);
+    for (const char* call :
+         {"identity ( 0 )", "identity ( 101 )", "identity ( x )", "identity ( 2 , 2 )"})
+        CHECK(of(call) == "5: `identity` needs a constant from 1 to 100");
+}
+
+TEST_CASE("a model has limits, and may reach them") {
+    const auto model = [](const std::string& old, const std::string& by) {
+        return fault(with(circle, old, by));
+    };
+    const std::string fine = "10: a scalar has no items"; // that of the circle itself
+    CHECK(model("unknown x , y", "unknown x , y , w : vector 98") == fine);
+    CHECK(model("unknown x , y", "unknown x , y , w : vector 99") ==
+          "3: a model has at most 100 of these scalars");
+    CHECK(model("r , m", "r , m , w : matrix 83 by 12") == fine);
+    CHECK(model("r , m", "r , m , w : matrix 83 by 12 , v") ==
+          "2: a model has at most 1000 of these scalars");
+    const std::string body = "for i in 1 .. 1\nequation norm2 ( u - c ) = r / 2\n";
+    CHECK(model(body, "for i in 1 .. 99990\nlet w = x\n") == fine);
+    CHECK(model(body, "for i in 1 .. 99991\nlet w = x\n") ==
+          "10: more than 100,000 statements to execute");
+    CHECK(model("for i in 1 .. 1\n", "for i in 1 .. 1\ndata d\n") ==
+          "8: data and unknowns stand outside of loops");
+    CHECK(model("for i in", "for u in") == "7: `u` has a meaning already");
+    CHECK(fault("model none\ndata a\nequation a = a\nmodulus 2305843009213693951\n") ==
+          "3: the model has no unknown");
+    const auto repeated = [](int times) {
+        return altered("equation x ^ 2 = a",
+                       say("for i in 1 .. ", times, "\nequation x ^ 2 = a\nend"));
+    };
+    CHECK(repeated(1000) ==
+          "9: a fibre: the model has 1000 equations for 1 unknowns: a fibre needs as many");
+    CHECK(repeated(1001) == "5: the model has more than 1,000 equations");
+}
+
+TEST_CASE("a model has at most 5,000,000 operations") {
+    const auto text = [](std::uint64_t sums) {
+        return say("model large\nunknown x\nfor i in 1 .. 499\nlet w = identity ( 100 )\nend\n"
+                   "for i in 1 .. ",
+                   sums, "\nlet w = x + x\nend\nequation x = 0\nmodulus 2305843009213693951\n");
+    };
+    const auto operations = [&](std::uint64_t sums) {
+        const std::string all = text(sums);
+        Reader reader(all);
+        return layout_of(read_program(reader)).multiplications;
+    };
+    const std::uint64_t most = 5'000'000, others = operations(0);
+    REQUIRE(operations(1) == others + 1);
+    CHECK(operations(most - others - 1) == most - 1);
+    CHECK(operations(most - others) == most);
+    CHECK(fault(text(most - others + 1)) == "9: more than 5,000,000 operations");
+}
+
+TEST_CASE("an elimination has limits, and may reach them") {
+    const std::string lone = with(
+        roots, roots.substr(roots.find("fibre"), roots.find("elimination") - roots.find("fibre")),
+        "");
+    const auto equation = [&](const std::string& left) {
+        return fault(with(lone, "equation x ^ 2 =", "equation " + left + " ="));
+    };
+    CHECK(equation("x ^ 2 / 0") == "7: an elimination: the model divides by the constant 0");
+    CHECK(equation("( x ^ 20 ) ^ 10") ==
+          "7: an elimination: a multiple of equation 1 has a larger degree than that of a group");
+    CHECK(equation("( x ^ 20 ) ^ 10 * x") == "7: an elimination: a degree larger than 200");
+    const auto columns = [](int x, int y, int z) {
+        return fault(say("model three\nunknown x , y , z\nequation x = 0\nequation y = 0\n"
+                         "equation z = 0\nmodulus 2305843009213693951\nelimination\ndata\ndegree ",
+                         x, " in x\ndegree ", y, " in y\ndegree ", z,
+                         " in z\nbasis 9999\nrows 1 1\nminor 1\n"));
+    };
+    CHECK(columns(19, 19, 9) == "7: an elimination: there is no monomial 9999");
+    CHECK(columns(19, 19, 10) == "7: an elimination: there are more than 4000 columns");
 }
 
 TEST_CASE("files take an effort, and no more than they are given") {

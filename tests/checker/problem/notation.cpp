@@ -9,6 +9,7 @@ TEST_CASE("each way of spelling a feature conforms") {
                                  "P/P/P/P/P/P/P/P/P/P/P/P",
                                  "projective: 7*P/P",
                                  "100*P/P",
+                                 "100*P/P + 100*a/a",
                                  "Pabc/Pc/-",
                                  "a/a/-",
                                  "P/P/P(a)",
@@ -51,6 +52,7 @@ TEST_CASE("what section 13 does not spell is refused with the file") {
                                  "ab/Pab",
                                  "ab/ab",
                                  "A/A",
+                                 "A/A + 2*PA/PA",
                                  "PA/PA",
                                  "-/-",
                                  "P/P(P)",
@@ -86,6 +88,7 @@ TEST_CASE("a capital letter is one line, in the same views of all its features")
     CHECK(contains(outcome_of_notation("PL/PL + PL/P"), "a capital letter in the same views"));
     CHECK(contains(outcome_of_notation("PL/PL/L + PL/PL/P"), "a capital letter in the same views"));
     CHECK(contains(outcome_of_notation("PL/PL + P/P"), "in two features or more"));
+    CHECK(contains(outcome_of_notation("L/L + 2*PL/PL"), "a line with one small letter"));
     CHECK(contains(outcome_of_notation("PLM/PLM + PLM/PLM"), "syntax"));
     CHECK(contains(outcome_of_notation("2*PLM/PLM"), "at most one point"));
     CHECK(contains(outcome_of_notation("2*PL/P"), "sees two points of a line to see the line"));
