@@ -173,6 +173,9 @@ TEST_CASE("a part-record is spelled as section 13 says") {
         CAPTURE(replacement);
         CHECK(altered(star, old, replacement).starts_with("syntax, "));
     }
+    CHECK(contains(altered(star, "star 1", "comet 1"), "found `comet`, expected `none`, `loose`"));
+    CHECK(contains(outcome_of_record("problem 4*P/P\nbalanced\n"),
+                   "found `balanced`, expected `minimal`, `unbalanced`"));
 }
 
 TEST_CASE("a file has a modulus; without a record it conforms, and has no verdict") {
@@ -355,6 +358,8 @@ TEST_CASE(
          {"about view 3 views\n", "about camera 3 views 1\n", "about 3 views 1\n",
           "about view 4 views 1\n", "about point 9 views 1\n", "about line 1 views 1\n", ""})
         CHECK(altered(pairs, "about view 3 views 1\n", wrong).starts_with("syntax"));
+    CHECK(contains(altered(pairs, "about view 3", "about camera 3"),
+                   "found `camera`, expected `point`, `line` or `view`"));
     // A line that view 2 sees, too, through a point that view 1 sees.
     CHECK(contains(outcome_of_record("problem upright-shared-focal: 4*-/P/P + 2*P/-/P + Pa/a/P\n"
                                      "excess 1\n"
