@@ -1,19 +1,16 @@
 // What a user expects of problems in general is verified if the files prove just that, and not
 // otherwise.
 #include "checker/command/expected.h"
+#include "tests/support/file.h"
 #include "tests/support/results.h"
 #include "tests/support/text.h"
-
-#include <fstream>
-#include <iterator>
 
 using namespace checker;
 
 namespace {
 
 std::string archive(const std::string& family) {
-    std::ifstream stream(std::string(CERTS_DIR "/") + family + ".plc", std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    return read(CERTS_DIR "/" + family + ".plc");
 }
 
 Report report_on(const std::string& bytes, const ExpectedWords& words) {

@@ -3,11 +3,10 @@
 #include "checker/family/family.h"
 #include "checker/family/rows.h"
 #include "tests/checker/minimal/outcome.h"
+#include "tests/support/file.h"
 
 #include <algorithm>
 #include <bit>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -158,8 +157,7 @@ std::map<std::pair<int, int>, int> sizes(const std::string& name) {
 }
 
 std::string archive(const char* name) {
-    std::ifstream stream(std::string(CERTS_DIR) + '/' + name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    return read(std::string(CERTS_DIR "/") + name);
 }
 
 /// The archive without its first line.

@@ -1,6 +1,7 @@
 // Lines that go on: a line whose last word is a backslash continues in the next one, in every kind
 // of file, with the same result as the line in one piece.
 #include "tests/support/few_classes.h"
+#include "tests/support/file.h"
 #include "tests/support/report.h"
 
 #include <random>
@@ -44,9 +45,7 @@ std::string broken(const std::string& text, const Chosen& chosen) {
 }
 
 std::string file(const std::string& path) {
-    std::ifstream in(SOURCE_DIR "/" + path, std::ios::binary);
-    REQUIRE(in);
-    return {std::istreambuf_iterator<char>(in), {}};
+    return read(SOURCE_DIR "/" + path);
 }
 
 /// What plcheck says of the file, for people and in JSON, without its digest.

@@ -5,10 +5,9 @@
 #include "checker/replay.h"
 #include "tests/checker/minimal/image_rank.h"
 #include "tests/support/all_classes.h"
+#include "tests/support/file.h"
 
 #include <doctest/doctest.h>
-#include <fstream>
-#include <iterator>
 
 using namespace checker;
 
@@ -121,8 +120,7 @@ int central_parameters_of(const Problem& problem, Dice& dice) {
 }
 
 checker::ProblemsFile replayed(const std::string& name) {
-    std::ifstream stream(std::string(CERTS_DIR) + '/' + name, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    const std::string bytes = read(CERTS_DIR "/" + name);
     const checker::ReplayedFile file = checker::replay(all_classes(), name, bytes);
     const auto* content = std::get_if<ProblemsFile>(&file.content);
     REQUIRE(content);

@@ -1,9 +1,7 @@
 // A degree that a paper bounds from below, beside what is certified and what evidence says.
 #include "checker/problem/notation.h"
+#include "tests/support/file.h"
 #include "tests/support/results.h"
-
-#include <fstream>
-#include <iterator>
 
 using namespace checker;
 
@@ -12,8 +10,7 @@ namespace {
 const std::string six_views = "Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a";
 
 std::string text_of(const std::string& name) {
-    std::ifstream stream(std::string(CERTS_DIR "/") + name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    return read(CERTS_DIR "/" + name);
 }
 
 /// A file that proves this number of solutions of a problem.

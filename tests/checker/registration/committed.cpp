@@ -2,9 +2,9 @@
 
 #include "checker/conclusion/registrations.h"
 #include "checker/degrees/constraint_class.h"
+#include "tests/support/file.h"
 
 #include <filesystem>
-#include <fstream>
 
 using namespace checker;
 
@@ -14,8 +14,7 @@ const std::vector<ReplayedFile>& committed_files() {
         std::vector<ReplayedFile> all;
         for (const auto& entry :
              std::filesystem::directory_iterator(CERTS_DIR "/models/registrations")) {
-            std::ifstream in(entry.path(), std::ios::binary);
-            const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+            const std::string bytes = read(entry.path().string());
             all.push_back(replay(all_classes(), entry.path().filename().string(), bytes));
         }
         std::ranges::sort(all, {}, &ReplayedFile::name);

@@ -4,9 +4,9 @@
 #include "checker/model/layout.h"
 #include "checker/model/sparse_polynomial.h"
 #include "tests/checker/registration/committed.h"
+#include "tests/support/file.h"
 #include "tests/support/text.h"
 
-#include <fstream>
 #include <random>
 #include <set>
 
@@ -202,9 +202,8 @@ TEST_CASE("the texts are the committed ones, whose names say the type") {
     for (const auto& [type, bound] : committed()) {
         const std::string name = name_of(type);
         CAPTURE(name);
-        std::ifstream file(SOURCE_DIR "/models/registrations/" + name.substr(13) + ".model");
-        REQUIRE(file);
-        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        const std::string text =
+            read(SOURCE_DIR "/models/registrations/" + name.substr(13) + ".model");
         CHECK(lines_of_model(text) == text_of(type));
         CHECK(names.insert(name).second);
     }
