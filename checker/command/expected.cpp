@@ -139,7 +139,8 @@ Expectation expectation_of(const ExpectedWords& words) {
         return {};
     }
     if (!words.verdict && !words.degree && !words.group)
-        throw WrongUsage{"say what to expect of the problem: add --verdict minimal, or --degree N"};
+        throw WrongUsage{"say what to expect of the problem: add --verdict minimal, --degree N, or "
+                         "--group S312"};
     if (words.problem->ends_with(".model")) return model_of(words);
     ExpectedProblem expected = parse_expected(*words.problem, "--expect ");
     if (words.verdict) expected.verdict = checked_verdict(*words.verdict);

@@ -1,10 +1,9 @@
 #include "prover/cli/group_command.h"
 
-#include "prover/catalogue/degrees.h"
 #include "prover/cli/arguments.h"
+#include "prover/cli/problem_report.h"
 #include "prover/cli/sections.h"
 #include "prover/fibres/group.h"
-#include "prover/minimal/decision.h"
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
@@ -36,25 +35,21 @@ struct GroupRequest {
     bool json = false;
 };
 
-/// The label class that has the problem's equations, and its degree. Throws BadInput where there is
-/// none, or no cycle to look for.
 struct Asked {
     Decision decision;
-    std::size_t number = 0;
+    std::size_t number = 0; // of the label class that has the problem's equations
     int degree = 0;
 };
 
+/// Throws BadInput where there is no such class, or no cycle to look for.
 Asked asked(const std::string& spec) {
     Asked result{decide(parse_spec(spec)), 0, 0};
     const std::string name = notation(result.decision.problem);
-    const Verdict verdict = result.decision.verdict;
-    const bool has_degree = verdict == Verdict::minimal || verdict == Verdict::camera_minimal;
-    if (!has_degree || !result.decision.classes)
+    const std::optional<int> degree = degree_of(result.decision);
+    if (!degree || !result.decision.classes)
         throw BadInput(name + " is not minimal in three calibrated views: give a problem that is");
     result.number = result.decision.classes->constraint;
-    const auto degree = degree_on_file(result.number);
-    if (!degree) throw BadInput("no degree of " + name + " is known: give another problem");
-    result.degree = static_cast<int>(*degree);
+    result.degree = *degree;
     if (!has_cycle_length(result.degree))
         throw BadInput(name + " has " + std::to_string(result.degree) +
                        " solutions: too few for this way to find their group; give a problem with "
@@ -97,15 +92,19 @@ std::string json_report(const Asked& asked, const GroupSearch& found) {
     return json.dump(2) + "\n";
 }
 
-int find_group_of(const GroupRequest& request, const Deliver& deliver) {
-    const Asked problem = asked(request.spec);
-    GroupOptions options = request.options;
+/// Looks for the group, with a line of progress on a terminal.
+GroupSearch searched(const Asked& problem, GroupOptions options) {
     ProgressLine line("computing fibres", 0);
     options.progress = [&](int fibres, long bits) {
         line.show(static_cast<std::size_t>(fibres),
                   " so far, the next one to " + std::to_string(bits) + " bits");
     };
-    const GroupSearch found = find_group(problem.number, problem.degree, options);
+    return find_group(problem.number, problem.degree, options);
+}
+
+int find_group_of(const GroupRequest& request, const Deliver& deliver) {
+    const Asked problem = asked(request.spec);
+    const GroupSearch found = searched(problem, request.options);
     if (!request.path.empty() && !found.records.empty())
         deliver(request.path, degree_file(found.records));
     if (request.path != "-")

@@ -59,28 +59,24 @@ std::optional<ClassFibre> find_class_fibre(std::size_t number, int degree, std::
     return fibre;
 }
 
-std::vector<FibreFactor> factors_of(const ClassFibre& fibre) {
+std::vector<model::Univariate> factors_of(const ClassFibre& fibre) {
     nmod_poly_factor_t factors;
     nmod_poly_factor_init(factors);
     nmod_poly_factor(factors, fibre.solutions.polynomial.get());
-    std::vector<FibreFactor> result;
-    for (slong i = 0; i < factors->num; ++i) {
-        FibreFactor& factor = result.emplace_back();
-        nmod_poly_set(factor.polynomial.get(), factors->p + i);
-        factor.degree = static_cast<int>(factor.polynomial.degree());
-    }
+    std::vector<model::Univariate> result;
+    for (slong i = 0; i < factors->num; ++i)
+        nmod_poly_set(result.emplace_back().get(), factors->p + i);
     nmod_poly_factor_clear(factors);
-    std::ranges::sort(result, {}, &FibreFactor::degree);
+    std::ranges::sort(result, {}, &model::Univariate::degree);
     return result;
 }
 
-std::string write_record(const ClassFibre& fibre, const FibreFactor* factor) {
+std::string write_record(const ClassFibre& fibre, const model::Univariate* factor) {
     CertificateText text;
     text.line("fibre", fibre.degree());
     model::append_solutions(text, fibre.solutions.polynomial, fibre.solutions.unknowns, fibre.form);
     if (factor)
-        text.line("factor", factor->degree,
-                  model::coefficients(factor->polynomial, factor->polynomial.degree()));
+        text.line("factor", factor->degree(), model::coefficients(*factor, factor->degree()));
     return write_images(fibre.number, fibre.images) + text.take();
 }
 

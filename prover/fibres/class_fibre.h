@@ -20,23 +20,17 @@ struct ClassFibre {
     int degree() const { return static_cast<int>(solutions.polynomial.degree()); }
 };
 
-/// An irreducible factor of the polynomial of a fibre.
-struct FibreFactor {
-    int degree = 0;
-    model::Univariate polynomial;
-};
-
 /// The fibre over random images with small coordinates, by `degree` solutions of the engine.
 /// Another seed, other images. Nothing where a step fails; another seed may do then. `progress` is
 /// told how many bits the solutions have.
 std::optional<ClassFibre> find_class_fibre(std::size_t number, int degree, std::uint64_t seed,
                                            const std::function<void(long)>& progress);
 
-/// The factors modulo q, in ascending order of degrees.
-std::vector<FibreFactor> factors_of(const ClassFibre& fibre);
+/// The irreducible factors of the polynomial, in ascending order of degrees.
+std::vector<model::Univariate> factors_of(const ClassFibre& fibre);
 
 /// The record of the fibre, without the first line of the file; with an irreducible factor of prime
 /// degree, if one is named. Throws FormatLimit if the format does not allow it.
-std::string write_record(const ClassFibre& fibre, const FibreFactor* factor);
+std::string write_record(const ClassFibre& fibre, const model::Univariate* factor);
 
 } // namespace plprove

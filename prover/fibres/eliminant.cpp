@@ -205,12 +205,10 @@ std::optional<model::Solutions> eliminant(const std::vector<RefinedSolution>& so
     const Part part = parts.of(0, solutions.size());
     auto g = modulo_q(part.product, bits);
     if (!g) return std::nullopt;
+    if (nmod_poly_is_squarefree(g->get()) == 0) return std::nullopt;
     const model::Algebra algebra(*g);
     model::Univariate slope;
     nmod_poly_derivative(slope.get(), g->get());
-    model::Univariate common;
-    nmod_poly_gcd(common.get(), g->get(), slope.get());
-    if (common.degree() > 0) return std::nullopt;
     const model::Univariate inverse = algebra.inverse(slope);
     model::Solutions result{*g, {}};
     for (const RealPolynomial& sum : part.sums) {

@@ -12,19 +12,14 @@ bool shows_alternating(int degree, int cycle) {
     return 2 * cycle > degree && cycle + 2 < degree && n_is_prime(static_cast<ulong>(cycle)) != 0;
 }
 
-std::vector<int> degrees_of(const std::vector<FibreFactor>& factors) {
-    std::vector<int> degrees;
-    for (const FibreFactor& factor : factors)
-        degrees.push_back(factor.degree);
-    return degrees;
-}
-
 /// Adds what a fibre shows; its record if that is new.
 void add(GroupSearch& search, const ClassFibre& fibre) {
-    const std::vector<FibreFactor> factors = factors_of(fibre);
-    search.cycle_types.push_back(degrees_of(factors));
-    const auto found = std::ranges::find_if(factors, [&](const FibreFactor& factor) {
-        return shows_alternating(search.degree, factor.degree);
+    const std::vector<model::Univariate> factors = factors_of(fibre);
+    std::vector<int>& lengths = search.cycle_types.emplace_back();
+    for (const model::Univariate& factor : factors)
+        lengths.push_back(static_cast<int>(factor.degree()));
+    const auto found = std::ranges::find_if(factors, [&](const model::Univariate& factor) {
+        return shows_alternating(search.degree, static_cast<int>(factor.degree()));
     });
     const bool is_even = (search.degree - static_cast<int>(factors.size())) % 2 == 0;
     bool& parity = is_even ? search.even : search.odd;

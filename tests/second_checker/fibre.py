@@ -154,9 +154,11 @@ def require_irreducible(lower):
     require(degree > 1 and all(degree % d for d in range(2, degree)), "the degree is no prime")
     ring = Ring(lower + [1])
     t, image = ring.variable(), power_of_variable(ring)
-    power = image
-    for _ in range(degree - 1):
-        power = at(power, image)
+    power = t  # t^(q^n) for the leading bits n of the degree
+    for bit in bin(degree)[2:]:
+        power = at(power, power)
+        if bit == "1":
+            power = at(power, image)
     require((power - t).is_zero() and not ring.has_common_root(image - t), "it is reducible")
 
 

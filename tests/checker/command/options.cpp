@@ -54,7 +54,7 @@ TEST_CASE("wrong words on the command line are refused, each for its reason") {
         {{"--expect", "5*P/P", "--degree", "012", "f"},
          "--degree 012 is no number of solutions; write 312, or '>=312' in quotes"},
         {{"--expect", "5*P/P", "f"},
-         "say what to expect of the problem: add --verdict minimal, or --degree N"},
+         "say what to expect of the problem: add --verdict minimal, --degree N, or --group S312"},
         {{"--verdict", "minimal", "f"},
          "--verdict, --degree and --group are about a problem; add --expect PROBLEM"},
         {{"--degree", "3", "f"},
