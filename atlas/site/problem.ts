@@ -82,25 +82,22 @@ async function showCertificate(answer: ProblemAnswer, section: HTMLElement): Pro
     );
 }
 
+/** A list of which the first are in sight, and the rest is folded. */
+function foldedList(items: HTMLElement[], most: number): HTMLElement[] {
+    const list = (part: HTMLElement[]) => make("ul", { class: "plain columns" }, ...part);
+    const rest = items.slice(most);
+    if (rest.length === 0) return [list(items)];
+    const more = make("summary", {}, `${rest.length} more`);
+    return [list(items.slice(0, most)), make("details", {}, more, list(rest))];
+}
+
 function related(title: string, explanation: string, rows: Row[]): HTMLElement[] {
     if (rows.length === 0) return [];
-    const most = 12;
-    const list = make("ul", { class: "plain columns" }, ...rows.slice(0, most).map(line));
-    const parts: HTMLElement[] = [
+    return [
         make("h3", {}, `${title} (${rows.length})`),
         make("p", {}, explanation),
-        list,
+        ...foldedList(rows.map(line), 12),
     ];
-    if (rows.length > most)
-        parts.push(
-            make(
-                "details",
-                {},
-                make("summary", {}, `${rows.length - most} more`),
-                make("ul", { class: "plain columns" }, ...rows.slice(most).map(line)),
-            ),
-        );
-    return parts;
 }
 
 function extensionsView(extensions: Extension[]): HTMLElement[] {
@@ -114,7 +111,7 @@ function extensionsView(extensions: Extension[]): HTMLElement[] {
     return [
         make("h3", {}, `Extensions (${extensions.length})`),
         make("p", {}, "It stays minimal, with the same degree: the cameras do not feel the change."),
-        make("ul", { class: "plain columns" }, ...items),
+        ...foldedList(items, 6),
     ];
 }
 

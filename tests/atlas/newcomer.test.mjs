@@ -315,3 +315,88 @@ test("long pages fit 1280 pixels, and every page is led to from the others", asy
     const links = await page.locator("header a, footer a").allTextContents();
     for (const word of ["Counts", "Families", "Glossary", "Cite"]) assert.ok(links.includes(word));
 });
+
+test("names in photos differ, and are legible on a phone, too", async () => {
+    for (const width of [360, 1280])
+        for (const spec of ["Chicago", "projective: 7*P/P", "1021_1"]) {
+            const page = await problemPage(spec, { viewport: { width, height: 740 } });
+            const photos = await page.locator("main .photos.large .photo").evaluateAll((all) =>
+                all.map((photo) =>
+                    [...photo.querySelectorAll("text")].map((text) => ({
+                        name: text.textContent,
+                        size: parseFloat(getComputedStyle(text).fontSize) * photo.getScreenCTM().a,
+                    })),
+                ),
+            );
+            assert.ok(photos.length > 1);
+            for (const names of photos) {
+                assert.ok(names.length > 2);
+                assert.equal(new Set(names.map(({ name }) => name)).size, names.length, spec);
+                for (const { name, size } of names)
+                    assert.ok(size >= 10, `${spec}, ${width} pixels wide: ${name} has ${size}`);
+            }
+        }
+});
+
+test("headings, text and navigation have one font", async () => {
+    const page = await atlas.visit("how.html");
+    const session = await page.context().newCDPSession(page);
+    await session.send("DOM.enable");
+    await session.send("CSS.enable");
+    const { root: document } = await session.send("DOM.getDocument");
+    const families = new Set();
+    for (const selector of ["h1", "h2", ".reading p", "header a"]) {
+        const { nodeId } = await session.send("DOM.querySelector", {
+            nodeId: document.nodeId,
+            selector,
+        });
+        const { fonts } = await session.send("CSS.getPlatformFontsForNode", { nodeId });
+        for (const { familyName } of fonts) families.add(familyName);
+    }
+    assert.equal(families.size, 1, [...families].join(", "));
+});
+
+test("on a phone the matrix scrolls, and its edge shows that there is more", async () => {
+    const page = await problemPage("Chicago", { viewport: { width: 360, height: 740 } });
+    const frame = page.locator(".jacobian .scroll");
+    await frame.focus();
+    const { more, shadows } = await frame.evaluate((element) => ({
+        more: element.scrollWidth - element.clientWidth,
+        shadows: getComputedStyle(element).backgroundImage.match(/linear-gradient/g)?.length,
+    }));
+    assert.ok(more > 50);
+    assert.equal(shadows, 4);
+    await page.keyboard.press("ArrowRight");
+    await until(page, () => document.querySelector(".jacobian .scroll").scrollLeft > 0);
+});
+
+test("of long lists the first are in sight, and the rest is folded", async () => {
+    const page = await problemPage("Chicago");
+    const extensions = page.locator("#related ~ h3", { hasText: "Extensions" });
+    assert.match(await extensions.textContent(), /\(15\)/);
+    assert.match(await page.locator("#related ~ details summary").first().textContent(), /^9 more$/);
+});
+
+test("the tour leads to what it names", async () => {
+    const page = await atlas.visit("how.html");
+    const links = await page
+        .locator("#tour + ol a")
+        .evaluateAll((all) => all.map((link) => [link.textContent, link.getAttribute("href")]));
+    assert.equal(links.length, 5);
+    const [chicago, play, board, open, counts] = links.map(([, address]) => address);
+    const word = async (address, place) =>
+        textOf(await atlas.visit(address), `${place} .verdict-word`);
+    assert.equal(await word(chicago, "#problem"), "Minimal");
+    assert.equal(await word(board, "#answer"), "Minimal");
+    assert.match(await word(open, "#problem"), /^Neither minimal/);
+    const demo = await atlas.visit(play);
+    await demo.waitForSelector("#demo[data-settled]");
+    const differences = await atlas.visit(counts);
+    await differences.waitForSelector("#differences dt");
+    assert.equal(await differences.locator("#differences dt").count(), 3);
+});
+
+test("the page of a problem says what its degree is good for", async () => {
+    const page = await problemPage("Chicago");
+    assert.match(await textOf(page, "section:has(#degree)"), /says how hard the problem is/);
+});

@@ -56,6 +56,19 @@ test("what is no problem is refused with the program's words", async () => {
     assert.equal(await page2.locator("main img").count(), 0);
 });
 
+test("a complaint stands just below the field, and the drawing stays", async () => {
+    const page = await atlas.visit("search.html?p=Chicago");
+    await page.waitForSelector(".board-views .photo");
+    await page.fill("#spec", "2*Q/P/P");
+    const complaint = await page.waitForSelector("#ask .complaint");
+    const field = await page.locator("#spec").boundingBox();
+    const words = await complaint.boundingBox();
+    const below = words.y - (field.y + field.height);
+    assert.ok(below >= 0 && below < 20, `${below} pixels below the field`);
+    assert.ok(Math.abs(words.x - field.x) < 20);
+    assert.equal(await page.locator(".board-views .photo").count(), 3);
+});
+
 test("features are drawn, hidden by a click in a view, and shown by a key", async () => {
     const page = await atlas.visit("search.html");
     await page.getByRole("button", { name: "Add a point", exact: true }).click();
