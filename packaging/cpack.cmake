@@ -18,18 +18,27 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Three packages: the programs, the checker as a library, certificates and documents.
+# Packages: the programs, the checker as a library, documents; and the solver's library.
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL programs checker-library documents)
+if(PLC_PROVER)
+  list(APPEND CPACK_COMPONENTS_ALL library)
+endif()
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME ${CPACK_PACKAGE_NAME})
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS ${CPACK_PACKAGE_NAME}-doc)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_CONFLICTS ${other_package})
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_REPLACES ${other_package})
-set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION "${summary}")
 set(CPACK_DEBIAN_CHECKER-LIBRARY_PACKAGE_NAME libplcheck-dev)
 set(CPACK_DEBIAN_CHECKER-LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_CHECKER-LIBRARY_PACKAGE_DEPENDS ${PLCHECK_DEB_NEEDS})
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libpointline-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+# It has a shared library: others depend on this package by it, and the linker hears of it.
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/triggers)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_NAME ${CPACK_PACKAGE_NAME}-doc)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_ARCHITECTURE all)
@@ -37,17 +46,28 @@ set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_CONFLICTS ${other_package}-doc)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_REPLACES ${other_package}-doc)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${summary})
-set(CPACK_PACKAGE_DESCRIPTION
+set(question
 "Which points and lines in three photos fix the cameras? A certificate gives the
-answer for a problem. plcheck replays it, and believes nothing. plprove, where
-it is part of the package, finds certificates.")
+answer for a problem.")
+set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION
+"${question} plcheck replays it, and believes nothing.
+plprove, where it is part of the package, finds certificates.")
+set(CPACK_COMPONENT_CHECKER-LIBRARY_DESCRIPTION
+"${question} This is plcheck, which replays it, as a library.")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
+"Which points and lines in three photos fix the cameras? This library finds all
+cameras and scenes that explain given photos of a minimal problem.")
+set(CPACK_COMPONENT_DOCUMENTS_DESCRIPTION
+"${question} Here are all certificates, their format, and the
+proofs on which the checker rests.")
 include(CPack)
 
 # Debian wants licence and change log of each package here.
 configure_file(changelog.in changelog @ONLY)
-add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz
-  COMMAND ${GZIP} -9 -n -c changelog > ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz
-  DEPENDS ${CMAKE_CURRENT_BINARY_DIR}/changelog)
+execute_process(COMMAND ${GZIP} -9 -n -c changelog
+  WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
+  OUTPUT_FILE changelog.gz
+  COMMAND_ERROR_IS_FATAL ANY)
 foreach(component ${CPACK_COMPONENTS_ALL})
   string(TOUPPER ${component} upper)
   set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})

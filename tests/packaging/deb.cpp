@@ -40,9 +40,10 @@ TEST_CASE("the packages name what they need, have what they should, and are the 
     }
     const TemporaryFolder first;
     const Packages packages = make_packages(first);
-    REQUIRE(packages.size() == 3);
+    REQUIRE(packages.size() == 4);
     const fs::path programs = packages.at("point-line-certificates");
     const fs::path library = packages.at("libplcheck-dev");
+    const fs::path solver = packages.at("libpointline-dev");
     const fs::path documents = packages.at("point-line-certificates-doc");
     for (const auto& [name, package] : packages) {
         CAPTURE(name);
@@ -57,7 +58,20 @@ TEST_CASE("the packages name what they need, have what they should, and are the 
         CAPTURE(needed);
         CHECK(field(library, "Depends").find(needed) != std::string::npos);
     }
+    CHECK(field(solver, "Depends").find("libgmp10") != std::string::npos);
     CHECK(field(documents, "Architecture") == "all\n");
+
+    if (has_program("lintian")) {
+        // The maintainer's address is for those to set who hand the package out (PLC_CONTACT).
+        const Outcome faults =
+            run("lintian --allow-root --fail-on error --suppress-tags bogus-mail-host,"
+                "bogus-mail-host-in-debian-changelog,root-in-contact " +
+                first.path().string() + "/*.deb");
+        CAPTURE(faults.out);
+        CHECK(faults.status == 0);
+    } else {
+        MESSAGE("left out: lintian is not installed");
+    }
 
     const TemporaryFolder root;
     const std::string at = root.path().string();
@@ -73,6 +87,15 @@ TEST_CASE("the packages name what they need, have what they should, and are the 
 
     REQUIRE(run("dpkg-deb --extract " + library.string() + ' ' + at).status == 0);
     CHECK(fs::exists(root / "usr/include/plcheck/plcheck.h"));
+    CHECK(!fs::exists(root / "usr/share/point-line-certificates"));
+    REQUIRE(run("dpkg-deb --extract " + solver.string() + ' ' + at).status == 0);
+    for (const char* file : {"solver.h", "problem.h"})
+        CHECK(fs::exists(root / "usr/include/pointline" / file));
+    for (const char* file : {"libpointline.so", "libpointline.so.1", "pointline.pc",
+                             "pointlineConfig.cmake", "pointlineTargets.cmake"}) {
+        CAPTURE(file);
+        CHECK(run("find " + at + "/usr/lib -name " + file).out != "");
+    }
     CHECK(!fs::exists(root / "usr/share/point-line-certificates"));
     REQUIRE(run("dpkg-deb --extract " + documents.string() + ' ' + at).status == 0);
     CHECK(fs::exists(root / "usr/share/point-line-certificates/certs/classification.plc"));

@@ -177,3 +177,22 @@ TEST_CASE("the links between the installed documents work") {
     }
     CHECK(links > 10);
 }
+
+TEST_CASE("what software centres read names the installed programs, and is valid") {
+    const fs::path folder = installed() / "share/metainfo";
+    const fs::path file = folder / "org.example.point_line_certificates.metainfo.xml";
+    const std::string text = read_file(file);
+    for (const auto& entry : fs::directory_iterator(installed() / "bin"))
+        CHECK(text.find("<binary>" + entry.path().filename().string() + "</binary>") !=
+              std::string::npos);
+    CHECK(text.find("version=\"" PROJECT_VERSION "\"") != std::string::npos);
+    CHECK(text.find("<summary>Certified classification of point-line minimal problems</summary>") !=
+          std::string::npos);
+    if (!has_program("appstreamcli")) {
+        MESSAGE("left out: appstreamcli is not installed");
+        return;
+    }
+    const Outcome outcome = run("appstreamcli validate --no-net --pedantic " + file.string());
+    CAPTURE(outcome.out);
+    CHECK(outcome.status == 0);
+}
