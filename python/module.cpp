@@ -16,12 +16,14 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// What can fail raises ValueError, or OSError for files and memory.
+/// What can fail raises ValueError, or OSError for files.
 template <class T>
 T value(pointline::Result<T> result) {
     if (result) return *result;
-    if (result.error().failure == pointline::Failure::system)
-        throw std::runtime_error(result.error().message);
+    if (result.error().failure == pointline::Failure::system) {
+        PyErr_SetString(PyExc_OSError, result.error().message.c_str());
+        throw py::error_already_set();
+    }
     throw py::value_error(result.error().message);
 }
 
@@ -45,11 +47,11 @@ void require_shape(const Array& array, const std::vector<py::ssize_t>& shape, co
     const auto text = [](const std::vector<py::ssize_t>& sizes) {
         std::string result;
         for (const py::ssize_t size : sizes)
-            result += (result.empty() ? "(" : ", ") + std::to_string(size);
-        return result + ")";
+            result += (result.empty() ? "" : ", ") + std::to_string(size);
+        return "(" + result + ")";
     };
-    throw py::value_error(std::string(name) + " has the shape " + text(found) + ": give one of " +
-                          text(shape));
+    throw py::value_error(std::string(name) + " has the shape " + text(found) +
+                          ": give the shape " + text(shape));
 }
 
 /// The line of a view: by coefficients, or by two points.

@@ -1,6 +1,8 @@
 """The module against scenes whose cameras are known."""
 
 import threading
+import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -136,3 +138,51 @@ def test_the_problem_and_its_representation():
     assert pointline.problem(2394).notation == "2*Pa/Pa/Pa + P/P/P"
     assert pointline.problem("P/P/P").degree is None
     assert len(pointline.problem("P/P/P").reasons) > 0
+
+
+def test_messages_say_what_to_give(tmp_path):
+    problem = pointline.problem("5*P/P")
+    solver = problem.solver()
+    points = project(random_points(5, 0), *scene_cameras(2, 0))
+    with pytest.raises(ValueError, match=r"K has the shape \(2, 2\): give \(3, 3\) or \(2, 3, 3\)"):
+        solver.solve(points=points, K=np.ones((2, 2)))
+    with pytest.raises(ValueError, match=r"lines has the shape \(\): give the shape \(0, 2, 3\)"):
+        solver.solve(points=points, lines=3.0, K=K)
+    with pytest.raises(ValueError, match="points has complex numbers"):
+        solver.solve(points=points * 1j, K=K)
+    with pytest.raises(TypeError):
+        solver.solve(points=points, K=K, threads=1.5)
+    chicago = pointline.problem("Chicago")
+    with pytest.raises(ValueError, match="zero character"):
+        chicago.solver("a\0b")
+    with pytest.raises(OSError, match="does it exist"):
+        chicago.solver(tmp_path / "none")
+
+
+def test_pixels_without_a_camera_are_warned_of():
+    solver = pointline.problem("5*P/P").solver()
+    points = project(random_points(5, 0), *scene_cameras(2, 0))
+    with pytest.warns(UserWarning, match="look like pixels"):
+        solver.solve(points=points)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        solver.solve(points=points, K=K)
+        answer = solver.solve(points=(points - K[:2, 2]) / [K[0, 0], K[1, 1]])
+    assert repr(answer) == f"Answer({len(answer)} real of 20 found of 20, certified)"
+    chicago = pointline.problem("Chicago").solver()
+    R, t = scene_cameras(3, 3)
+    points, ends = project(random_points(3, 4), R, t), project(random_points(2, 5), R, t)
+    normalised = (points - K[:2, 2]) / [K[0, 0], K[1, 1]]
+    lines = np.stack([points[:2], ends], axis=2)
+    homogeneous = np.concatenate([lines, np.ones(lines.shape[:3] + (1,))], axis=3)
+    for pixels in [lines, np.cross(homogeneous[..., 0, :], homogeneous[..., 1, :])]:
+        with pytest.warns(UserWarning, match="look like pixels"):
+            chicago.solve(points=normalised, lines=pixels)
+
+
+def test_the_lines_that_the_page_starts_with(capsys):
+    page = Path(__file__).parents[2] / "docs/python.md"
+    exec(page.read_text().split("```python\n")[1].split("```")[0], {})
+    assert capsys.readouterr().out == (
+        "Answer(8 real of 20 found of 20, certified) - the true cameras are among them: True\n"
+    )
