@@ -12,6 +12,8 @@
 #include "prover/system/progress.h"
 #include "prover/three_views/degree_text.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -38,6 +40,21 @@ std::string content_of(const std::string& path) {
     std::string text(std::istreambuf_iterator<char>(file), {});
     if (!file) throw BadInput("cannot read " + path + ": does it exist?");
     return text;
+}
+
+/// The features of a problem; says so where it is one of those that cannot be solved yet.
+Features solvable_problem(const std::string& spec) {
+    const std::optional<Problem> general = parse_general_spec(spec);
+    if (!general) return parse_spec(spec);
+    std::string message = "solve takes two or three calibrated views and lines with at most one "
+                          "point; this problem has ";
+    if (general->cameras != &calibrated_cameras)
+        message += "other cameras";
+    else if (general->views > 3)
+        message += std::to_string(general->views) + " views";
+    else
+        message += "lines with more points";
+    throw BadInput(message);
 }
 
 struct SolveRequest {
@@ -99,10 +116,38 @@ Answer solve_and_certify(const SolveRequest& request, const Solver& solver,
     return answer;
 }
 
+/// Whether coordinates are so far from the centre as no camera sees them, where a view has none.
+bool look_like_pixels(const GivenImages& images) {
+    const std::array<ExactVector, 3> none{ExactVector{1, 0, 0}, ExactVector{0, 1, 0},
+                                          ExactVector{0, 0, 1}};
+    const int largest = 10;
+    const auto far = [&](const GivenSighting& sighting) {
+        if (const auto& point = sighting.point)
+            if (abs((*point)[0]) > largest || abs((*point)[1]) > largest) return true;
+        return std::ranges::any_of(sighting.lines, [&](const auto& line) {
+            if (!line) return false;
+            const auto& [a, b, c] = line->coefficients;
+            return c * c > largest * largest * (a * a + b * b);
+        });
+    };
+    for (std::size_t v = 0; v < images.calibration.size(); ++v)
+        if (images.calibration[v] == none)
+            for (const auto& views : images.features)
+                if (far(views[v])) return true;
+    return false;
+}
+
 int solve_images(const SolveRequest& request, const Deliver& deliver) {
-    const Features problem = parse_spec(request.spec);
+    std::optional<Features> asked;
+    if (!request.spec.empty()) asked = solvable_problem(request.spec);
     SolveReport report;
-    report.images = read_images(content_of(request.images), request.images, problem);
+    report.images = read_images(content_of(request.images), request.images, asked);
+    const Features& problem = report.images.problem;
+    if (look_like_pixels(report.images)) {
+        report.warnings.push_back("coordinates look like pixels, and without \"cameras\" they "
+                                  "count as normalised: give \"cameras\"");
+        std::cerr << "plprove: warning: " << report.warnings.back() << '\n';
+    }
     const ConsistentImages images = consistent(report.images);
     report.moved = images.moved;
     refuse_degenerate(report.images);
@@ -120,10 +165,15 @@ int solve_images(const SolveRequest& request, const Deliver& deliver) {
 
 int run_solve(const SolveRequest& request, const Deliver& deliver) {
     if (!request.example.empty()) {
-        const Features problem = parse_spec(request.example);
+        const Features problem = solvable_problem(request.example);
         plan(problem); // refuses what cannot be solved
         deliver(request.path, images_file(synthetic_scene(problem, 1)));
         return 0;
+    }
+    if (request.images.empty() && std::filesystem::is_regular_file(request.spec)) {
+        SolveRequest named = request;
+        std::swap(named.spec, named.images);
+        return solve_images(named, deliver);
     }
     if (request.images.empty()) {
         std::cerr << "plprove: solve needs a problem and a file of images: see `plprove solve "
@@ -139,7 +189,8 @@ Command add_solve_command(CLI::App& program, const Deliver& deliver) {
     const auto request = std::make_shared<SolveRequest>();
     CLI::App* app =
         program.add_subcommand("solve", "Find the cameras, all of them, that explain given images");
-    app->add_option("PROBLEM", request->spec, "the problem, as for `plprove problem`");
+    app->add_option("PROBLEM", request->spec,
+                    "the problem, as for `plprove problem`; may be missing where the file has it");
     app->add_option("IMAGES", request->images, "the file with the images");
     app->add_option("-o,--output", request->path, "the file to write, - for standard output")
         ->capture_default_str();
@@ -180,7 +231,7 @@ Command add_start_command(CLI::App& program, const Deliver& deliver) {
                 "  plprove start Chicago -o chicago.start\n"
                 "  plprove solve Chicago images.json --start chicago.start");
     return {app, [request, deliver] {
-                const SolvePlan how = plan(parse_spec(request->spec));
+                const SolvePlan how = plan(solvable_problem(request->spec));
                 if (!how.number)
                     throw BadInput("problems in two views need no start: `plprove solve` "
                                    "solves them without");

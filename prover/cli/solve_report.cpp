@@ -85,6 +85,7 @@ std::string json_report(const SolveReport& report) {
               {"complete", name(answer.complete)},
               {"moved", report.moved}};
     if (report.number) json["class"] = *report.number;
+    if (!report.warnings.empty()) json["warnings"] = report.warnings;
     if (const auto& note = report.certificate)
         json["certificate"] = {{"file", note->path},
                                {"solutions", note->solutions},

@@ -23,6 +23,7 @@ struct SolveReport {
     std::optional<std::size_t> number;
     Answer answer;
     std::optional<CertificateNote> certificate;
+    std::vector<std::string> warnings;
 };
 
 /// As a table: the real solutions, each with its cameras.

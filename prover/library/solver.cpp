@@ -6,6 +6,7 @@
 #include "prover/solver/solve.h"
 
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -65,6 +66,9 @@ Complete complete(plprove::Completeness completeness) {
 }
 
 std::string content_of(const std::string& path) {
+    std::error_code none;
+    if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none))
+        throw std::runtime_error("cannot read " + path + ": this is no file");
     std::ifstream file(path, std::ios::binary);
     std::string text(std::istreambuf_iterator<char>(file), {});
     if (!file) throw std::runtime_error("cannot read " + path + ": does it exist?");

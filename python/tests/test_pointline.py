@@ -157,6 +157,9 @@ def test_messages_say_what_to_give(tmp_path):
         chicago.solver("a\0b")
     with pytest.raises(OSError, match="does it exist"):
         chicago.solver(tmp_path / "none")
+    for path in [tmp_path, "/dev/zero"]:
+        with pytest.raises(OSError, match="this is no file"):
+            chicago.solver(path)
 
 
 def test_pixels_without_a_camera_are_warned_of():

@@ -108,8 +108,7 @@ TEST_CASE("a certificate for exactly the given images is replayed by plcheck") {
     CHECK(file.find("image Pa/Pa/Pa view point 1 2 4 toward") != std::string::npos);
     const Outcome replayed = run(plcheck + " " + (session / "mine.plc").string());
     CHECK(replayed.status == 0);
-    CHECK(replayed.out.find("at least 312 solutions") !=
-          std::string::npos);
+    CHECK(replayed.out.find("at least 312 solutions") != std::string::npos);
 }
 
 TEST_CASE("a certificate is for exactly the images in pixels, or says how far they are from its") {
@@ -197,6 +196,50 @@ TEST_CASE("pins that miss their points are moved, and the answer says how far") 
     const Json answer = Json::parse(outcome.out);
     CHECK(answer["moved"] > 0.01);
     CHECK(answer["moved"] < 0.5);
+}
+
+TEST_CASE("the problem may stand in the file alone") {
+    const Session session;
+    session.plprove("solve --example five-point -o images.json");
+    const Outcome named = session.plprove("solve five-point images.json");
+    const Outcome alone = session.plprove("solve images.json");
+    CHECK(alone.status == 0);
+    CHECK(alone.out == named.out);
+}
+
+TEST_CASE("pixels without cameras are warned of, on standard error and in JSON") {
+    const Session session;
+    session.plprove("solve --example five-point -o images.json");
+    CHECK(session.plprove("solve images.json").err.find("warning") == std::string::npos);
+    Json images = session.json("images.json");
+    images.erase("cameras");
+    write_file(session / "pixels.json", images.dump());
+    const Outcome outcome = session.plprove("solve pixels.json --json");
+    CHECK(outcome.status == 0);
+    const Json warnings = Json::parse(outcome.out)["warnings"];
+    REQUIRE(warnings.size() == 1);
+    CHECK(outcome.err.find("warning: " + warnings[0].get<std::string>()) != std::string::npos);
+    CHECK(outcome.err.find("coordinates look like pixels") != std::string::npos);
+}
+
+TEST_CASE("what cannot be solved yet is said, and is no mistake of notation") {
+    const Session session;
+    const std::vector<std::pair<std::string, std::string>> problems{
+        {"1021_1", "6 views"},
+        {"'P/P/P/P'", "4 views"},
+        {"'projective: 7*P/P'", "other cameras"},
+        {"'3*PL/PL + 2*P/P'", "lines with more points"}};
+    for (const auto& [problem, what] : problems) {
+        CAPTURE(problem);
+        const std::string message = "solve takes two or three calibrated views and lines with at "
+                                    "most one point; this problem has " +
+                                    what;
+        for (const std::string command : {"solve --example ", "start -o x.start "}) {
+            const Outcome outcome = session.plprove(command + problem);
+            CHECK(outcome.status == 2);
+            CHECK(outcome.err.find(message) != std::string::npos);
+        }
+    }
 }
 
 TEST_CASE("a start is a file that solve takes, and that is refused when damaged") {

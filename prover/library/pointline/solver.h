@@ -87,8 +87,8 @@ struct Answer {
 };
 
 struct Options {
-    /// Follow each path once, and let those that are lost go: some times as fast. Hardly a real
-    /// solution is lost.
+    /// Follow each path once, and let those that are lost go: faster, and hardly a real solution
+    /// is lost.
     bool quick = false;
     bool conditions = false; ///< estimate conditions
     /// How many threads share the work for one answer, which does not depend on it.
