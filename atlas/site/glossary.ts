@@ -12,7 +12,8 @@ export const glossary: Readonly<Record<string, string>> = {
     generic: "As most photos are: all but those that satisfy an equation of their own, such as three points in a line.",
     degree:
         "How many solutions a problem has for generic photos, counted over the complex numbers. A solver has to find all of them, so a small degree means a fast solver.",
-    group: "How loops of photos permute the solutions. S312 means: in every way, so the problem with its 312 solutions does not decompose into smaller ones.",
+    group: "How loops of photos permute the solutions. S312 means: in every way, so the problem with its 312 solutions does not decompose into smaller ones. <S8 wr S2 wr S10 means: 10 blocks of 2 blocks of 8 solutions stay together, so there are steps with 10, 2 and 8 solutions.",
+    width: "How many solutions the hardest step of the problem has. It is less than the degree where solutions stay together in blocks.",
     obstructed: "Not minimal for a reason that has a name: see obstruction.",
     dimensions:
         "How many numbers it takes to say where the scene is, where the cameras are, and what the images show.",

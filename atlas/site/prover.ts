@@ -56,7 +56,7 @@ export interface Report {
     constraint_class?: number;
     families?: Families;
     degree?: Degree;
-    group?: { name: string; status: "certified" };
+    group?: { name: string; order: string; width: number; status: "certified" | "evidence" };
     hints?: Hint[];
 }
 

@@ -72,6 +72,7 @@ const words: Readonly<Record<string, string>> = {
     class: "label class",
     degree: "degree",
     group: "group",
+    width: "width",
     dimensions: "dimensions",
     reduction: "reduction",
     terminal: "terminal",
@@ -102,6 +103,8 @@ export function factRows(answer: ProblemAnswer): [string, Child[]][] {
     if (report.degree) rows.push(["degree", [degreeView(report.degree)]]);
     if (report.group)
         rows.push(["group", [report.group.name, " ", statusMark(report.group.status)]]);
+    if (report.group && report.degree && report.group.width < report.degree.value)
+        rows.push(["width", [`${report.group.width} `, statusMark(report.group.status)]]);
     rows.push(["dimensions", [dimensionsInWords(report)]]);
     if (report.reduction.length > 0) {
         const steps = report.reduction.map((step, index) =>

@@ -140,6 +140,21 @@ template <class Value> static Value last_of(const ByProblem<Value>& values) {
     return last;
 }
 
+/// `the groups of classes 69 (S240) and 249 (>=A328)`, all of them, or their number if there are
+/// many; empty if there is none.
+static std::string groups_in_words(std::span<const ExactDegree> degrees) {
+    constexpr std::size_t many = 12;
+    std::vector<std::string> groups;
+    for (const ExactDegree& exact : degrees)
+        if (!exact.group.empty()) groups.push_back(say(exact.number, " (", exact.group, ')'));
+    if (groups.size() > many) return say("the groups of ", groups.size(), " label classes");
+    std::string text;
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == groups.size() ? " and " : ", ") + groups[i];
+    if (groups.empty()) return text;
+    return (groups.size() == 1 ? "the group of class " : "the groups of classes ") + text;
+}
+
 /// The statement of a run without a refusal.
 static std::string statement_of(const Report& report, const Proofs& proofs) {
     std::vector<std::string> parts;
@@ -174,10 +189,8 @@ static std::string statement_of(const Report& report, const Proofs& proofs) {
         say("upper bounds of the degrees of ", bounds.count(), " problems in general"));
     add(report.exact.size(), "the exact degrees of 1 label class",
         say("the exact degrees of ", report.exact.size(), " label classes"));
-    const auto groups = std::ranges::count_if(
-        report.exact, [](const ExactDegree& exact) { return !exact.group.empty(); });
-    add(static_cast<std::size_t>(groups), "the group of 1 label class",
-        say("the groups of ", groups, " label classes"));
+    if (const std::string groups = groups_in_words(report.exact); !groups.empty())
+        parts.push_back(groups);
     const auto models = models_of(report.findings);
     if (!models.empty())
         add(models.size(), in_words(models.begin()->second),

@@ -27,6 +27,7 @@ Entry entry_of(std::size_t number, const std::vector<Signature>& classes) {
     entry.counts = counts(entry.signature);
     entry.families = families_of(entry.signature, entry.minimal());
     entry.degree = degree_on_file(entry.constraint_class);
+    entry.group = group_on_file(entry.constraint_class);
     return entry;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "prover/catalogue/degrees.h"
+#include "prover/catalogue/groups.h"
 #include "prover/minimal/families.h"
 
 namespace plprove {
@@ -38,7 +39,8 @@ struct Entry {
     /// Of a class that is not minimal only pl0p and at_most_one_pin: the other families consist of
     /// minimal problems.
     Families families;
-    std::optional<int> degree; ///< of a minimal class
+    std::optional<int> degree;       ///< of a minimal class
+    std::optional<ClassGroup> group; ///< of a minimal class, where it is known
 
     bool minimal() const { return obstruction.deficiency() == 0; }
     int rank() const { return camera_dimension - obstruction.deficiency(); }

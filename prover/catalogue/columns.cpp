@@ -17,6 +17,11 @@ Value flag_value(bool holds) {
     return holds ? 1 : 0;
 }
 
+Value text_value(const std::optional<ClassGroup>& group, std::string_view ClassGroup::*member) {
+    if (!group) return std::monostate{};
+    return std::string((*group).*member);
+}
+
 std::string signature_text(const Signature& signature) {
     std::string result;
     for (const auto multiplicity : signature)
@@ -119,6 +124,22 @@ const Column table[] = {
          if (!e.degree) return std::monostate{};
          return *e.degree;
      }},
+    {"group", text, true,
+     "how loops of photos permute the solutions, where it is known: S312 for all permutations, <S8 "
+     "wr S2 wr S10 for a subgroup of those that keep 10 blocks of 2 blocks of 8 together",
+     [](const Entry& e) { return text_value(e.group, &ClassGroup::name); }},
+    {"group_order", text, true, "how many permutations these are, as a product",
+     [](const Entry& e) { return text_value(e.group, &ClassGroup::order); }},
+    {"width", integer, true,
+     "how many solutions the hardest step of the problem has, by its group (Galois width)",
+     [](const Entry& e) -> Value {
+         if (!e.group) return std::monostate{};
+         return e.group->width;
+     }},
+    {"group_status", text, true,
+     "certified: plcheck certifies the group by certs/groups; evidence: loops that plprove "
+     "followed",
+     [](const Entry& e) { return text_value(e.group, &ClassGroup::status); }},
 };
 
 constexpr Remark about[] = {

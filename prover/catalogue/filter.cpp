@@ -70,8 +70,14 @@ bool matches_obstruction(const std::optional<ObstructionFilter>& wanted,
     return false;
 }
 
-bool matches_degree(const std::optional<Range>& wanted, const std::optional<int>& degree) {
-    return !wanted || (degree && wanted->contains(*degree));
+/// Of a number that not every class has.
+bool matches_known(const std::optional<Range>& wanted, const std::optional<int>& known) {
+    return !wanted || (known && wanted->contains(*known));
+}
+
+std::optional<int> width_of(const Entry& entry) {
+    if (!entry.group) return std::nullopt;
+    return entry.group->width;
 }
 
 bool matches_parts(const Filter& filter, const Signature& signature) {
@@ -116,7 +122,8 @@ std::optional<Views> parse_views(std::string_view text) {
 bool matches(const Filter& filter, const Entry& entry) {
     return matches_flags(filter, entry) && matches_counts(filter, entry) &&
            matches_obstruction(filter.obstruction, entry.obstruction) &&
-           matches_degree(filter.degree, entry.degree) && matches_parts(filter, entry.signature);
+           matches_known(filter.degree, entry.degree) &&
+           matches_known(filter.width, width_of(entry)) && matches_parts(filter, entry.signature);
 }
 
 } // namespace plprove

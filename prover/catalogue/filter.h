@@ -40,7 +40,8 @@ struct Filter {
     bool five_point = false;
     bool registration = false;
     bool trifocal = false;
-    std::optional<Range> points, lines, pins, free_lines, most_pins, complete_views, rank, degree;
+    std::optional<Range> points, lines, pins, free_lines, most_pins, complete_views, rank, degree,
+        width;
     std::optional<Views> points_in_views, lines_in_views;
     std::optional<ObstructionFilter> obstruction;
     /// Features, in all orders of the views: a class has those, and no others than these.

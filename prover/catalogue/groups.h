@@ -1,5 +1,6 @@
-// The monodromy groups of minimal problems in three calibrated views that fibres certify
-// (certs/groups.csv), embedded in the program at build time.
+// The monodromy groups of minimal problems in three calibrated views (certs/groups.csv), embedded
+// in the program at build time: certified ones, of which fibres are committed, and others by
+// evidence.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +12,16 @@ namespace plprove {
 
 struct ClassGroup {
     std::size_t constraint_class = 0; ///< the number of its first member
-    std::string_view group;           ///< of the solutions: `S312` for all permutations of 312
+    std::string_view name;            ///< as MonodromyGroup::name()
+    std::string_view order;           ///< as MonodromyGroup::order()
+    int width = 0;                    ///< as MonodromyGroup::width()
+    std::string_view status;          ///< `certified` or `evidence`
 };
 
 /// All that are known, ascending.
 std::span<const ClassGroup> groups_on_file();
 
 /// The group of the solutions of the problems in a constraint class; nothing where it is not known.
-std::optional<std::string_view> group_on_file(std::size_t constraint_class);
+std::optional<ClassGroup> group_on_file(std::size_t constraint_class);
 
 } // namespace plprove

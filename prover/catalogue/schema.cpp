@@ -114,6 +114,11 @@ constexpr const char* index_list[] = {
     "CREATE INDEX by_degree ON classes(degree) WHERE degree IS NOT NULL",
 };
 
+/// A name of a column in SQL, where `group` is a word of the language.
+std::string quoted(const char* name) {
+    return '"' + std::string(name) + '"';
+}
+
 } // namespace
 
 std::span<const Relation> tables() {
@@ -158,7 +163,7 @@ std::string create_table(const Relation& table) {
     for (std::size_t i = 0; i < table.members.size(); ++i) {
         const Member& member = table.members[i];
         const bool last = !keyed && i + 1 == table.members.size();
-        sql += std::string("    ") + member.name + " " + member.type + (last ? "" : ",") + " -- " +
+        sql += "    " + quoted(member.name) + " " + member.type + (last ? "" : ",") + " -- " +
                member.meaning + "\n";
     }
     if (keyed) sql += std::string("    ") + table.rest + "\n";
@@ -168,7 +173,7 @@ std::string create_table(const Relation& table) {
 std::string create_view(const Relation& view) {
     std::string names;
     for (const Member& member : view.members)
-        names += (names.empty() ? "" : ", ") + std::string(member.name);
+        names += (names.empty() ? "" : ", ") + quoted(member.name);
     return "CREATE VIEW " + std::string(view.name) + "(" + names + ") AS -- " + view.meaning +
            "\n" + view.rest;
 }

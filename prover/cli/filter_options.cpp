@@ -51,6 +51,7 @@ constexpr RangeOption ranges[] = {
     {"--complete-views", &Filter::complete_views, "number of views that see everything"},
     {"--rank", &Filter::rank, "generic rank, 11 where minimal"},
     {"--degree", &Filter::degree, "degree, of a minimal class"},
+    {"--width", &Filter::width, "solutions of its hardest step, where its group is known"},
 };
 
 constexpr ViewsOption view_options[] = {

@@ -1,17 +1,24 @@
 #include "prover/cli/group_command.h"
 
 #include "prover/cli/arguments.h"
+#include "prover/cli/group_table.h"
 #include "prover/cli/problem_report.h"
 #include "prover/cli/sections.h"
 #include "prover/fibres/group.h"
+#include "prover/many_views/degrees_on_file.h"
+#include "prover/many_views/loop_group.h"
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
 #include "prover/three_views/degree_text.h"
+#include "prover/three_views/loop_group.h"
 
+#include <algorithm>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 namespace plprove {
 
@@ -20,41 +27,99 @@ namespace {
 constexpr const char* group_examples =
     "Move the images around a loop: the solutions come back in another order. These permutations\n"
     "are the monodromy group. If it contains all even ones, the problem does not decompose into\n"
-    "smaller ones. plprove computes all solutions modulo a prime, for random images: the factors\n"
-    "of their polynomial are as long as the cycles of a permutation in the group. plcheck\n"
-    "certifies the group by them and by the degree (docs/groups.md).\n\n"
+    "smaller ones; if it keeps blocks of solutions together, it does. plprove follows the "
+    "solutions\n"
+    "around loops, numerically: what it says is evidence. With -o it looks for a certificate, "
+    "too:\n"
+    "it computes all solutions modulo a prime, for random images (a fibre). The factors of their\n"
+    "polynomial are as long as the cycles of a permutation in the group. plcheck certifies by "
+    "them\n"
+    "that the group contains all even permutations (docs/groups.md).\n\n"
     "Examples:\n"
-    "  plprove group 2394 -o chicago.plc            takes two minutes\n"
+    "  plprove group Chicago                        takes a second\n"
+    "  plprove group 2394 -o chicago.plc            with a certificate, two minutes\n"
     "  plprove group '3*P/P/P + a/a/a' --json       for machines\n"
-    "  plcheck --expect '2*Pa/Pa/Pa + P/P/P' --group S312 certs/classification.plc chicago.plc\n";
+    "  plprove group five-point                     two views\n"
+    "  plprove group 'projective: 7*P/P'            lists of two more papers\n"
+    "  plcheck --expect '2*Pa/Pa/Pa + P/P/P' --group S312 certs/classification.plc chicago.plc\n"
+    "  plprove group --up-to 300 -o groups.csv      a table of all problems of at most 300\n"
+    "                                               solutions; goes on where it was killed\n";
 
 struct GroupRequest {
     std::string spec;
+    int up_to = 0; ///< not 0: in place of a problem, all classes of at most so many solutions
     std::string path;
     GroupOptions options;
     bool json = false;
 };
 
 struct Asked {
-    Decision decision;
-    std::size_t number = 0; // of the label class that has the problem's equations
+    std::string problem; ///< in notation
     int degree = 0;
+    std::string status;                     ///< of the degree: `certified` or `evidence`
+    std::optional<ClassNumbers> classes;    ///< in three calibrated views
+    std::optional<Problem> in_general = {}; ///< in others
 };
 
-/// Throws BadInput where there is no such class, or no cycle to look for.
+/// What came of it.
+struct Found {
+    std::optional<LoopGroup> by_loops;
+    std::optional<GroupSearch> by_fibres; ///< if a certificate was asked for
+};
+
+/// Throws BadInput where the degree is not on file.
+Asked asked_in_general(const Problem& problem) {
+    const std::string name = notation(problem);
+    const auto known = many_views::degree_on_file(name);
+    if (!known || known->bound != "exact")
+        throw BadInput("how many solutions " + name +
+                       " has is not on file: give a problem of certs/family-degrees.csv");
+    return {name, known->degree, std::string(known->status), {}, problem};
+}
+
+/// Throws BadInput where the problem is not minimal, or its degree is not on file.
 Asked asked(const std::string& spec) {
-    Asked result{decide(parse_spec(spec)), 0, 0};
-    const std::string name = notation(result.decision.problem);
-    const std::optional<int> degree = degree_of(result.decision);
-    if (!degree || !result.decision.classes)
-        throw BadInput(name + " is not minimal in three calibrated views: give a problem that is");
-    result.number = result.decision.classes->constraint;
-    result.degree = *degree;
-    if (!has_cycle_length(result.degree))
-        throw BadInput(name + " has " + std::to_string(result.degree) +
-                       " solutions: too few for this way to find their group; give a problem with "
-                       "at least 8");
-    return result;
+    if (const std::optional<Problem> problem = parse_general_spec(spec))
+        return asked_in_general(*problem);
+    const Decision decision = decide(parse_spec(spec));
+    const std::optional<int> degree = degree_of(decision);
+    if (!degree)
+        throw BadInput(notation(decision.problem) + " is not minimal: give a problem that is");
+    // All minimal problems in two views have the cameras of the five-point problem.
+    if (!decision.classes) return asked_in_general(parse_problem("5*P/P"));
+    return {notation(decision.problem), *degree, "certified", decision.classes};
+}
+
+/// Throws BadInput where no fibre can certify the group.
+void require_certifiable(const Asked& problem) {
+    if (!problem.classes)
+        throw BadInput("certificates of groups are for three calibrated views: leave -o out");
+    if (!has_cycle_length(problem.degree))
+        throw BadInput(problem.problem + " has " + std::to_string(problem.degree) +
+                       " solutions: too few for a certificate; leave -o out");
+}
+
+/// `10, then 2, then 8 solutions`.
+std::string steps_in_words(const MonodromyGroup& group) {
+    std::string words;
+    for (const GroupStep& step : group.steps)
+        words += (words.empty() ? "" : ", then ") + std::to_string(step.solutions);
+    return words + " solutions";
+}
+
+void write_loops(std::ostream& out, const std::optional<LoopGroup>& found) {
+    section(out, "group");
+    if (!found) {
+        out << "not known: too many paths were lost; try another --seed\n";
+        return;
+    }
+    const MonodromyGroup& group = found->group;
+    const std::string name = group.name();
+    out << (name.starts_with('<') ? "a subgroup of " + name.substr(1) : name) << ": evidence, by "
+        << found->loops << " loops\n";
+    section(out, "order") << group.order() << '\n';
+    section(out, "steps") << steps_in_words(group) << '\n';
+    section(out, "width") << group.width() << '\n';
 }
 
 std::string lengths_in(const std::vector<int>& cycle_type) {
@@ -64,52 +129,121 @@ std::string lengths_in(const std::vector<int>& cycle_type) {
     return words;
 }
 
-std::string text_report(const Asked& asked, const GroupSearch& found) {
-    std::ostringstream out;
-    section(out, "problem") << notation(asked.decision.problem) << '\n';
-    section(out, "degree") << asked.degree << ", by theorem\n";
-    section(out, "group");
-    if (found.looks_smaller())
-        out << "smaller than A" << asked.degree
-            << ", by evidence: no permutation has a cycle longer than " << asked.degree / 2 << '\n';
-    else if (found.group().empty())
-        out << "not known: no permutation has a cycle of a prime length l with d/2 < l < d - 2\n";
+void write_fibres(std::ostream& out, const GroupSearch& found) {
+    section(out, "fibres");
+    if (found.group().empty())
+        out << "certify no group: no cycle has a prime length l with d/2 < l < d - 2\n";
     else
         out << found.group() << ": certified once plcheck accepts it\n";
     for (const std::vector<int>& cycle_type : found.cycle_types)
         section(out, "cycles") << lengths_in(cycle_type) << '\n';
+}
+
+std::string text_report(const Asked& asked, const Found& found) {
+    std::ostringstream out;
+    section(out, "problem") << asked.problem << '\n';
+    section(out, "degree") << asked.degree << ' ' << asked.status << '\n';
+    write_loops(out, found.by_loops);
+    if (found.by_fibres) write_fibres(out, *found.by_fibres);
     return out.str();
 }
 
-std::string json_report(const Asked& asked, const GroupSearch& found) {
-    const nlohmann::ordered_json json = {{"problem", notation(asked.decision.problem)},
-                                         {"number", asked.decision.classes->label},
-                                         {"constraint_class", asked.number},
-                                         {"degree", asked.degree},
-                                         {"group", found.group()},
-                                         {"looks_smaller", found.looks_smaller()},
-                                         {"cycle_types", found.cycle_types}};
+std::string json_report(const Asked& asked, const Found& found) {
+    nlohmann::ordered_json json = {
+        {"problem", asked.problem}, {"degree", asked.degree}, {"degree_status", asked.status}};
+    if (asked.classes) {
+        json["number"] = asked.classes->label;
+        json["constraint_class"] = asked.classes->constraint;
+    }
+    if (found.by_loops) {
+        const auto& [group, loops] = *found.by_loops;
+        json["evidence"] = {{"group", group.name()},
+                            {"order", group.order()},
+                            {"width", group.width()},
+                            {"loops", loops}};
+        for (const GroupStep& step : group.steps)
+            json["evidence"]["steps"].push_back(step.solutions);
+    }
+    if (found.by_fibres)
+        json["fibres"] = {{"group", found.by_fibres->group()},
+                          {"cycle_types", found.by_fibres->cycle_types}};
     return json.dump(2) + "\n";
 }
 
-/// Looks for the group, with a line of progress on a terminal.
-GroupSearch searched(const Asked& problem, GroupOptions options) {
+std::optional<LoopGroup> search_by_loops(const Asked& problem, std::uint64_t seed) {
+    ProgressLine line("following loops", 0);
+    const LoopProgress progress = [&](int loops) { line.show(static_cast<std::size_t>(loops)); };
+    if (problem.classes)
+        return group_of_loops(problem.classes->constraint, problem.degree, seed, progress);
+    const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+    return many_views::group_of_loops(*problem.in_general, problem.degree, seed,
+                                      static_cast<int>(threads), progress);
+}
+
+GroupSearch search_by_fibres(const Asked& problem, GroupOptions options) {
     ProgressLine line("computing fibres", 0);
     options.progress = [&](int fibres, long bits) {
         line.show(static_cast<std::size_t>(fibres),
                   " so far, the next one to " + std::to_string(bits) + " bits");
     };
-    return find_group(problem.number, problem.degree, options);
+    return find_group(problem.classes->constraint, problem.degree, options);
+}
+
+/// Fibres of a group that keeps blocks together have no cycle that certifies it: one will do.
+int most_fibres(const GroupRequest& request, const std::optional<LoopGroup>& by_loops) {
+    const bool decomposes = by_loops && by_loops->group.steps.size() > 1;
+    return decomposes ? 1 : request.options.fibres;
 }
 
 int find_group_of(const GroupRequest& request, const Deliver& deliver) {
     const Asked problem = asked(request.spec);
-    const GroupSearch found = searched(problem, request.options);
-    if (!request.path.empty() && !found.records.empty())
-        deliver(request.path, degree_file(found.records));
+    if (!request.path.empty()) require_certifiable(problem);
+    Found found{search_by_loops(problem, request.options.seed), {}};
+    if (!request.path.empty()) {
+        GroupOptions options = request.options;
+        options.fibres = most_fibres(request, found.by_loops);
+        found.by_fibres = search_by_fibres(problem, options);
+        if (!found.by_fibres->records.empty())
+            deliver(request.path, degree_file(found.by_fibres->records));
+    }
     if (request.path != "-")
         deliver("-", request.json ? json_report(problem, found) : text_report(problem, found));
-    return found.group().empty() ? exit_failure : 0;
+    const bool certified = found.by_fibres && !found.by_fibres->group().empty();
+    return certified || (!found.by_fibres && found.by_loops) ? 0 : exit_failure;
+}
+
+/// Adds classes to a table, those of few solutions first; each as soon as its group is known.
+int make_table(const GroupRequest& request, const Deliver& deliver) {
+    GroupTable table(request.path);
+    std::vector<ClassDegree> open;
+    for (const ClassDegree& row : degrees_on_file())
+        if (row.degree <= request.up_to && !table.has(row.constraint_class)) open.push_back(row);
+    std::ranges::stable_sort(open, {}, &ClassDegree::degree);
+    ProgressLine line("groups", open.size());
+    std::size_t lost = 0;
+    for (std::size_t done = 0; done < open.size(); ++done) {
+        line.show(done);
+        const auto& [number, degree] = open[done];
+        const auto found = group_of_loops(number, degree, request.options.seed);
+        if (found) table.add(number, found->group);
+        lost += found ? 0 : 1;
+        if (found) deliver(request.path, table.text());
+    }
+    line.wipe();
+    if (lost == 0) return 0;
+    std::cerr << "the groups of " << lost << " classes are not known, as too many paths were lost: "
+              << "try another --seed\n";
+    return exit_failure;
+}
+
+int run_group(const GroupRequest& request, const Deliver& deliver) {
+    if (request.up_to == 0 && request.spec.empty())
+        throw BadInput("no problem is given: name one, or give --up-to and -o");
+    if (request.up_to == 0) return find_group_of(request, deliver);
+    if (!request.spec.empty()) throw BadInput("--up-to takes no problem: leave one of them out");
+    if (request.path.empty() || request.path == "-")
+        throw BadInput("--up-to adds to a file: name it by -o");
+    return make_table(request, deliver);
 }
 
 } // namespace
@@ -118,10 +252,12 @@ Command add_group_command(CLI::App& program, Deliver deliver) {
     const auto request = std::make_shared<GroupRequest>();
     CLI::App* command = program.add_subcommand(
         "group", "Find how the solutions of a minimal problem are permuted, with a certificate");
+    command->add_option("PROBLEM", request->spec,
+                        "as for `plprove problem`; in general, one of certs/family-degrees.csv");
     command
-        ->add_option("PROBLEM", request->spec,
-                     "as for `plprove problem`, in three calibrated views")
-        ->required();
+        ->add_option("--up-to", request->up_to,
+                     "in place of a problem: all with at most so many solutions, into a table")
+        ->check(CLI::Range(1, largest_target));
     command
         ->add_option("--fibres", request->options.fibres,
                      "give up after so many sets of images (default: 30)")
@@ -129,10 +265,11 @@ Command add_group_command(CLI::App& program, Deliver deliver) {
     add_seed(*command, request->options.seed);
     command->add_flag("--json", request->json, "print JSON");
     command->add_option("-o,--output", request->path,
-                        "also write the certificate to this file (- for standard output, alone)");
+                        "also look for a certificate, and write it to this file (- for standard "
+                        "output, alone)");
     command->footer(group_examples);
     return {command,
-            [request, deliver = std::move(deliver)] { return find_group_of(*request, deliver); }};
+            [request, deliver = std::move(deliver)] { return run_group(*request, deliver); }};
 }
 
 } // namespace plprove

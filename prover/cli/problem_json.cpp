@@ -93,7 +93,10 @@ std::string json_report(const ProblemReport& full_report) {
     if (decision.classes) add_classes(report, decision);
     add_degree(report, decision);
     if (const auto group = group_of(decision))
-        report["group"] = {{"name", *group}, {"status", "certified"}};
+        report["group"] = {{"name", group->name},
+                           {"order", group->order},
+                           {"width", group->width},
+                           {"status", group->status}};
     if (!hints.empty()) report["hints"] = json_hints(hints);
     return report.dump(2) + "\n";
 }

@@ -1,6 +1,5 @@
 #include "prover/cli/problem_report.h"
 
-#include "prover/catalogue/groups.h"
 #include "prover/cli/problem_facts.h"
 #include "prover/cli/sections.h"
 
@@ -106,7 +105,8 @@ void write_verdict(std::ostream& out, const Decision& decision) {
 void write_degree(std::ostream& out, const Decision& decision) {
     if (const std::optional<int> degree = degree_of(decision))
         section(out, "degree") << *degree << " certified\n";
-    if (const auto group = group_of(decision)) section(out, "group") << *group << " certified\n";
+    if (const auto group = group_of(decision))
+        section(out, "group") << group->name << ' ' << group->status << '\n';
 }
 
 /// The number of the class; of a problem that is none of its members, with a member.
@@ -183,7 +183,7 @@ std::optional<int> degree_of(const Decision& decision) {
     return degree_in_two_views;
 }
 
-std::optional<std::string_view> group_of(const Decision& decision) {
+std::optional<ClassGroup> group_of(const Decision& decision) {
     if (!is_camera_minimal(decision) || !decision.classes) return std::nullopt;
     return group_on_file(decision.classes->constraint);
 }

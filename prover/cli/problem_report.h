@@ -2,6 +2,7 @@
 #pragma once
 
 #include "prover/catalogue/degrees.h"
+#include "prover/catalogue/groups.h"
 #include "prover/minimal/hints.h"
 
 #include <string>
@@ -19,8 +20,8 @@ struct ProblemReport {
 
 /// The degree of a problem that was decided; nothing if it does not fix its cameras.
 std::optional<int> degree_of(const Decision& decision);
-/// The certified group of its solutions, where it is known (prover/catalogue/groups.h).
-std::optional<std::string_view> group_of(const Decision& decision);
+/// The group of its solutions, where it is known.
+std::optional<ClassGroup> group_of(const Decision& decision);
 
 /// Decides, and looks for hints.
 ProblemReport report_on(const Features& problem);

@@ -1,16 +1,12 @@
 #include "prover/fibres/group.h"
 
+#include "prover/groups/jordan.h"
+
 #include <algorithm>
-#include <flint/ulong_extras.h>
 
 namespace plprove {
 
 namespace {
-
-/// Whether a transitive group of this degree with a cycle of this length contains A_d (Jordan).
-bool shows_alternating(int degree, int cycle) {
-    return 2 * cycle > degree && cycle + 2 < degree && n_is_prime(static_cast<ulong>(cycle)) != 0;
-}
 
 /// Adds what a fibre shows; its record if that is new.
 void add(GroupSearch& search, const ClassFibre& fibre) {
@@ -43,20 +39,11 @@ std::string GroupSearch::group() const {
     return (symmetric() ? "S" : ">=A") + std::to_string(degree);
 }
 
-// A random permutation has no cycle longer than half with probability 1 - log 2, some 0.31.
-bool GroupSearch::looks_smaller() const {
-    constexpr std::size_t enough = 8;
-    return cycle_types.size() >= enough &&
-           std::ranges::all_of(cycle_types, [&](const std::vector<int>& lengths) {
-               return 2 * lengths.back() <= degree;
-           });
-}
-
 GroupSearch find_group(std::size_t number, int degree, const GroupOptions& options) {
     GroupSearch search;
     search.degree = degree;
     const std::uint64_t first = options.seed * static_cast<std::uint64_t>(options.fibres);
-    for (int n = 0; n < options.fibres && !search.symmetric() && !search.looks_smaller(); ++n) {
+    for (int n = 0; n < options.fibres && !search.symmetric(); ++n) {
         const auto fibre =
             find_class_fibre(number, degree, first + static_cast<std::uint64_t>(n), [&](long bits) {
                 options.progress(static_cast<int>(search.cycle_types.size()), bits);

@@ -26,9 +26,6 @@ struct GroupSearch {
     std::string records;      ///< of the fibres that show this
 
     bool symmetric() const { return alternating && even && odd; }
-    /// Whether the group is surely smaller (evidence): in so many permutations no cycle is longer
-    /// than half of all. For A_d and S_d this happens once in 10,000 times.
-    bool looks_smaller() const;
     /// `S<d>`, `>=A<d>`, or empty, as plcheck will find.
     std::string group() const;
 };
@@ -36,8 +33,7 @@ struct GroupSearch {
 /// Whether a prime l has d/2 < l < d - 2, so that a cycle of this length can be looked for.
 bool has_cycle_length(int degree);
 
-/// Computes fibres until the group is known, or looks smaller, or there are as many as the options
-/// say.
+/// Computes fibres until the group is known, or there are as many as the options say.
 GroupSearch find_group(std::size_t number, int degree, const GroupOptions& options);
 
 } // namespace plprove

@@ -78,6 +78,7 @@ class Metadata(unittest.TestCase):
             catalogue = pathlib.Path(folder) / "catalogue.csv"
             self.assertEqual(run([PLPROVE, "export", "--csv", catalogue], folder).returncode, 0)
             paths = {"degrees": SOURCES / "certs/degrees.csv",
+                     "groups": SOURCES / "certs/groups.csv",
                      "family-degrees": SOURCES / "certs/family-degrees.csv",
                      "catalogue": catalogue}
             self.assertEqual([r["name"] for r in self.package["resources"]], list(paths))

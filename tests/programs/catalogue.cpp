@@ -246,6 +246,7 @@ TEST_CASE("every filter of list means its condition in SQL") {
         {"--degree 300..", "degree >= 300"},
         {"--degree ..299", "degree <= 299"},
         {"--degree 312", "degree = 312"},
+        {"--width ..10", "width <= 10"},
     };
     for (const Meaning& meaning : meanings) {
         CAPTURE(meaning.filter);

@@ -1,6 +1,7 @@
 // `plprove group`, and what plcheck makes of its files and of those that are committed.
 #include "tests/support/programs.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,43 @@ std::map<std::size_t, std::string> certified_groups(const std::string& files) {
                                            .get<std::vector<std::pair<std::size_t, std::string>>>())
         groups[number] = group;
     return groups;
+}
+
+/// A row of certs/groups.csv.
+struct GroupRow {
+    std::string line;
+    std::size_t number = 0;
+    std::string group, order;
+    int width = 0;
+    std::string status;
+};
+
+std::vector<GroupRow> rows_on_file() {
+    std::vector<GroupRow> rows;
+    const std::regex form(R"re((\d+),"([^"]*)","([^"]*)",(\d+),"(certified|evidence)")re");
+    for (const std::string& line : lines_of(read_file(certs + "groups.csv"))) {
+        if (line.starts_with('#') || line == "number,group,order,width,status") continue;
+        CAPTURE(line);
+        std::smatch cells;
+        REQUIRE(std::regex_match(line, cells, form));
+        rows.push_back(
+            {line, std::stoul(cells[1]), cells[2], cells[3], std::stoi(cells[4]), cells[5]});
+    }
+    return rows;
+}
+
+std::string without_commas(std::string text) {
+    std::erase(text, ',');
+    return text;
+}
+
+/// How many solutions each step of a group has, the last step first.
+std::vector<int> numbers_in(const std::string& group) {
+    std::vector<int> numbers;
+    const std::regex number(R"(\d+)");
+    for (std::sregex_iterator at(group.begin(), group.end(), number), end; at != end; ++at)
+        numbers.push_back(std::stoi(at->str()));
+    return numbers;
 }
 
 const std::map<std::size_t, std::string>& committed_groups() {
@@ -47,21 +85,133 @@ TEST_CASE(
     const std::map<std::size_t, std::string>& certified = committed_groups();
     for (const auto& [number, group] : certified) {
         const Outcome report = run(plprove + " problem --json " + std::to_string(number));
-        CHECK(nlohmann::json::parse(report.out)["group"] ==
-              nlohmann::json{{"name", group}, {"status", "certified"}});
+        const nlohmann::json json = nlohmann::json::parse(report.out)["group"];
+        CHECK(json["name"] == group);
+        CHECK(json["order"] == group.substr(1) + "!");
+        CHECK(json["width"] == std::stoi(group.substr(1)));
+        CHECK(json["status"] == "certified");
         CHECK(run(plprove + " problem " + std::to_string(number))
                   .out.find("\ngroup       " + group + " certified\n") != std::string::npos);
     }
-    std::size_t rows = 0;
-    for (const std::string& line : lines_of(read_file(certs + "groups.csv"))) {
-        if (line.starts_with('#') || line == "number,group") continue;
-        ++rows;
-        const std::size_t comma = line.find(',');
-        CHECK('"' + certified.at(std::stoul(line.substr(0, comma))) + '"' ==
-              line.substr(comma + 1));
+    std::map<std::size_t, std::string> called_certified;
+    for (const GroupRow& row : rows_on_file())
+        if (row.status == "certified") called_certified[row.number] = row.group;
+    CHECK(called_certified == certified);
+    CHECK(run(plprove + " problem 124055").out.find("\ngroup ") == std::string::npos);
+}
+
+TEST_CASE("the groups on file keep to the laws of degrees, parts and families") {
+    const std::vector<GroupRow> rows = rows_on_file();
+    CHECK(rows.size() > 300);
+    std::map<std::size_t, nlohmann::json> classes;
+    const nlohmann::json listed =
+        nlohmann::json::parse(run(plprove + " list --minimal --format json").out);
+    for (const nlohmann::json& entry : listed.at("classes"))
+        classes[entry.at("number").get<std::size_t>()] = entry;
+    for (const GroupRow& row : rows) {
+        CAPTURE(row.number);
+        const nlohmann::json& entry = classes.at(row.number);
+        const int degree = entry.at("degree").get<int>();
+        int product = 1, hardest = 1;
+        for (const int step : numbers_in(row.group)) {
+            product *= step;
+            hardest = std::max(hardest, step == 4 ? 3 : step);
+        }
+        CHECK(product == degree);
+        CHECK(row.width <= hardest);
+        // Five points that two views share have 10 essential matrices, each with a twisted pair.
+        // Where two pairs of views share five points, the essential matrices are the first steps.
+        const bool has_five_points =
+            row.group.ends_with("S2 wr S10") || row.group.ends_with("<S2 wr S2 wr S10 wr S10");
+        CHECK(has_five_points == entry.at("five_point").get<bool>());
+        // A point with six pins in each view: a quartic and square roots, Theorem 4.
+        CHECK((row.width <= 3) == (degree == 64));
     }
-    CHECK(rows > 0);
-    CHECK(run(plprove + " problem 6720").out.find("\ngroup ") == std::string::npos);
+}
+
+TEST_CASE("plprove group says by loops what certs/groups.csv has, and adds rows to a table") {
+    const nlohmann::json found =
+        nlohmann::json::parse(run(plprove + " group 4767 --json").out)["evidence"];
+    const auto rows = rows_on_file();
+    const auto row = std::ranges::find(rows, 4767U, &GroupRow::number);
+    REQUIRE(row != rows.end());
+    CHECK(found["group"] == row->group);
+    CHECK(found["order"] == row->order);
+    CHECK(found["width"] == row->width);
+    CHECK(found["steps"] == std::vector<int>{10, 2, 8});
+    CHECK(run(plprove + " group 4767")
+              .out.find("\ngroup       a subgroup of S8 wr S2 wr S10: evidence, by ") !=
+          std::string::npos);
+
+    // The table goes on where it was: the row of class 4 stays as it is.
+    const TemporaryFolder folder;
+    const std::string table = (folder / "groups.csv").string();
+    write_file(table, "number,group,order,width,status\n4,\"kept\",\"1\",1,\"evidence\"\n");
+    const Outcome made = run(plprove + " group --up-to 64 -o " + table);
+    CHECK(made.status == 0);
+    CHECK(made.err.empty());
+    const std::string text = read_file(table);
+    CHECK(text.find("\n4,\"kept\",\"1\",1,\"evidence\"\n") != std::string::npos);
+    for (const GroupRow& one : rows)
+        if (numbers_in(one.group) == std::vector<int>{2, 2, 2, 2, 4} && one.number != 4)
+            CHECK(text.find("\n" + one.line + "\n") != std::string::npos);
+    write_file(table, "not a table\n");
+    const Outcome refused = run(plprove + " group --up-to 64 -o " + table);
+    CHECK(refused.status == 2);
+    CHECK(refused.err.find("groups.csv:1: not a row of a table of groups: give another file, or a "
+                           "new one") != std::string::npos);
+    CHECK(read_file(table) == "not a table\n");
+}
+
+TEST_CASE("docs/groups.md counts the classes of certs/groups.csv that decompose, and all") {
+    std::map<std::string, int> on_file, shown;
+    int symmetric = 0;
+    const std::vector<GroupRow> rows = rows_on_file();
+    for (const GroupRow& row : rows)
+        if (row.group.find(" wr ") == std::string::npos)
+            ++symmetric;
+        else
+            ++on_file[row.group + " " + std::to_string(row.width)];
+    const std::regex form(R"re(\| \d+ \| (\d+) \| `([^`]*)` \| (\d+) \|)re");
+    const std::string page = read_file(SOURCE_DIR "/docs/groups.md");
+    for (const std::string& line : lines_of(page)) {
+        std::smatch cells;
+        if (std::regex_match(line, cells, form))
+            shown[std::string(cells[2]) + " " + std::string(cells[3])] += std::stoi(cells[1]);
+    }
+    CHECK(shown == on_file);
+    CHECK(without_commas(page).find("**" + std::to_string(symmetric) + " of the " +
+                                    std::to_string(rows.size()) + "**") != std::string::npos);
+}
+
+TEST_CASE("problems of other lists have the groups that docs/groups.md shows") {
+    const std::regex form(R"re(\| `([^`]*)` \| (\d+) \| `([^`]*)` \| (\d+) \|)re");
+    int rows = 0;
+    for (const std::string& line : lines_of(read_file(SOURCE_DIR "/docs/groups.md"))) {
+        std::smatch cells;
+        if (!std::regex_match(line, cells, form)) continue;
+        CAPTURE(line);
+        ++rows;
+        const Outcome outcome = run(plprove + " group --json '" + std::string(cells[1]) + "'");
+        REQUIRE(outcome.status == 0);
+        const nlohmann::json found = nlohmann::json::parse(outcome.out);
+        CHECK(found["degree"] == std::stoi(cells[2]));
+        CHECK(found["evidence"]["group"] == std::string(cells[3]));
+        CHECK(found["evidence"]["width"] == std::stoi(cells[4]));
+    }
+    CHECK(rows == 6);
+    // A cubic.
+    CHECK(run(plprove + " group 'projective: 7*P/P'").out.find("\ngroup       S3: ") !=
+          std::string::npos);
+}
+
+TEST_CASE("plcheck names the groups that it has certified") {
+    const Outcome one =
+        run(plcheck + ' ' + certs + "classification.plc " + certs + "groups/69.plc");
+    CHECK(one.out.find("; the group of class 69 (S240)") != std::string::npos);
+    const Outcome two = run(plcheck + ' ' + certs + "classification.plc " + certs +
+                            "groups/69.plc " + chicago_group);
+    CHECK(two.out.find("; the groups of classes 69 (S240) and 2394 (S312)") != std::string::npos);
 }
 
 TEST_CASE("with a record less the group is not known, or not to be all permutations") {
@@ -98,8 +248,9 @@ TEST_CASE("fibres of a problem whose group is smaller are certified lower bounds
 
 TEST_CASE("what has no group to look for is refused with advice") {
     for (const auto& [problem, reason] : std::map<std::string, std::string>{
-             {"5*P/P", "is not minimal in three calibrated views: give a problem that is"},
-             {"7*P/P/P", "is not minimal in three calibrated views: give a problem that is"},
+             {"4*P/P", "is not minimal: give a problem that is"},
+             {"projective: 6*P/P/P + 2*a/a/a", "is not on file: give a problem of"},
+             {"7*P/P/P", "is not minimal: give a problem that is"},
              {"nonsense", "nonsense"}}) {
         CAPTURE(problem);
         const Outcome outcome = run(plprove + " group '" + problem + "'");
@@ -107,4 +258,8 @@ TEST_CASE("what has no group to look for is refused with advice") {
         CHECK(outcome.err.find(reason) != std::string::npos);
     }
     CHECK(run(plprove + " group 4 --fibres 0").status == 3);
+    CHECK(run(plprove + " group").status == 2);
+    CHECK(run(plprove + " group five-point -o five.plc").status == 2);
+    CHECK(run(plprove + " group 4 --up-to 64 -o table.csv").status == 2);
+    CHECK(run(plprove + " group --up-to 64").status == 2);
 }

@@ -1,0 +1,84 @@
+// The monodromy group by the permutations that loops of images make: evidence.
+#pragma once
+
+#include "prover/groups/blocks.h"
+#include "prover/groups/monodromy_group.h"
+#include "prover/monodromy/solution_loops.h"
+
+namespace plprove {
+
+struct LoopGroup {
+    MonodromyGroup group; ///< that the permutations generate
+    int loops = 0;        ///< how many permutations these are
+};
+
+/// Is told how many loops there are.
+using LoopProgress = std::function<void(int)>;
+
+/// More and more permutations of one set of solutions.
+template <class Loops>
+class LoopPermutations {
+public:
+    LoopPermutations(SolutionLoops<Loops> solutions, const LoopProgress& progress)
+        : solutions_(std::move(solutions)), progress_(progress) {}
+
+    /// Adds so many. Whether these are there.
+    bool add(int more, bool both_ways) {
+        constexpr int too_many = 20;
+        int lost = 0;
+        while (more > 0) {
+            auto next = both_ways ? solutions_.next_both_ways() : solutions_.next();
+            if (!next && ++lost == too_many) return false;
+            if (!next) continue;
+            permutations_.push_back(std::move(*next));
+            --more;
+            if (progress_) progress_(count());
+        }
+        return true;
+    }
+
+    int count() const { return static_cast<int>(permutations_.size()); }
+    const std::vector<Permutation>& permutations() const { return permutations_; }
+
+private:
+    SolutionLoops<Loops> solutions_;
+    const LoopProgress& progress_;
+    std::vector<Permutation> permutations_;
+};
+
+/// Follows loops until ten more of these make the group no larger, or until they make it S_d.
+/// Nothing where too many paths are lost.
+template <class Loops>
+std::optional<LoopGroup> group_of(LoopPermutations<Loops> loops) {
+    // A jump may make a group larger, not smaller. So what is soon found to be S_d is followed both
+    // ways; and a group that seems to be smaller, by more loops.
+    constexpr int few = 3;
+    constexpr int enough = 10;
+    constexpr int most = 100;
+    std::optional<MonodromyGroup> group;
+    while (loops.count() < most) {
+        const bool at_first = loops.count() < 2 * few;
+        if (!loops.add(at_first ? few : enough, at_first)) return std::nullopt;
+        if (!is_transitive(loops.permutations())) continue;
+        MonodromyGroup larger = monodromy_group(loops.permutations());
+        if (larger.is_symmetric() || (!at_first && group == larger))
+            return LoopGroup{std::move(larger), loops.count()};
+        group = std::move(larger);
+    }
+    return std::nullopt;
+}
+
+/// The same for the first images, of several that `solutions_at(attempt)` gives, for which it
+/// succeeds.
+template <class SolutionsAt>
+std::optional<LoopGroup> group_by_loops(const LoopProgress& progress, SolutionsAt solutions_at) {
+    constexpr std::uint64_t most_images = 4;
+    for (std::uint64_t attempt = 0; attempt < most_images; ++attempt) {
+        auto solutions = solutions_at(attempt);
+        if (!solutions.complete()) continue;
+        if (auto group = group_of(LoopPermutations(std::move(solutions), progress))) return group;
+    }
+    return std::nullopt;
+}
+
+} // namespace plprove

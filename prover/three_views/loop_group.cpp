@@ -1,0 +1,17 @@
+#include "prover/three_views/loop_group.h"
+
+#include "prover/three_views/camera_loops.h"
+
+namespace plprove {
+
+std::optional<LoopGroup> group_of_loops(std::size_t number, int degree, std::uint64_t seed,
+                                        const LoopProgress& progress) {
+    constexpr std::uint64_t seeds = 4; // one an attempt
+    const CameraSystem system = camera_system(label_classes()[number]);
+    return group_by_loops(progress, [&](std::uint64_t attempt) {
+        return SolutionLoops(camera_monodromy(CameraLoops(system, seeds * seed + attempt, number)),
+                             degree, near_at_path_ends);
+    });
+}
+
+} // namespace plprove
