@@ -44,6 +44,7 @@ struct Entry {
 
     bool minimal() const { return obstruction.deficiency() == 0; }
     int rank() const { return camera_dimension - obstruction.deficiency(); }
+    std::optional<int> width() const { return group ? std::optional(group->width) : std::nullopt; }
     /// Whether the class stands for its terminal problem: the first member of a minimal swap class.
     bool terminal() const { return minimal() && swap_class == number; }
 };

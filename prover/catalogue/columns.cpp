@@ -17,6 +17,11 @@ Value flag_value(bool holds) {
     return holds ? 1 : 0;
 }
 
+Value known_value(const std::optional<int>& number) {
+    if (!number) return std::monostate{};
+    return *number;
+}
+
 Value text_value(const std::optional<ClassGroup>& group, std::string_view ClassGroup::*member) {
     if (!group) return std::monostate{};
     return std::string((*group).*member);
@@ -120,10 +125,7 @@ const Column table[] = {
      "minimal, and its terminal problem is one of the 66 linear in the trifocal tensor",
      [](const Entry& e) { return flag_value(e.families.trifocal_linear); }},
     {"degree", integer, true, "the number of solutions for the cameras, of a minimal class",
-     [](const Entry& e) -> Value {
-         if (!e.degree) return std::monostate{};
-         return *e.degree;
-     }},
+     [](const Entry& e) { return known_value(e.degree); }},
     {"group", text, true,
      "how loops of photos permute the solutions, where it is known: S312 for all permutations, <S8 "
      "wr S2 wr S10 for a subgroup of those that keep 10 blocks of 2 blocks of 8 together",
@@ -132,10 +134,7 @@ const Column table[] = {
      [](const Entry& e) { return text_value(e.group, &ClassGroup::order); }},
     {"width", integer, true,
      "how many solutions the hardest step of the problem has, by its group (Galois width)",
-     [](const Entry& e) -> Value {
-         if (!e.group) return std::monostate{};
-         return e.group->width;
-     }},
+     [](const Entry& e) { return known_value(e.width()); }},
     {"group_status", text, true,
      "certified: plcheck certifies the group by certs/groups; evidence: loops that plprove "
      "followed",

@@ -75,11 +75,6 @@ bool matches_known(const std::optional<Range>& wanted, const std::optional<int>&
     return !wanted || (known && wanted->contains(*known));
 }
 
-std::optional<int> width_of(const Entry& entry) {
-    if (!entry.group) return std::nullopt;
-    return entry.group->width;
-}
-
 bool matches_parts(const Filter& filter, const Signature& signature) {
     const auto contains_it = [&](const Part& part) { return contains(signature, part); };
     const auto is_contained_in_it = [&](const Part& part) { return is_contained(signature, part); };
@@ -123,7 +118,7 @@ bool matches(const Filter& filter, const Entry& entry) {
     return matches_flags(filter, entry) && matches_counts(filter, entry) &&
            matches_obstruction(filter.obstruction, entry.obstruction) &&
            matches_known(filter.degree, entry.degree) &&
-           matches_known(filter.width, width_of(entry)) && matches_parts(filter, entry.signature);
+           matches_known(filter.width, entry.width()) && matches_parts(filter, entry.signature);
 }
 
 } // namespace plprove

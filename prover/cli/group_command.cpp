@@ -25,25 +25,23 @@ namespace plprove {
 namespace {
 
 constexpr const char* group_examples =
-    "Move the images around a loop: the solutions come back in another order. These permutations\n"
-    "are the monodromy group. If it contains all even ones, the problem does not decompose into\n"
-    "smaller ones; if it keeps blocks of solutions together, it does. plprove follows the "
-    "solutions\n"
-    "around loops, numerically: what it says is evidence. With -o it looks for a certificate, "
-    "too:\n"
-    "it computes all solutions modulo a prime, for random images (a fibre). The factors of their\n"
-    "polynomial are as long as the cycles of a permutation in the group. plcheck certifies by "
-    "them\n"
-    "that the group contains all even permutations (docs/groups.md).\n\n"
+    "Move the images around a loop: the solutions come back in another order. These\n"
+    "permutations are the monodromy group. If it contains all even ones, the problem does not\n"
+    "decompose into smaller ones; if it keeps blocks of solutions together, it does. plprove\n"
+    "follows the solutions around loops, numerically: what it says is evidence.\n\n"
+    "With -o it looks for a certificate, too: it computes all solutions modulo a prime, for\n"
+    "random images (a fibre). The factors of their polynomial are as long as the cycles of a\n"
+    "permutation in the group. By them plcheck certifies that the group contains all even\n"
+    "permutations (docs/groups.md).\n\n"
     "Examples:\n"
     "  plprove group Chicago                        takes a second\n"
     "  plprove group 2394 -o chicago.plc            with a certificate, two minutes\n"
     "  plprove group '3*P/P/P + a/a/a' --json       for machines\n"
     "  plprove group five-point                     two views\n"
     "  plprove group 'projective: 7*P/P'            lists of two more papers\n"
-    "  plcheck --expect '2*Pa/Pa/Pa + P/P/P' --group S312 certs/classification.plc chicago.plc\n"
     "  plprove group --up-to 300 -o groups.csv      a table of all problems of at most 300\n"
-    "                                               solutions; goes on where it was killed\n";
+    "                                               solutions; goes on where it was killed\n"
+    "  plcheck --expect '2*Pa/Pa/Pa + P/P/P' --group S312 certs/classification.plc chicago.plc\n";
 
 struct GroupRequest {
     std::string spec;

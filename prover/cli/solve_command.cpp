@@ -120,7 +120,7 @@ Answer solve_and_certify(const SolveRequest& request, const Solver& solver,
 bool look_like_pixels(const GivenImages& images) {
     const std::array<ExactVector, 3> none{ExactVector{1, 0, 0}, ExactVector{0, 1, 0},
                                           ExactVector{0, 0, 1}};
-    const int largest = 10;
+    constexpr int largest = 10;
     const auto far = [&](const GivenSighting& sighting) {
         if (const auto& point = sighting.point)
             if (abs((*point)[0]) > largest || abs((*point)[1]) > largest) return true;
@@ -170,7 +170,8 @@ int run_solve(const SolveRequest& request, const Deliver& deliver) {
         deliver(request.path, images_file(synthetic_scene(problem, 1)));
         return 0;
     }
-    if (request.images.empty() && std::filesystem::is_regular_file(request.spec)) {
+    std::error_code none; // a problem may be too long for a name of a file
+    if (request.images.empty() && std::filesystem::is_regular_file(request.spec, none)) {
         SolveRequest named = request;
         std::swap(named.spec, named.images);
         return solve_images(named, deliver);

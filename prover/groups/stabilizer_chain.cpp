@@ -29,7 +29,7 @@ std::vector<int> StabilizerChain::orbit_lengths() const {
     return result;
 }
 
-bool StabilizerChain::lacks(const Level& level, const Permutation& element) {
+bool StabilizerChain::leaves(const Level& level, const Permutation& element) {
     const int image = element[as_index(level.point)];
     return image != level.point && level.arrived_by[as_index(image)] == none;
 }
@@ -41,7 +41,7 @@ bool StabilizerChain::learn(Permutation element) {
     for (std::size_t i = 0; !is_identity(element); ++i) {
         if (i == levels_.size()) levels_.push_back({first_moved(element), {}, {}, {}});
         Level& level = levels_[i];
-        if (level.inverses.size() < few || lacks(level, element)) {
+        if (level.inverses.size() < few || leaves(level, element)) {
             add(level, element);
             grew = true;
         }

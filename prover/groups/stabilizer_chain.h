@@ -28,8 +28,8 @@ private:
     /// Multiplies the element by others of the chain until it fixes the points of all levels, one
     /// after the other. Where one level learns from it, the chain grows. Whether it did.
     bool learn(Permutation element);
-    /// Whether the level has few generators, or its orbit lacks a point.
-    static bool lacks(const Level& level, const Permutation& element);
+    /// Whether the element moves the point of the level out of its orbit.
+    static bool leaves(const Level& level, const Permutation& element);
     static void add(Level& level, const Permutation& element);
 
     std::vector<Level> levels_;

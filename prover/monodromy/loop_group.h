@@ -68,13 +68,14 @@ std::optional<LoopGroup> group_of(LoopPermutations<Loops> loops) {
     return std::nullopt;
 }
 
-/// The same for the first images, of several that `solutions_at(attempt)` gives, for which it
-/// succeeds.
+/// The same for the first of several images for which it succeeds: `solutions_at(seed)` gives the
+/// solutions for those of a seed.
 template <class SolutionsAt>
-std::optional<LoopGroup> group_by_loops(const LoopProgress& progress, SolutionsAt solutions_at) {
+std::optional<LoopGroup> group_by_loops(std::uint64_t seed, const LoopProgress& progress,
+                                        SolutionsAt solutions_at) {
     constexpr std::uint64_t most_images = 4;
     for (std::uint64_t attempt = 0; attempt < most_images; ++attempt) {
-        auto solutions = solutions_at(attempt);
+        auto solutions = solutions_at(most_images * seed + attempt);
         if (!solutions.complete()) continue;
         if (auto group = group_of(LoopPermutations(std::move(solutions), progress))) return group;
     }

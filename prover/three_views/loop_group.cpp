@@ -6,11 +6,10 @@ namespace plprove {
 
 std::optional<LoopGroup> group_of_loops(std::size_t number, int degree, std::uint64_t seed,
                                         const LoopProgress& progress) {
-    constexpr std::uint64_t seeds = 4; // one an attempt
     const CameraSystem system = camera_system(label_classes()[number]);
-    return group_by_loops(progress, [&](std::uint64_t attempt) {
-        return SolutionLoops(camera_monodromy(CameraLoops(system, seeds * seed + attempt, number)),
-                             degree, near_at_path_ends);
+    return group_by_loops(seed, progress, [&](std::uint64_t own_seed) {
+        return SolutionLoops(camera_monodromy(CameraLoops(system, own_seed, number)), degree,
+                             near_at_path_ends);
     });
 }
 

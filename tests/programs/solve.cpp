@@ -207,6 +207,18 @@ TEST_CASE("the problem may stand in the file alone") {
     CHECK(alone.out == named.out);
 }
 
+TEST_CASE("a problem without a file is refused, however long it is") {
+    const Session session;
+    std::string long_one = "P/P";
+    for (int i = 0; i < 2000; ++i)
+        long_one += " + P/P";
+    for (const std::string& problem : {std::string("five-point"), "'" + long_one + "'"}) {
+        const Outcome outcome = session.plprove("solve " + problem);
+        CHECK(outcome.status == 3);
+        CHECK(outcome.err.find("solve needs a problem and a file of images") != std::string::npos);
+    }
+}
+
 TEST_CASE("pixels without cameras are warned of, on standard error and in JSON") {
     const Session session;
     session.plprove("solve --example five-point -o images.json");
