@@ -31,7 +31,8 @@ constexpr const char* solve_examples =
     "                                       images of a synthetic scene to try\n"
     "  plprove solve Chicago images.json    its cameras\n"
     "  plprove solve Chicago images.json --json -o answer.json\n"
-    "                                       every solution, for machines\n"
+    "                                       every solution, for machines; --real leaves out those\n"
+    "                                       that are not real\n"
     "  plprove solve Chicago images.json --certify mine.plc\n"
     "  plcheck mine.plc                     proves that each solution exists";
 
@@ -65,6 +66,7 @@ struct SolveRequest {
     std::string certificate;
     std::string example;
     bool json = false;
+    bool real = false; ///< leaves out solutions that are not real
     SolveOptions options;
 };
 
@@ -153,12 +155,15 @@ int solve_images(const SolveRequest& request, const Deliver& deliver) {
     refuse_degenerate(report.images);
     const Solver solver = solver_for(request, problem);
     report.number = solver.plan().number;
+    ProgressLine line("finding solutions", static_cast<std::size_t>(solver.degree()));
+    line.show(0);
     if (request.certificate.empty())
         report.answer = solver.solve(rounded(report.images, images), request.options);
     else if (!report.number)
         report.answer = solve_and_certify_two_views(request, solver, images, deliver, report);
     else
         report.answer = solve_and_certify(request, solver, images, deliver, report);
+    line.wipe();
     deliver(request.path, request.json ? json_report(report) : text_report(report));
     return report.answer.found > 0 ? 0 : exit_failure;
 }
@@ -196,9 +201,12 @@ Command add_solve_command(CLI::App& program, const Deliver& deliver) {
     app->add_option("-o,--output", request->path, "the file to write, - for standard output")
         ->capture_default_str();
     app->add_flag("--json", request->json, "print JSON");
-    app->add_option("--certify", request->certificate,
-                    "also write a certificate for these images: plcheck replays it")
-        ->type_name("FILE");
+    CLI::Option* certify =
+        app->add_option("--certify", request->certificate,
+                        "also write a certificate for these images: plcheck replays it")
+            ->type_name("FILE");
+    app->add_flag("--real", request->real, "only real solutions: a large problem has many others")
+        ->excludes(certify);
     app->add_option("--start", request->start, "the start to use, instead of the one in the cache")
         ->type_name("FILE");
     app->add_option("--example", request->example,
@@ -210,7 +218,10 @@ Command add_solve_command(CLI::App& program, const Deliver& deliver) {
         ->check(CLI::Range(1U, 256U))
         ->capture_default_str();
     app->footer(solve_examples);
-    return {app, [request, deliver] { return run_solve(*request, deliver); }};
+    return {app, [request, deliver] {
+                request->options.complex = !request->real;
+                return run_solve(*request, deliver);
+            }};
 }
 
 Command add_start_command(CLI::App& program, const Deliver& deliver) {

@@ -33,6 +33,18 @@ public:
         while (take(' ')) {
         }
     }
+    /// What is written here is no feature at all if it has letters, and no '/'.
+    void refuse_word_without_views() const {
+        const std::string_view word =
+            text_.substr(position_).substr(0, text_.find_first_of(" +", position_) - position_);
+        const auto is_letter = [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        };
+        if (word.size() < 2 || !std::ranges::all_of(word, is_letter)) return;
+        fail_at(column(),
+                "'" + std::string(word.substr(0, longest_word)) +
+                    "' is no feature: write what each view sees, with '/' between, as in P/P/P");
+    }
     [[noreturn]] void fail(const std::string& expected) const {
         const std::string found = at_end() ? "the end" : describe(text_.substr(position_));
         fail_at(column(), "found " + found + ", expected " + expected);
@@ -42,6 +54,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t longest_word = 40; ///< in messages
+
     /// What the text begins with.
     static std::string describe(std::string_view text) {
         const auto code = static_cast<unsigned char>(text.front());
@@ -156,6 +170,7 @@ private:
 
     Written written() {
         Written text{cursor_.column(), {}, {}};
+        cursor_.refuse_word_without_views();
         const std::size_t most = in_general_ ? most_views : 3;
         do
             text.views.push_back(symbol());

@@ -59,8 +59,14 @@ public:
                        printable(json_.dump(), longest_quote));
     }
 
+    /// Says what to give in place of what there is, without quoting it.
+    [[noreturn]] void refuse(const std::string& advice) const {
+        throw BadInput(place() + ": " + advice);
+    }
+
     bool is_null() const { return json_.is_null(); }
     bool is_object() const { return json_.is_object(); }
+    bool is_list() const { return json_.is_array(); }
 
     std::vector<Field> list(const std::string& expected) const {
         if (!json_.is_array()) expect(expected);
@@ -211,12 +217,39 @@ GivenSighting read_sighting(const Field& field, const Feature& feature, int view
     return sighting;
 }
 
+/// What the views see of a feature as the file has it, such as Pa/Pa/a; `?` where it is no feature.
+std::string seen_in(const Field& feature) {
+    const auto views = feature.is_object() ? feature.find("views") : std::nullopt;
+    if (!views || !views->is_list()) return "?";
+    std::string seen;
+    for (const Field& view : views->list("")) {
+        std::string sight;
+        if (view.is_object()) {
+            if (view.find("point")) sight += 'P';
+            const auto lines = view.find("lines");
+            if (lines && lines->is_object())
+                for (char letter = 'a'; letter <= 'z'; ++letter)
+                    if (lines->find(std::string(1, letter))) sight += letter;
+        }
+        seen += (seen.empty() ? "" : "/") + (sight.empty() ? "-" : sight);
+    }
+    return seen.empty() ? "?" : seen;
+}
+
+/// Refuses the features, as they are not as many as those of the problem.
+[[noreturn]] void refuse_number(const Field& field, const std::vector<Field>& features,
+                                const Features& problem) {
+    std::string given;
+    for (const Field& feature : features)
+        given += (given.empty() ? "" : " + ") + seen_in(feature);
+    field.refuse("these are " + std::to_string(features.size()) +
+                 (given.empty() ? "" : ", " + printable(given, longest_quote)) + ": give the " +
+                 std::to_string(problem.size()) + " of " + notation(problem) + ", in this order");
+}
+
 void read_features(const Field& field, GivenImages& images) {
     const auto features = field.list("a list of features");
-    if (features.size() != images.problem.size())
-        field.expect(std::to_string(images.problem.size()) + " features, those of " +
-                     notation(images.problem) + " in this order; these are " +
-                     std::to_string(features.size()));
+    if (features.size() != images.problem.size()) refuse_number(field, features, images.problem);
     for (std::size_t f = 0; f < features.size(); ++f) {
         const Feature& feature = images.problem[f];
         features[f].require_object({"views", "name"});

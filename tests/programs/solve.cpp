@@ -234,6 +234,38 @@ TEST_CASE("pixels without cameras are warned of, on standard error and in JSON")
     CHECK(outcome.err.find("coordinates look like pixels") != std::string::npos);
 }
 
+TEST_CASE("those who want real solutions get no others, and hear how many there are") {
+    const Session session;
+    session.plprove("solve --example five-point -o images.json");
+    const Json all = Json::parse(session.plprove("solve images.json --json").out);
+    const Json real = Json::parse(session.plprove("solve images.json --json --real").out);
+    CHECK(real["found"] == 20);
+    CHECK(real["complete"] == "certified");
+    CHECK(real["solutions"].size() == 8);
+    for (std::size_t i = 0; i < 8; ++i)
+        CHECK(real["solutions"][i] == all["solutions"][i]);
+    CHECK(session.plprove("solve images.json --real --certify mine.plc").status == 3);
+}
+
+TEST_CASE("what rounding errors make of enormous coordinates is no solution") {
+    const Session session;
+    session.plprove("solve --example five-point -o images.json");
+    Json images = session.json("images.json");
+    images.erase("cameras");
+    for (Json& feature : images["features"])
+        for (Json& view : feature["views"])
+            for (Json& x : view["point"])
+                x = std::round(1e6 * x.get<double>());
+    write_file(session / "far.json", images.dump());
+    const Outcome outcome = session.plprove("solve far.json --json");
+    CHECK(outcome.status == 1);
+    const Json answer = Json::parse(outcome.out);
+    CHECK(answer["complete"] == "unknown");
+    CHECK(answer["found"].get<int>() < 20);
+    for (const Json& solution : answer["solutions"])
+        CHECK(solution["residual"].get<double>() < 1e7);
+}
+
 TEST_CASE("what cannot be solved yet is said, and is no mistake of notation") {
     const Session session;
     const std::vector<std::pair<std::string, std::string>> problems{

@@ -88,6 +88,7 @@ TEST_CASE("what is written is read as the same problem") {
 TEST_CASE("what cannot be is refused, with what to write instead") {
     const std::pair<const char*, const char*> refused[] = {
         {"P", "expected '/'"},
+        {"P/P + foo", "column 7: 'foo' is no feature: write what each view sees"},
         {"", "found the end, expected what a view sees"},
         {"P/P + P/P/P", "column 7: found 3 views, expected 2"},
         {"P/P/P/P/P/P/P/P/P/P/P/P/P", "expected at most 12 views"},
