@@ -22,7 +22,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL programs checker-library documents)
-if(PLC_PROVER)
+if(TARGET pointline)
   list(APPEND CPACK_COMPONENTS_ALL library)
 endif()
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME ${CPACK_PACKAGE_NAME})
@@ -56,7 +56,8 @@ set(CPACK_COMPONENT_CHECKER-LIBRARY_DESCRIPTION
 "${question} This is plcheck, which replays it, as a library.")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
 "Which points and lines in three photos fix the cameras? This library finds all
-cameras and scenes that explain given photos of a minimal problem.")
+cameras and scenes that explain given photos of a minimal problem, and the
+cameras that explain most of many matches, some of them wrong.")
 set(CPACK_COMPONENT_DOCUMENTS_DESCRIPTION
 "${question} Here are all certificates, their format, and the
 proofs on which the checker rests.")

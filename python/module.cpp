@@ -1,31 +1,11 @@
 // The Python module pointline._pointline: the library in numpy arrays. pointline/__init__.py makes
 // it what users see.
+#include "convert.h"
+
 #include <pointline/problem.h>
 #include <pointline/solver.h>
 
-#include <limits>
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
-namespace py = pybind11;
-
 namespace {
-
-using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-/// What can fail raises ValueError, or OSError for files.
-template <class T>
-T value(pointline::Result<T> result) {
-    if (result) return *result;
-    if (result.error().failure == pointline::Failure::system) {
-        PyErr_SetString(PyExc_OSError, result.error().message.c_str());
-        throw py::error_already_set();
-    }
-    throw py::value_error(result.error().message);
-}
 
 /// A solver and what its arrays look like.
 struct Solver {
@@ -182,4 +162,5 @@ PYBIND11_MODULE(_pointline, module) {
         .def("solve", solve);
     module.def("problem", [](const std::string& text) { return value(pointline::problem(text)); });
     module.def("make", make);
+    add_estimator(module);
 }

@@ -12,7 +12,7 @@ std::optional<ExtensionSolver> ExtensionSolver::make(const Signature&) {
 
 std::vector<QuaternionCameras> ExtensionSolver::cameras(const CameraSystem&,
                                                         const std::vector<Eigen::Vector3d>&,
-                                                        std::uint64_t, unsigned) const {
+                                                        std::uint64_t, unsigned, Wanted) const {
     return {};
 }
 

@@ -59,40 +59,15 @@ PixelLine pixel_line(const pointline::Line& line) {
     return result;
 }
 
-/// Whether the point is on all lines, to rounding.
-bool meet(const Eigen::Vector2d& point, const std::vector<PixelLine>& lines) {
-    constexpr double rounding = 1e-12;
-    return std::ranges::all_of(lines, [&](const PixelLine& line) {
-        const Eigen::Vector3d x = point.homogeneous();
-        return std::abs(line.coefficients.dot(x)) <= rounding * line.coefficients.norm() * x.norm();
-    });
-}
-
 /// The sighting in normalised coordinates. Adds to `moved`.
 Sighting normalised(const pointline::Sighting& given, const Eigen::Matrix3d& K, int lines,
                     double& moved) {
-    Sighting result;
-    result.lines.resize(static_cast<std::size_t>(lines));
-    std::vector<PixelLine> pixel_lines;
+    std::optional<Eigen::Vector2d> point;
+    if (given.point) point.emplace((*given.point)[0], (*given.point)[1]);
+    std::vector<std::optional<PixelLine>> pixel_lines(static_cast<std::size_t>(lines));
     for (const auto& [letter, line] : given.lines)
-        pixel_lines.push_back(pixel_line(line));
-    if (given.point) {
-        Eigen::Vector2d point((*given.point)[0], (*given.point)[1]);
-        if (!meet(point, pixel_lines)) {
-            const PixelStar star = nearest_star(point, pixel_lines);
-            moved = std::max(moved, star.moved);
-            point = star.point;
-            for (std::size_t i = 0; i < pixel_lines.size(); ++i)
-                pixel_lines[i].coefficients = star.lines[i];
-        }
-        result.point =
-            Eigen::Vector3d((point[0] - K(0, 2)) / K(0, 0), (point[1] - K(1, 2)) / K(1, 1), 1);
-    }
-    auto line = pixel_lines.begin();
-    for (const auto& [letter, unused] : given.lines)
-        result.lines[static_cast<std::size_t>(letter - 'a')] =
-            (K.transpose() * (line++)->coefficients).normalized();
-    return result;
+        pixel_lines[static_cast<std::size_t>(letter - 'a')] = pixel_line(line);
+    return normalised_sighting(point, pixel_lines, K, moved);
 }
 
 /// Refuses views with two points at the same place.

@@ -217,7 +217,10 @@ void CameraSolver::register_cameras(const std::vector<Eigen::Vector3d>& images,
                                     const SearchOptions& options, Search& search) const {
     const std::uint64_t most_attempts = options.effort == Effort::thorough ? 2 : 1;
     for (std::uint64_t attempt = 0; attempt < most_attempts && !search.is_complete(); ++attempt)
-        search.add(extension_->cameras(system_, images, attempt, options.threads));
+        search.add(extension_->cameras(system_, images, attempt, options.threads,
+                                       options.effort == Effort::real
+                                           ? ExtensionSolver::Wanted::real_in_front
+                                           : ExtensionSolver::Wanted::all));
 }
 
 std::uint64_t CameraSolver::follow_paths(const Images& images, const SearchOptions& options,
@@ -253,7 +256,9 @@ FoundCameras CameraSolver::solve(const std::vector<Eigen::Vector3d>& images,
     Search search(*this, complex_images(alignment.turned), options.threads);
     if (options.templates && extension_) register_cameras(alignment.turned, options, search);
     std::uint64_t steps = 0;
-    if (options.effort == Effort::thorough || search.found().size() == 0)
+    const bool has_cameras = options.effort == Effort::real ? extension_ && options.templates
+                                                            : search.found().size() > 0;
+    if (options.effort == Effort::thorough || !has_cameras)
         steps = follow_paths(alignment.nearest, options, search);
     FoundCameras result{{}, start_.degree() - search.found().size(), steps};
     for (const CameraPoint& zero : search.found().points())

@@ -21,9 +21,11 @@ struct FoundCameras {
     std::uint64_t steps = 0; ///< of the paths
 };
 
-/// Whether to follow lost paths again, with more digits, and all paths on other ways while some
-/// are lost.
-enum class Effort { once, thorough };
+/// How much to do: `once` follows each path once; `thorough` follows lost paths again, with more
+/// digits, and all paths on other ways while some are lost. `real` is `once` without what leads to
+/// no real cameras, or to none with all points in front, as far as that is seen on the way:
+/// extensions of the five-point problem then take a fraction of the time.
+enum class Effort { real, once, thorough };
 
 struct SearchOptions {
     Effort effort = Effort::thorough;

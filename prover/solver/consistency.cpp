@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 namespace plprove {
 
@@ -58,6 +59,51 @@ PixelStar nearest_star(const Vector2d& point, const std::vector<PixelLine>& line
             star.moved = std::max(star.moved, std::abs(normals[i].dot(p - x)));
     }
     return star;
+}
+
+PixelLine line_through(const Vector2d& p, const Vector2d& q) {
+    return {p.homogeneous().cross(q.homogeneous()), {p, q}};
+}
+
+namespace {
+
+/// Whether the point is on all lines, up to rounding errors.
+bool meet(const Vector2d& point, const std::vector<PixelLine>& lines) {
+    constexpr double tolerated = 1e-12;
+    return std::ranges::all_of(lines, [&](const PixelLine& line) {
+        const Eigen::Vector3d x = point.homogeneous();
+        return std::abs(line.coefficients.dot(x)) <=
+               tolerated * line.coefficients.norm() * x.norm();
+    });
+}
+
+} // namespace
+
+Sighting normalised_sighting(const std::optional<Vector2d>& point,
+                             const std::vector<std::optional<PixelLine>>& lines,
+                             const Eigen::Matrix3d& K, double& moved) {
+    Sighting result;
+    std::vector<PixelLine> seen;
+    for (const auto& line : lines)
+        if (line) seen.push_back(*line);
+    if (point) {
+        Vector2d place = *point;
+        if (!meet(place, seen)) {
+            const PixelStar star = nearest_star(place, seen);
+            moved = std::max(moved, star.moved);
+            place = star.point;
+            for (std::size_t i = 0; i < seen.size(); ++i)
+                seen[i].coefficients = star.lines[i];
+        }
+        result.point =
+            Eigen::Vector3d((place[0] - K(0, 2)) / K(0, 0), (place[1] - K(1, 2)) / K(1, 1), 1);
+    }
+    auto next = seen.begin();
+    for (const auto& line : lines) {
+        result.lines.emplace_back();
+        if (line) result.lines.back() = (K.transpose() * (next++)->coefficients).normalized();
+    }
+    return result;
 }
 
 } // namespace plprove

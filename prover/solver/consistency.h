@@ -1,6 +1,8 @@
 // Lines through points, in one view: what noise has torn apart is moved together again.
 #pragma once
 
+#include "prover/solver/observation.h"
+
 #include <Eigen/Core>
 #include <optional>
 #include <vector>
@@ -14,6 +16,8 @@ struct PixelLine {
     std::vector<Eigen::Vector2d> points;
 };
 
+PixelLine line_through(const Eigen::Vector2d& p, const Eigen::Vector2d& q);
+
 /// A point, and lines through it.
 struct PixelStar {
     Eigen::Vector2d point;
@@ -26,5 +30,12 @@ struct PixelStar {
 /// point from a line that was given by coefficients, which keeps its direction. Minimised by turns
 /// over the point and the directions, from where they were.
 PixelStar nearest_star(const Eigen::Vector2d& point, const std::vector<PixelLine>& lines);
+
+/// What a view sees of a feature, in normalised coordinates: the point and lines given in pixels,
+/// moved to the nearest star where they do not meet. `K` takes normalised coordinates to pixels.
+/// `moved` grows to the largest distance, in pixels, that something was moved.
+Sighting normalised_sighting(const std::optional<Eigen::Vector2d>& point,
+                             const std::vector<std::optional<PixelLine>>& lines,
+                             const Eigen::Matrix3d& K, double& moved);
 
 } // namespace plprove

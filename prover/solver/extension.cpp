@@ -39,6 +39,30 @@ bool is_second_of_pair(const ComplexPose& pose) {
     return pose.R(row, column).imag() < 0;
 }
 
+/// Entries of rotations with smaller imaginary parts may be real: these have few digits.
+constexpr double maybe_real = 1e-3;
+
+bool may_be_real(const Eigen::Matrix3cd& rotation) {
+    return rotation.imag().cwiseAbs().maxCoeff() < maybe_real;
+}
+
+/// Whether the rays of all points meet in front of both views, for one sign of the translation.
+bool meet_in_front(const ComplexPose& pose, const std::array<Eigen::Vector3d, 5>& first,
+                   const std::array<Eigen::Vector3d, 5>& second) {
+    const Eigen::Matrix3d R = pose.R.real();
+    const Eigen::Vector3d t = pose.t.real();
+    int positive = 0, negative = 0;
+    for (std::size_t k = 0; k < 5; ++k) {
+        // Depths with second * a = R first * b + t.
+        Eigen::Matrix<double, 3, 2> rays;
+        rays << second[k], -R * first[k];
+        const Eigen::Vector2d depths = (rays.transpose() * rays).inverse() * (rays.transpose() * t);
+        positive += depths.minCoeff() > 0;
+        negative += depths.maxCoeff() < 0;
+    }
+    return positive == 5 || negative == 5;
+}
+
 } // namespace
 
 std::optional<ExtensionSolver> ExtensionSolver::make(const Signature& signature) {
@@ -58,17 +82,21 @@ std::optional<ExtensionSolver> ExtensionSolver::make(const Signature& signature)
 
 std::vector<QuaternionCameras> ExtensionSolver::cameras(const CameraSystem& system,
                                                         const std::vector<Eigen::Vector3d>& images,
-                                                        std::uint64_t attempt,
-                                                        unsigned threads) const {
+                                                        std::uint64_t attempt, unsigned threads,
+                                                        Wanted wanted) const {
     const ClassSights sights(system, images);
     const int first = (third_ + 1) % 3, second = (third_ + 2) % 3;
-    std::vector<ComplexPose> pairs = five_point_poses(shared_points(sights, first, second),
-                                                      shared_points(sights, second, first));
-    std::erase_if(pairs, is_second_of_pair);
+    const auto points = shared_points(sights, first, second);
+    const auto others = shared_points(sights, second, first);
+    std::vector<ComplexPose> pairs = five_point_poses(points, others);
+    std::erase_if(pairs, [&](const ComplexPose& pose) {
+        if (wanted == Wanted::all) return is_second_of_pair(pose);
+        return !may_be_real(pose.R) || !meet_in_front(pose, points, others);
+    });
     std::vector<std::vector<QuaternionCameras>> of_pairs(pairs.size());
     in_parts(pairs.size(), threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
-            of_pairs[k] = with_third(sights, pairs[k], attempt);
+            of_pairs[k] = with_third(sights, pairs[k], attempt, wanted);
     });
     std::vector<QuaternionCameras> result;
     for (const auto& cameras : of_pairs)
@@ -78,11 +106,13 @@ std::vector<QuaternionCameras> ExtensionSolver::cameras(const CameraSystem& syst
 
 std::vector<QuaternionCameras> ExtensionSolver::with_third(const ClassSights& sights,
                                                            const ComplexPose& pair,
-                                                           std::uint64_t attempt) const {
+                                                           std::uint64_t attempt,
+                                                           Wanted wanted) const {
     const auto scene = known_scene(sights, third_, pair);
     const FramedScene framed = in_frame(scene, registration_.frame(), attempt);
     std::vector<QuaternionCameras> result;
     for (const Eigen::Matrix3cd& rotation : registration_.rotations(framed.scene)) {
+        if (wanted == Wanted::real_in_front && !may_be_real(rotation)) continue;
         std::vector<ComplexPose> poses(3);
         poses[static_cast<std::size_t>((third_ + 2) % 3)] = pair;
         ComplexPose& third = poses[static_cast<std::size_t>(third_)];

@@ -8,6 +8,8 @@
     for R, t in zip(answer.R, answer.t):
         ...
 
+Many matches, some of them wrong: `pointline.estimate_poses`.
+
 A view sees the point X of space at K (R X + t). Images are in pixels, or in normalised coordinates
 where no K is given. The distance from camera 1 to camera 2 is the unit of length in space.
 docs/python.md of the project says more.
@@ -17,12 +19,13 @@ import operator
 import os
 import warnings
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
 from . import _pointline
 
-__all__ = ["Answer", "Problem", "Solver", "problem"]
+__all__ = ["Answer", "Estimate", "Offer", "Problem", "Solver", "estimate_poses", "offers", "problem"]
 
 
 @dataclass(frozen=True)
@@ -139,9 +142,7 @@ class Solver:
 
         Raises ValueError where the images are not what the problem says that the views see.
         """
-        threads = operator.index(threads)
-        if not 1 <= threads <= 1024:
-            raise ValueError(f"threads is {threads}: give 1 to 1024")
+        threads = _threads(threads)
         content, views = self.problem._content, self.problem.views
         features, count = len(content.points), sum(map(len, content.lines))
         if points is None:
@@ -159,6 +160,151 @@ class Solver:
             points, lines, _intrinsics(K, views), bool(quick), bool(conditions), threads
         )
         return Answer(**found)
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """The poses of V cameras that explain most of N points and L lines."""
+
+    R: np.ndarray  #: (V, 3, 3); camera 1 is the identity
+    t: np.ndarray  #: (V, 3); the distance from camera 1 to camera 2 is 1
+    points: np.ndarray  #: (N, 3) in space; nan where the match is wrong, or tests no cameras
+    line_points: np.ndarray  #: (L, 3): a point of each line; nan alike
+    line_directions: np.ndarray  #: (L, 3): of length 1; nan alike
+    problem: str  #: the minimal problem that was sampled
+    samples: int  #: how many were drawn
+    rms: float  #: pixels: of the distances of all that is explained
+    #: (6 (V - 1), 6 (V - 1)), or None: of the cameras after the first, the rotation vector w of
+    #: exp(w) R in radians, and t
+    covariance: Optional[np.ndarray]
+
+    @property
+    def point_inliers(self):
+        """(N,): which points the cameras explain."""
+        return ~np.isnan(self.points[:, 0])
+
+    @property
+    def line_inliers(self):
+        """(L,): which lines the cameras explain."""
+        return ~np.isnan(self.line_points[:, 0])
+
+    def __repr__(self):
+        explained = [
+            f"{inliers.sum()} of {len(inliers)} {kind}"
+            for kind, inliers in [("points", self.point_inliers), ("lines", self.line_inliers)]
+            if len(inliers)
+        ]
+        return f"Estimate({', '.join(explained)}, {self.rms:.2f} pixels, {self.samples} samples)"
+
+
+@dataclass(frozen=True)
+class Offer:
+    """A minimal problem of which matches have samples."""
+
+    problem: str  #: in notation
+    degree: int  #: how many complex solutions it has
+    milliseconds: float  #: that a sample takes on one core, about
+    #: milliseconds until a sample without wrong matches may be expected, where 30 % are wrong
+    expected: float
+
+
+_estimator = _pointline.Estimator()
+
+
+def estimate_poses(
+    points=None,
+    lines=None,
+    K=None,
+    incidences=(),
+    distortion=None,
+    problem="auto",
+    threshold=2.0,
+    confidence=0.99,
+    least_samples=10,
+    most_samples=1000,
+    seed=0,
+    threads=1,
+    covariance=False,
+):
+    """The poses of two or three cameras from many matches, some of them wrong, as an Estimate.
+
+    RANSAC with local optimisation: samples of a minimal problem give cameras, and those that
+    explain most matches are refined by all that they explain.
+
+    points: (N, V, 2), pixels; nan where a view does not see the point, or nobody found it there.
+    lines: (L, V, 2, 2), two points each, in pixels; nan alike. Other points in other views do.
+    K: (3, 3) or (V, 3, 3), without skew.
+    incidences: (M, 2) integers: a point, and a line through it in space.
+    distortion: (5,) or (V, 5): k1, k2, p1, p2, k3 of the lens, as OpenCV has them.
+    problem: the minimal problem to sample: notation, a name, or the authors' number; "auto" takes
+        the first of `offers`.
+    threshold: pixels; a match that is farther off is wrong.
+    confidence: that among the samples there is one without wrong matches.
+    seed: the same estimate for the same seed.
+    threads: how many threads share the work; the estimate does not depend on it.
+
+    The first call for a problem in three views makes its start, which may take some seconds.
+    Raises ValueError where the matches have no sample, or no sample leads to cameras that explain
+    more matches than the sample.
+    """
+    seed = operator.index(seed)
+    if not 0 <= seed < 2**64:
+        raise ValueError(f"seed is {seed}: give 0 to 2^64 - 1")
+    found = _estimator.estimate(
+        *_matches(points, lines, K, incidences, distortion),
+        str(problem),
+        float(threshold),
+        float(confidence),
+        operator.index(least_samples),
+        operator.index(most_samples),
+        seed,
+        _threads(threads),
+        bool(covariance),
+    )
+    size = 6 * (len(found["R"]) - 1)
+    entries = found.pop("covariance")
+    return Estimate(**found, covariance=np.reshape(entries, (size, size)) if entries else None)
+
+
+def offers(points=None, lines=None, K=None, incidences=(), distortion=None):
+    """The minimal problems of which these matches have samples, as a list of Offer.
+
+    The one that is expected to take least time comes first. Arguments are those of
+    `estimate_poses`.
+    """
+    matches = _matches(points, lines, K, incidences, distortion)
+    return [Offer(*offer) for offer in _pointline.offers(*matches)]
+
+
+def _matches(points, lines, K, incidences, distortion):
+    """Arrays of the shapes that the compiled module takes."""
+    if points is None and lines is None:
+        raise ValueError("there are no matches: give points, lines, or both")
+    if K is None:
+        raise ValueError("there is no K: give the intrinsics of the cameras")
+    views = np.shape(lines if points is None else points)[1:2]
+    if views not in [(2,), (3,)]:
+        raise ValueError("give points of the shape (N, V, 2), lines of (L, V, 2, 2), and V is 2 or 3")
+    (views,) = views
+    points = _reals(np.empty((0, views, 2)) if points is None else points, "points")
+    lines = _reals(np.empty((0, views, 2, 2)) if lines is None else lines, "lines")
+    incidences = np.reshape(np.asarray(incidences), (-1, 2)) if len(incidences) else np.empty((0, 2), int)
+    distortion = np.zeros(5) if distortion is None else _reals(distortion, "distortion")
+    for name, array, wanted in [("points", points, (views, 2)), ("lines", lines, (views, 2, 2))]:
+        if array.shape[1:] != wanted:
+            raise ValueError(f"{name} has the shape {array.shape}: give (number, {str(wanted)[1:]}")
+    if not np.issubdtype(incidences.dtype, np.integer):
+        raise ValueError("incidences are pairs of indices: give integers")
+    if distortion.shape not in [(5,), (views, 5)]:
+        raise ValueError(f"distortion has the shape {distortion.shape}: give (5,) or ({views}, 5)")
+    return points, lines, incidences, _intrinsics(K, views), np.broadcast_to(distortion, (views, 5))
+
+
+def _threads(threads):
+    threads = operator.index(threads)
+    if not 1 <= threads <= 1024:
+        raise ValueError(f"threads is {threads}: give 1 to 1024")
+    return threads
 
 
 def _reals(values, name):

@@ -19,6 +19,27 @@ class Answer:
     moved: float
     def __len__(self) -> int: ...
 
+class Estimate:
+    R: ndarray
+    t: ndarray
+    points: ndarray
+    line_points: ndarray
+    line_directions: ndarray
+    problem: str
+    samples: int
+    rms: float
+    covariance: Optional[ndarray]
+    @property
+    def point_inliers(self) -> ndarray: ...
+    @property
+    def line_inliers(self) -> ndarray: ...
+
+class Offer:
+    problem: str
+    degree: int
+    milliseconds: float
+    expected: float
+
 class Problem:
     def __init__(self, text: Union[str, int]) -> None: ...
     @property
@@ -53,3 +74,25 @@ class Solver:
     ) -> Answer: ...
 
 def problem(text: Union[str, int]) -> Problem: ...
+def estimate_poses(
+    points: Optional[ArrayLike] = ...,
+    lines: Optional[ArrayLike] = ...,
+    K: Optional[ArrayLike] = ...,
+    incidences: ArrayLike = ...,
+    distortion: Optional[ArrayLike] = ...,
+    problem: Union[str, int] = ...,
+    threshold: float = ...,
+    confidence: float = ...,
+    least_samples: int = ...,
+    most_samples: int = ...,
+    seed: int = ...,
+    threads: int = ...,
+    covariance: bool = ...,
+) -> Estimate: ...
+def offers(
+    points: Optional[ArrayLike] = ...,
+    lines: Optional[ArrayLike] = ...,
+    K: Optional[ArrayLike] = ...,
+    incidences: ArrayLike = ...,
+    distortion: Optional[ArrayLike] = ...,
+) -> list[Offer]: ...

@@ -24,5 +24,27 @@ class Solver:
         threads: int,
     ) -> dict[str, Any]: ...
 
+class Estimator:
+    def __init__(self) -> None: ...
+    def estimate(
+        self,
+        points: ndarray,
+        lines: ndarray,
+        incidences: ndarray,
+        K: ndarray,
+        distortions: ndarray,
+        problem: str,
+        threshold: float,
+        confidence: float,
+        least_samples: int,
+        most_samples: int,
+        seed: int,
+        threads: int,
+        covariance: bool,
+    ) -> dict[str, Any]: ...
+
+def offers(
+    points: ndarray, lines: ndarray, incidences: ndarray, K: ndarray, distortions: ndarray
+) -> list[tuple[str, int, float, float]]: ...
 def problem(text: str) -> Problem: ...
 def make(problem: str, start: Optional[str]) -> Solver: ...

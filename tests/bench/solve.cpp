@@ -1,6 +1,6 @@
 // How many solutions are found for how many images, and in which time.
 //
-// Usage: bench_solve PROBLEM INSTANCES [quick] [paths] [threads=N]
+// Usage: bench_solve PROBLEM INSTANCES [quick | real] [paths] [threads=N]
 //
 // `paths` follows paths where there is a template.
 //
@@ -163,7 +163,10 @@ void print(const char* kind, const Figures& figures, bool truth) {
 SearchOptions search_options(const std::vector<std::string_view>& words) {
     SearchOptions options;
     for (const std::string_view word : words) {
-        if (word == "quick") options.effort = Effort::once;
+        if (word == "quick")
+            options.effort = Effort::once;
+        else if (word == "real")
+            options.effort = Effort::real;
         if (word == "paths") options.templates = false;
         if (word.starts_with("threads="))
             options.threads = static_cast<unsigned>(std::max(1, std::atoi(word.data() + 8)));
@@ -175,7 +178,8 @@ SearchOptions search_options(const std::vector<std::string_view>& words) {
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        std::fputs("usage: bench_solve PROBLEM INSTANCES [quick] [paths] [threads=N]\n", stderr);
+        std::fputs("usage: bench_solve PROBLEM INSTANCES [quick | real] [paths] [threads=N]\n",
+                   stderr);
         return 3;
     }
     const Solver solver = make_solver(parse_spec(argv[1]));

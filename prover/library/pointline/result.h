@@ -11,6 +11,7 @@ enum class Failure {
     bad_problem, ///< no problem, or one that is neither minimal nor camera-minimal
     bad_images,  ///< not what the problem says that the views see, or no finite numbers
     bad_start,   ///< a file that is no start of this problem, or is damaged
+    no_estimate, ///< no cameras explain more matches than a sample has
     system       ///< a file that cannot be read or written, or no memory
 };
 

@@ -19,10 +19,6 @@ Vector2d random_point(Random& random) {
     return {x, y};
 }
 
-PixelLine line_through(const Vector2d& p, const Vector2d& q) {
-    return {p.homogeneous().cross(q.homogeneous()), {p, q}};
-}
-
 /// The sum of squares that the nearest star minimises.
 double cost(const Vector2d& point, const std::vector<PixelLine>& given, const Vector2d& moved,
             const std::vector<double>& angles) {

@@ -1,0 +1,85 @@
+#include "prover/estimator/choices.h"
+
+#include "prover/estimator/sampler.h"
+#include "prover/problem/notation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plprove {
+
+namespace {
+
+struct Candidate {
+    const char* notation;
+    int degree;
+    double milliseconds; ///< of one core with AVX2, by `bench_solve PROBLEM 12 real`
+};
+
+constexpr Candidate in_two_views{"5*P/P", 20, 0.13};
+
+/// Those of few features and few solutions, so that most matches offer one of them. First
+/// extensions of the five-point problem: what the third view sees of the five points, and lines.
+constexpr std::array in_three_views{
+    Candidate{"3*P/P/P + 2*P/P/-", 160, 1.1},
+    Candidate{"2*P/P/P + 3*P/P/- + a/a/a", 80, 1.1},
+    Candidate{"2*Pa/Pa/Pa + 3*P/P/-", 160, 1.0},
+    Candidate{"P/P/P + 4*P/P/- + 2*a/a/a", 160, 1.7},
+    Candidate{"P/P/P + Pab/Pab/Pab + 3*P/P/-", 160, 1.8},
+    Candidate{"5*P/P/- + 3*a/a/a", 160, 1.8},
+    Candidate{"3*P/P/P + a/a/a", 216, 58},
+    Candidate{"2*P/P/P + P/P/- + 2*a/a/a", 256, 77},
+    Candidate{"P/P/P + Pa/Pa/Pa + 2*a/a/a", 264, 75},
+    Candidate{"2*P/P/P + Pa/Pa/Pa + P/P/-", 304, 73},
+    Candidate{"P/P/P + 2*Pa/Pa/Pa", 312, 65},
+    Candidate{"P/P/P + 4*a/a/a", 360, 102},
+    Candidate{"3*P/P/P + P/P/- + P/-/P", 384, 106},
+    Candidate{"Pa/Pa/Pa + Pab/Pab/Pab + a/a/a", 432, 153},
+    Candidate{"Pab/Pab/Pab + Pabc/Pabc/Pabc", 480, 169},
+};
+
+/// The problem with its views in each order, each once.
+std::vector<Features> in_all_orders(const Features& problem) {
+    std::vector<Features> result;
+    std::array<int, 3> order{0, 1, 2};
+    do {
+        Features other;
+        for (const Feature& feature : problem)
+            other.push_back(relabel_views(feature, order));
+        const auto same = [&](const Features& known) {
+            return std::ranges::is_permutation(known, other);
+        };
+        if (std::ranges::none_of(result, same)) result.push_back(std::move(other));
+    } while (std::ranges::next_permutation(order).found);
+    return result;
+}
+
+double expected_milliseconds(const Features& problem, double milliseconds) {
+    constexpr double right = 0.7;
+    double matches = 0;
+    for (const Feature& feature : problem)
+        matches += feature.has_point + feature.lines;
+    return milliseconds / std::pow(right, matches);
+}
+
+} // namespace
+
+std::vector<Choice> choices(const Matches& matches) {
+    std::vector<Choice> result;
+    const auto add = [&](const Candidate& candidate, const Features& problem) {
+        if (Sampler(problem, matches).draw(0, 0))
+            result.push_back({problem, candidate.degree, candidate.milliseconds,
+                              expected_milliseconds(problem, candidate.milliseconds)});
+    };
+    if (matches.views() == 2)
+        add(in_two_views, parse_features(in_two_views.notation));
+    else
+        for (const Candidate& candidate : in_three_views)
+            for (const Features& problem : in_all_orders(parse_features(candidate.notation)))
+                add(candidate, problem);
+    std::ranges::stable_sort(result, {}, &Choice::expected);
+    return result;
+}
+
+} // namespace plprove
