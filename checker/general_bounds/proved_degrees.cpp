@@ -8,7 +8,8 @@
 #include <string>
 
 namespace checker {
-/// A row of a theorem's table: a problem with projective cameras, as one view sees it.
+/// A row of a theorem's table: a problem as one view sees it. The cameras are projective, but for
+/// Theorem A, where they are calibrated.
 struct ProvedRow {
     unsigned views = 0;
     std::string_view view{};
@@ -17,6 +18,18 @@ struct ProvedRow {
 };
 
 static constexpr ProvedRow proved_rows[] = {
+    // proofs/calibrated_collinear_points.md
+    {2, "5*P", 20, "A"},
+    {2, "3*PL + 2*P", 16, "A"},
+    {2, "PLM + 2*PL + 2*PM", 12, "A"},
+    {3, "2*PL + PLabc", 144, "A"},
+    {3, "PL + PLa + PLab", 144, "A"},
+    {3, "3*PLa", 144, "A"},
+    {3, "2*PL + PLa + a", 40, "A"},
+    {3, "3*PL + P", 64, "A"},
+    {4, "2*PL + PLab", 544, "A"},
+    {4, "PL + 2*PLa", 544, "A"},
+    {4, "3*PL + a", 32, "A"},
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},
@@ -84,7 +97,7 @@ static constexpr ProvedRow proved_rows[] = {
 
 /// The row's problem: each view sees each feature in the same way.
 static Problem problem_of(const ProvedRow& row) {
-    std::string notation = "projective: ";
+    std::string notation = row.theorem == "A" ? "" : "projective: ";
     std::string_view rest = row.view;
     while (!rest.empty()) {
         const std::string_view feature = rest.substr(0, rest.find(" + "));

@@ -154,7 +154,8 @@ TEST_CASE("what the prover writes of a degree in general, the checker certifies"
     for (const auto& [problem, degree, is_exact, other] :
          {std::tuple{"projective: 7*P/P", 3, true, "projective:7*P/P"},
           {"projective: 3*PL/PL + 4*P/P", 2, true, "projective: 4*P/P + 3*PX/PX"},
-          {"3*PL/PL + 2*P/P", 16, false, "2*P/P + 3*PL/PL"}}) {
+          {"3*PL/PL + 2*P/P", 16, true, "2*P/P + 3*PL/PL"},
+          {"upright: 3*PL/PL", 4, false, "upright: 3*PX/PX"}}) {
         CAPTURE(problem);
         const Outcome written = run(plprove + " degree '" + problem + "' -o " + file);
         REQUIRE(written.status == 0);
@@ -192,6 +193,22 @@ TEST_CASE("a minimal problem whose points and lines allow one solution has exact
     CHECK(contains(two.out, "exactly 1 solutions are certified"));
     const Outcome without = run(expect + "1 " + certs + "plmp.plc");
     CHECK(without.status == 1);
+}
+
+TEST_CASE("a problem with three points on a line has exactly the degree of Theorem A, and no other "
+          "degree is verified") {
+    const auto judged = [](int degree) {
+        return run("cd " + certs + " && " + plcheck + " --why --quiet --expect '3*PL/PL + 2*P/P' " +
+                   "--degree " + std::to_string(degree) + " plmp.plc solutions/plmp.plc");
+    };
+    const Outcome right = judged(16);
+    CHECK(right.status == 0);
+    CHECK(contains(right.out, "at most 16, by Theorem A of proofs/calibrated_collinear_points.md"));
+    for (const int wrong : {12, 20}) {
+        const Outcome refused = judged(wrong);
+        CHECK(refused.status == 1);
+        CHECK(contains(refused.out, "exactly 16 solutions are certified"));
+    }
 }
 
 TEST_CASE("the same seed writes the same bytes, to a file or alone on standard output") {
