@@ -2,12 +2,11 @@
 
 #include "prover/estimator/sampler.h"
 #include "prover/solver/consistency.h"
+#include "prover/system/in_parts.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 namespace plprove {
 
@@ -115,12 +114,13 @@ public:
         double least = best.cost; // of cameras before they are refined
         int samples = 0;
         while (samples < options_.most_samples) {
-            for (const Found& found : best_of_batch(samples, least)) {
+            const int count = std::min(batch, options_.most_samples - samples);
+            for (const Found& found : best_of_batch(samples, count, least)) {
                 least = std::min(least, found.cost);
                 Consensus better = optimised(found.cameras);
                 if (better.cost < best.cost) best = std::move(better);
             }
-            samples += batch;
+            samples += count;
             if (samples >= options_.least_samples && samples >= samples_needed(best)) break;
         }
         if (!explains_more_than_a_sample(best)) return std::nullopt;
@@ -138,20 +138,13 @@ private:
 
     /// The best cameras of the samples that cost less than all before, the least first; at most a
     /// few, as to refine takes longer than a sample.
-    std::vector<Found> best_of_batch(int first, double bound) const {
+    std::vector<Found> best_of_batch(int first, int count, double bound) const {
         constexpr std::size_t most = 2;
-        std::vector<Found> found(batch);
-        std::atomic<int> next = 0;
-        const auto work = [&] {
-            for (int i = next++; i < batch; i = next++)
-                found[static_cast<std::size_t>(i)] =
-                    best_of_sample(static_cast<std::uint64_t>(first + i), bound);
-        };
-        std::vector<std::jthread> workers;
-        for (unsigned k = 1; k < std::min<unsigned>(options_.threads, batch); ++k)
-            workers.emplace_back(work);
-        work();
-        workers.clear();
+        std::vector<Found> found(static_cast<std::size_t>(count));
+        in_parts(found.size(), options_.threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                found[i] = best_of_sample(static_cast<std::uint64_t>(first) + i, bound);
+        });
         std::erase_if(found, [](const Found& one) { return one.cameras.empty(); });
         std::ranges::stable_sort(found, {}, &Found::cost);
         if (found.size() > most) found.resize(most);

@@ -8,12 +8,13 @@ namespace plprove {
 
 namespace {
 
-constexpr double parallel = 1e-12; ///< sines of smaller squares count as 0
+/// Sines of smaller squares count as 0. Comparisons are such that what is not a number is refused.
+constexpr double parallel = 1e-12;
 
 /// In front of the cameras that see it.
 bool in_front(const Eigen::Vector3d& point, const PointMatch& match, const Poses& cameras) {
     for (std::size_t v = 0; v < cameras.size(); ++v)
-        if (match[v] && cameras[v].R.row(2).dot(point) + cameras[v].t.z() <= 0) return false;
+        if (match[v] && !(cameras[v].R.row(2).dot(point) + cameras[v].t.z() > 0)) return false;
     return true;
 }
 
@@ -38,7 +39,7 @@ std::optional<Eigen::Vector3d> space_point(const PointMatch& match, const Poses&
         }
         const Eigen::LDLT<Eigen::Matrix3d> solver(left);
         const Eigen::Vector3d pivots = solver.vectorD();
-        if (pivots.minCoeff() <= parallel * pivots.maxCoeff()) return std::nullopt;
+        if (!(pivots.minCoeff() > parallel * pivots.maxCoeff())) return std::nullopt;
         point = solver.solve(right);
         if (!in_front(point, match, cameras)) return std::nullopt;
         for (std::size_t v = 0; v < cameras.size(); ++v)
@@ -59,11 +60,11 @@ std::optional<PluckerLine> space_line(const LineMatch& match, const Poses& camer
     }
     // The planes of the pencil of the line: X of it has pi.X = 0 for both.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> pencil(gram);
-    if (pencil.eigenvalues()[2] <= parallel * pencil.eigenvalues()[3]) return std::nullopt;
+    if (!(pencil.eigenvalues()[2] > parallel * pencil.eigenvalues()[3])) return std::nullopt;
     const Eigen::Vector4d p = pencil.eigenvectors().col(2), q = pencil.eigenvectors().col(3);
     const Eigen::Vector3d direction = p.head<3>().cross(q.head<3>());
     const double size = direction.norm();
-    if (size * size <= parallel) return std::nullopt;
+    if (!(size * size > parallel)) return std::nullopt;
     const Eigen::Vector3d moment = q[3] * p.head<3>() - p[3] * q.head<3>();
     return PluckerLine{direction / size, -moment / size};
 }

@@ -97,9 +97,9 @@ std::vector<std::vector<std::size_t>> lines_through(const Matches& matches) {
     for (std::size_t i = 0; i < matches.incidences.size(); ++i) {
         const auto& [point, line] = matches.incidences[i];
         if (point >= matches.points.size() || line >= matches.lines.size())
-            throw BadInput("incidence " + std::to_string(i + 1) + ": there is no point " +
-                           std::to_string(point) + " or no line " + std::to_string(line) +
-                           ", counted from 0: give others");
+            throw BadInput("incidence " + std::to_string(i + 1) +
+                           ": there is no such point, or no such line: give their numbers, "
+                           "counted from 0");
         result[point].push_back(line);
     }
     for (auto& lines : result) {

@@ -5,6 +5,7 @@
 #include "scene.h"
 
 #include <doctest/doctest.h>
+#include <limits>
 
 using namespace plprove;
 
@@ -56,6 +57,10 @@ TEST_CASE("what is behind a camera, or seen once, is no point") {
     Poses behind{{}, {Eigen::Matrix3d::Identity(), {-1, 0, 0}}};
     const PointMatch diverging{Eigen::Vector2d(-0.1, 0), Eigen::Vector2d(0.1, 0)};
     CHECK(!space_point(diverging, behind));
+    Poses unknown = truth.cameras;
+    unknown[1].t.x() = std::numeric_limits<double>::quiet_NaN();
+    CHECK(!space_point(truth.matches.points[0], unknown));
+    CHECK(!space_line(truth.matches.lines[0], unknown));
     const PointMatch parallel{Eigen::Vector2d(0.1, 0), Eigen::Vector2d(0.1, 0)};
     CHECK(!space_point(parallel, behind));
 }

@@ -68,6 +68,13 @@ TEST_CASE("two cameras from many points, with a distorting lens and without") {
     }
 }
 
+TEST_CASE("no more samples are drawn than are allowed") {
+    const auto estimate = pointline::Estimator().estimate(
+        two_views(-0.2, false), {.least_samples = 11, .most_samples = 11, .threads = 4});
+    REQUIRE(estimate);
+    CHECK(estimate->samples == 11);
+}
+
 TEST_CASE("what is wrong with matches is said, as a value") {
     using pointline::Failure;
     const pointline::Matches good = two_views(-0.2, false);
