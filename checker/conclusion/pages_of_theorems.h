@@ -14,6 +14,7 @@ inline constexpr std::string_view theorem_of_arrangements = "T";
 inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems[] = {
     {theorem_of_points_and_lines, "families.md"},
     {"A", "calibrated_collinear_points.md"},
+    {"B", "calibrated_three_points.md"},
     {"C", "three_views/4_classes.md"},
     {"K", "three_views/5_many_pins.md"},
     {"L", "three_collinear_points.md"},

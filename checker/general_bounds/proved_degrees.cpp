@@ -9,7 +9,7 @@
 
 namespace checker {
 /// A row of a theorem's table: a problem as one view sees it. The cameras are projective, but for
-/// Theorem A, where they are calibrated.
+/// Theorems A and B, where they are calibrated.
 struct ProvedRow {
     unsigned views = 0;
     std::string_view view{};
@@ -30,6 +30,8 @@ static constexpr ProvedRow proved_rows[] = {
     {4, "2*PL + PLab", 544, "A"},
     {4, "PL + 2*PLa", 544, "A"},
     {4, "3*PL + a", 32, "A"},
+    // proofs/calibrated_three_points.md
+    {4, "2*P + Pa", 1728, "B"},
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},
@@ -97,7 +99,7 @@ static constexpr ProvedRow proved_rows[] = {
 
 /// The row's problem: each view sees each feature in the same way.
 static Problem problem_of(const ProvedRow& row) {
-    std::string notation = row.theorem == "A" ? "" : "projective: ";
+    std::string notation = row.theorem == "A" || row.theorem == "B" ? "" : "projective: ";
     std::string_view rest = row.view;
     while (!rest.empty()) {
         const std::string_view feature = rest.substr(0, rest.find(" + "));
