@@ -49,21 +49,13 @@ py::dict arrays_of(const pointline::Estimate& estimate) {
     Array points({count(estimate.points), py::ssize_t{3}});
     Array line_points({count(estimate.lines), py::ssize_t{3}});
     Array directions({count(estimate.lines), py::ssize_t{3}});
-    double *r = R.mutable_data(), *translation = t.mutable_data();
-    for (const pointline::Camera& camera : estimate.cameras) {
-        r = std::copy(camera.R.begin(), camera.R.end(), r);
-        translation = std::copy(camera.t.begin(), camera.t.end(), translation);
-    }
-    double* x = points.mutable_data();
+    Writer writer{R.mutable_data(), t.mutable_data(), points.mutable_data(),
+                  line_points.mutable_data(), directions.mutable_data()};
+    writer.write(estimate.cameras);
     for (const auto& point : estimate.points)
-        for (std::size_t k = 0; k < 3; ++k)
-            *x++ = point ? (*point)[k] : missing;
-    double *p = line_points.mutable_data(), *d = directions.mutable_data();
+        writer.write(point);
     for (const auto& line : estimate.lines)
-        for (std::size_t k = 0; k < 3; ++k) {
-            *p++ = line ? line->point[k] : missing;
-            *d++ = line ? line->direction[k] : missing;
-        }
+        writer.write(line);
     py::dict result;
     result["R"] = R;
     result["t"] = t;

@@ -88,23 +88,16 @@ py::dict arrays_of(const Solver& solver, const pointline::Answer& answer) {
     Array directions({count, solver.lines(), py::ssize_t{3}});
     Array residuals(count), conditions(count);
     py::array_t<int> in_front(count);
-    double *r = R.mutable_data(), *translation = t.mutable_data(), *x = points.mutable_data();
-    double *p = line_points.mutable_data(), *d = directions.mutable_data();
+    Writer writer{R.mutable_data(), t.mutable_data(), points.mutable_data(),
+                  line_points.mutable_data(), directions.mutable_data()};
     py::ssize_t index = 0;
     for (const pointline::Solution& solution : answer.solutions) {
-        for (const pointline::Camera& camera : solution.cameras) {
-            r = std::copy(camera.R.begin(), camera.R.end(), r);
-            translation = std::copy(camera.t.begin(), camera.t.end(), translation);
-        }
+        writer.write(solution.cameras);
         for (const auto& point : solution.points)
-            for (std::size_t k = 0; k < 3; ++k)
-                *x++ = point ? (*point)[k] : missing;
+            writer.write(point);
         for (const auto& lines : solution.lines)
             for (const auto& [letter, line] : lines)
-                for (std::size_t k = 0; k < 3; ++k) {
-                    *p++ = line ? line->point[k] : missing;
-                    *d++ = line ? line->direction[k] : missing;
-                }
+                writer.write(line);
         in_front.mutable_at(index) = solution.in_front;
         residuals.mutable_at(index) = solution.residual;
         conditions.mutable_at(index++) = solution.condition;

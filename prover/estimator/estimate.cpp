@@ -56,17 +56,6 @@ double bounded_cost(const Poses& cameras, const Matches& matches, const Inliers&
     return sum;
 }
 
-/// Whether a view sees two features at the same point.
-bool two_points_agree(const Observation& observation) {
-    for (std::size_t f = 0; f < observation.size(); ++f)
-        for (std::size_t g = 0; g < f; ++g)
-            for (std::size_t v = 0; v < observation[f].size(); ++v) {
-                const auto &x = observation[f][v].point, &y = observation[g][v].point;
-                if (x && y && *x == *y) return true;
-            }
-    return false;
-}
-
 /// What the views see of the sample; nothing where a view sees two points at the same place.
 std::optional<SeenImages> images_of(const Sample& sample, const Features& problem,
                                     const Matches& matches) {
@@ -90,7 +79,7 @@ std::optional<SeenImages> images_of(const Sample& sample, const Features& proble
                 normalised_sighting(point, lines, Eigen::Matrix3d::Identity(), moved));
         }
     }
-    if (two_points_agree(images.observation)) return std::nullopt;
+    if (same_point(images.observation)) return std::nullopt;
     return images;
 }
 

@@ -12,11 +12,6 @@ namespace plprove {
 struct PinholeIntrinsics {
     double fx = 1, fy = 1, cx = 0, cy = 0;
 
-    Eigen::Matrix3d matrix() const {
-        Eigen::Matrix3d K;
-        K << fx, 0, cx, 0, fy, cy, 0, 0, 1;
-        return K;
-    }
     Eigen::Vector2d normalised(const Eigen::Vector2d& pixel) const {
         return {(pixel.x() - cx) / fx, (pixel.y() - cy) / fy};
     }

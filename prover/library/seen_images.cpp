@@ -72,15 +72,11 @@ Sighting normalised(const pointline::Sighting& given, const Eigen::Matrix3d& K, 
 
 /// Refuses views with two points at the same place.
 void require_different(const SeenImages& images) {
-    for (std::size_t v = 0; v < images.calibration.size(); ++v)
-        for (std::size_t f = 0; f < images.observation.size(); ++f)
-            for (std::size_t g = 0; g < f; ++g) {
-                const auto &x = images.observation[f][v].point, &y = images.observation[g][v].point;
-                if (x && y && *x == *y)
-                    throw BadInput("view " + std::to_string(v + 1) + " sees features " +
-                                   std::to_string(g + 1) + " and " + std::to_string(f + 1) +
-                                   " at the same point: give images with different ones");
-            }
+    if (const auto same = same_point(images.observation))
+        throw BadInput("view " + std::to_string(same->view + 1) + " sees features " +
+                       std::to_string(same->first + 1) + " and " +
+                       std::to_string(same->second + 1) +
+                       " at the same point: give images with different ones");
 }
 
 } // namespace
