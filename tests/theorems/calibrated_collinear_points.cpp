@@ -2,14 +2,10 @@
 // a scene, and zeros that are no solutions, modulo a prime or in complex numbers.
 #include "proofs/computations/polynomials.h"
 #include "proofs/computations/residue_matrices.h"
+#include "tests/theorems/complex_vectors.h"
 
 #include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <complex>
 #include <map>
-#include <random>
 
 using namespace proofs;
 
@@ -77,31 +73,11 @@ std::size_t rank_at_spurious(const std::array<Pair, 5>& images) {
 
 // Three and four views: sections 3 to 7, in complex numbers.
 
-using Complex = std::complex<double>;
-using Vector = std::array<Complex, 3>;
-constexpr Complex i_unit{0, 1};
+using namespace complex_vectors;
 
-Complex dot(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Vector combination(Complex s, const Vector& a, Complex t, const Vector& b) {
-    return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
+    return s * a + t * b;
 }
-
-class Numbers {
-public:
-    explicit Numbers(unsigned seed) : engine_(seed) {}
-    double real() { return std::uniform_real_distribution<>(-1, 1)(engine_); }
-    Vector real_vector() { return {real(), real(), real()}; }
-    Complex complex() { return {real(), real()}; }
-    Vector complex_vector() { return {complex(), complex(), complex()}; }
-
-private:
-    std::mt19937_64 engine_;
-};
 
 /// The frame of a view at some rho: sections 3 and 4.
 struct View {

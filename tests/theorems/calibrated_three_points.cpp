@@ -1,12 +1,9 @@
 // The numbers of proofs/calibrated_three_points.md, in four views and in three, and its lemmas by
 // examples in complex numbers.
-#include <doctest/doctest.h>
+#include "tests/theorems/complex_vectors.h"
 
-#include <array>
-#include <cmath>
-#include <complex>
 #include <cstdint>
-#include <random>
+#include <doctest/doctest.h>
 
 namespace {
 
@@ -66,44 +63,11 @@ std::int64_t two_pins(const Surface& s, unsigned p, unsigned q) {
 
 // Examples.
 
-using Complex = std::complex<double>;
-using Vector = std::array<Complex, 3>;
-const Complex i_unit{0, 1};
+using namespace complex_vectors;
 
-Complex dot(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector operator*(Complex c, const Vector& a) {
-    return {c * a[0], c * a[1], c * a[2]};
-}
-Vector operator+(const Vector& a, const Vector& b) {
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-Vector operator-(const Vector& a, const Vector& b) {
-    return a + Complex{-1} * b;
-}
 double size(const Vector& a) {
     return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
 }
-
-class Numbers {
-public:
-    explicit Numbers(unsigned seed) : engine_(seed) {}
-    Complex complex() { return {real(), real()}; }
-    Vector real_vector() { return {real(), real(), real()}; }
-    Vector vector() { return {complex(), complex(), complex()}; }
-    Vector unit_vector() {
-        const Vector x = vector();
-        return 1.0 / std::sqrt(dot(x, x)) * x;
-    }
-
-private:
-    double real() { return std::uniform_real_distribution<double>(-1, 1)(engine_); }
-    std::mt19937_64 engine_;
-};
 
 using Images = std::array<Vector, 3>;
 
@@ -288,7 +252,7 @@ TEST_CASE("the rows of views at e_1 differ by (10), at e_3 they are those of (9)
     constexpr double small = 1e-6;
     for (int round = 0; round < 5; ++round) {
         const Images x{numbers.unit_vector(), numbers.unit_vector(), numbers.unit_vector()};
-        const Vector y = cross(x[2], numbers.vector());
+        const Vector y = cross(x[2], numbers.complex_vector());
         const Complex beta = numbers.complex(), gamma = numbers.complex();
         const Complex first = numbers.complex(), second = numbers.complex();
         const auto part = [](const Vector& p, const Vector& axis, Complex sign) {
@@ -299,10 +263,10 @@ TEST_CASE("the rows of views at e_1 differ by (10), at e_3 they are those of (9)
             const Triangle triangle(x, {1.0, small * first, small * second});
             const Vector zeta = 1.0 / small * triangle.b;
             const Complex mu = dot(y, x[0]);
-            const Complex formula =
-                ((beta + i_unit * gamma) * dot(y, part(zeta, x[0], 1)) +
-                 (beta - i_unit * gamma) * dot(y, part(zeta, x[0], -1))) / mu +
-                beta * dot(triangle.a, triangle.b) / small;
+            const Complex formula = ((beta + i_unit * gamma) * dot(y, part(zeta, x[0], 1)) +
+                                     (beta - i_unit * gamma) * dot(y, part(zeta, x[0], -1))) /
+                                        mu +
+                                    beta * dot(triangle.a, triangle.b) / small;
             const Complex row = dot(y, beta * triangle.b + gamma * triangle.n) / small / mu;
             CHECK(vanishes(row - formula, 1e-3));
         }
