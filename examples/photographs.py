@@ -45,24 +45,6 @@ def edges(points):
     return lines, [(i, number) for number, i in enumerate(starts)]
 
 
-def plot(path, found):
-    import matplotlib
-
-    matplotlib.use("svg")
-    matplotlib.rcParams["svg.hashsalt"] = "pointline"
-    from matplotlib import pyplot
-
-    axes = pyplot.figure(figsize=(6, 4.5)).add_subplot(projection="3d")
-    X = found.points[found.point_inliers]
-    axes.scatter(X[:, 0], X[:, 2], -X[:, 1], s=4, color="grey", label="corners")
-    for number, (R, t) in enumerate(zip(found.R, found.t), 1):
-        centre = -R.T @ t
-        axes.scatter(centre[0], centre[2], -centre[1], label=f"camera {number}")
-        axes.quiver(centre[0], centre[2], -centre[1], R[2, 0], R[2, 2], -R[2, 1], length=0.3)
-    axes.legend()
-    pyplot.savefig(path, metadata={"Date": None})
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--folder", type=Path, default=FOLDER)
@@ -93,7 +75,10 @@ def main():
         turn, move = np.degrees(np.arccos(np.clip([(trace - 1) / 2, cosine], -1, 1)))
         print(f"camera {camera + 1}: rotation off by {turn:.2f} degrees, translation by {move:.2f}")
     if arguments.plot:
-        plot(arguments.plot, found)
+        import plots
+
+        plots.draw(arguments.plot, found.points[found.point_inliers],
+                   [(f"camera {v + 1}", found.R[v:v + 1], found.t[v:v + 1]) for v in range(3)])
 
 
 if __name__ == "__main__":

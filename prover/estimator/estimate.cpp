@@ -14,7 +14,7 @@ namespace {
 
 constexpr int batch = 8; ///< samples between two decisions whether to go on
 
-/// How much less than 1 a match may cost: (error / threshold)^2, at most 1.
+/// What a match costs: (error / threshold)^2, at most 1.
 template <class InSpace, class Match>
 double cost(const std::optional<InSpace>& in_space, const Match& match, const Poses& cameras,
             const std::vector<PinholeIntrinsics>& intrinsics, double threshold) {
@@ -89,6 +89,13 @@ Poses poses_of(const Solution& solution) {
         cameras.push_back({pose.R.real(), pose.t.real()});
     return cameras;
 }
+
+/// How well cameras explain matches.
+struct Consensus {
+    Poses cameras;
+    Inliers inliers;
+    double cost = 0; ///< the sum of those of all tests
+};
 
 /// One search for the cameras of the matches.
 class Search {
@@ -187,18 +194,33 @@ private:
         return all > 0 ? count(inliers) / all : 1;
     }
 
+    /// What cameras explain of the matches.
+    Consensus consensus(const Poses& cameras, double threshold) const {
+        Consensus result{cameras, {}, 0};
+        for (const std::size_t p : tests_.points) {
+            const double cost = point_cost(p, cameras, matches_, threshold);
+            result.cost += cost;
+            if (cost < 1) result.inliers.points.push_back(p);
+        }
+        for (const std::size_t l : tests_.lines) {
+            const double cost = line_cost(l, cameras, matches_, threshold);
+            result.cost += cost;
+            if (cost < 1) result.inliers.lines.push_back(l);
+        }
+        return result;
+    }
+
     /// The cameras refined by what they explain, first with a wider threshold.
     Consensus optimised(const Poses& cameras) const {
-        Consensus best = consensus(cameras, matches_, options_.threshold);
+        Consensus best = consensus(cameras, options_.threshold);
         Poses now = cameras;
         for (const double factor : {4.0, 2.0, 1.0, 1.0}) {
-            const Inliers inliers =
-                thinned(consensus(now, matches_, factor * options_.threshold).inliers);
+            const Inliers inliers = thinned(consensus(now, factor * options_.threshold).inliers);
             const auto better =
                 refined(now, matches_, inliers, {factor * options_.threshold / 2, 10, false});
             if (!better) break;
             now = better->cameras;
-            Consensus found = consensus(now, matches_, options_.threshold);
+            Consensus found = consensus(now, options_.threshold);
             if (found.cost < best.cost) best = std::move(found);
         }
         return best;
@@ -233,7 +255,7 @@ private:
         for (int round = 0; round < most_rounds; ++round) {
             const auto better = refined(result.cameras, matches_, result.inliers, options);
             if (!better) break;
-            const Consensus found = consensus(better->cameras, matches_, options_.threshold);
+            const Consensus found = consensus(better->cameras, options_.threshold);
             if (found.cost >= cost) break;
             cost = found.cost;
             result = {found.cameras, found.inliers, samples, better->rms, better->covariance};
@@ -249,22 +271,6 @@ private:
 };
 
 } // namespace
-
-Consensus consensus(const Poses& cameras, const Matches& matches, double threshold) {
-    const Inliers tests = tests_of(matches);
-    Consensus result{cameras, {}, 0};
-    for (const std::size_t p : tests.points) {
-        const double cost = point_cost(p, cameras, matches, threshold);
-        result.cost += cost;
-        if (cost < 1) result.inliers.points.push_back(p);
-    }
-    for (const std::size_t l : tests.lines) {
-        const double cost = line_cost(l, cameras, matches, threshold);
-        result.cost += cost;
-        if (cost < 1) result.inliers.lines.push_back(l);
-    }
-    return result;
-}
 
 std::optional<Estimate> estimate(const Matches& matches, const Solver& solver,
                                  const EstimateOptions& options) {

@@ -21,17 +21,6 @@ struct EstimateOptions {
     bool covariance = false;
 };
 
-/// How well cameras explain matches.
-struct Consensus {
-    Poses cameras;
-    Inliers inliers;
-    /// The sum of min(1, (error / threshold)^2) of all matches that test cameras.
-    double cost = 0;
-};
-
-/// What cameras explain of the matches.
-Consensus consensus(const Poses& cameras, const Matches& matches, double threshold);
-
 struct Estimate {
     Poses cameras;
     Inliers inliers;

@@ -5,6 +5,7 @@
 #include "prover/estimator/sampler.h"
 #include "prover/estimator/undistort.h"
 #include "prover/library/guarded.h"
+#include "prover/library/in_arrays.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
 
@@ -158,17 +159,6 @@ plprove::Features problem_of(const std::string& wanted, const plprove::Matches& 
         throw BadInput("the matches have no sample of " + plprove::notation(problem) +
                        ": give more, or another problem");
     return problem;
-}
-
-Camera camera(const plprove::Pose<double>& pose) {
-    Camera result;
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(result.R.data()) = pose.R;
-    Eigen::Map<Eigen::Vector3d>(result.t.data()) = pose.t;
-    return result;
-}
-
-std::array<double, 3> vector(const Eigen::Vector3d& x) {
-    return {x[0], x[1], x[2]};
 }
 
 Estimate described(const plprove::Estimate& found, const plprove::Matches& matches) {

@@ -1,6 +1,7 @@
 #include "prover/library/pointline/solver.h"
 
 #include "prover/library/guarded.h"
+#include "prover/library/in_arrays.h"
 #include "prover/library/seen_images.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/solve.h"
@@ -21,32 +22,19 @@ struct Solver::Content {
 
 namespace {
 
-Camera camera(const plprove::ComplexPose& pose) {
-    Camera result;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j)
-            result.R[static_cast<std::size_t>(3 * i + j)] = pose.R(i, j).real();
-        result.t[static_cast<std::size_t>(i)] = pose.t[i].real();
-    }
-    return result;
-}
-
-std::array<double, 3> vector(const Eigen::Vector3cd& x) {
-    return {x[0].real(), x[1].real(), x[2].real()};
-}
-
 Solution solution(const plprove::Solution& found) {
     Solution result;
     for (const plprove::ComplexPose& pose : found.cameras)
-        result.cameras.push_back(camera(pose));
+        result.cameras.push_back(camera({pose.R.real(), pose.t.real()}));
     for (const plprove::SpaceFeature& feature : found.features) {
         result.points.emplace_back();
-        if (feature.point) result.points.back() = vector(*feature.point);
+        if (feature.point) result.points.back() = vector(feature.point->real());
         auto& lines = result.lines.emplace_back();
         for (std::size_t line = 0; line < feature.lines.size(); ++line) {
             auto& entry = lines[static_cast<char>('a' + line)];
             if (const auto& in_space = feature.lines[line])
-                entry = SpaceLine{vector(in_space->point), vector(in_space->direction)};
+                entry =
+                    SpaceLine{vector(in_space->point.real()), vector(in_space->direction.real())};
         }
     }
     result.in_front = found.in_front;
