@@ -232,7 +232,8 @@ def estimate_poses(
     explain most matches are refined by all that they explain.
 
     points: (N, V, 2), pixels; nan where a view does not see the point, or nobody found it there.
-    lines: (L, V, 2, 2), two points each, in pixels; nan alike. Other points in other views do.
+    lines: (L, V, 2, 2), two points each, in pixels; nan alike. Views may show different points of
+        a line.
     K: (3, 3) or (V, 3, 3), without skew.
     incidences: (M, 2) integers: a point, and a line through it in space.
     distortion: (5,) or (V, 5): k1, k2, p1, p2, k3 of the lens, as OpenCV has them.

@@ -49,7 +49,7 @@ def test_three_views_of_points_and_lines():
     assert found.point_inliers[5] and not found.line_inliers[5]
     assert found.covariance.shape == (12, 12)
     assert repr(found).startswith("Estimate(")
-    # Others: the same by threads, a seed of its own.
+    # Threads change nothing. Another seed draws other samples.
     again = pointline.estimate_poses(points, lines, K, PAIRS, threads=2)
     assert np.array_equal(again.R, found.R) and again.covariance is None
     other = pointline.estimate_poses(points, lines, K, PAIRS, seed=5)
