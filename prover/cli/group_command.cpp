@@ -10,12 +10,15 @@
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
+#include "prover/system/in_parts.h"
 #include "prover/system/progress.h"
 #include "prover/three_views/degree_text.h"
 #include "prover/three_views/loop_group.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
@@ -210,23 +213,51 @@ int find_group_of(const GroupRequest& request, const Deliver& deliver) {
     return certified || (!found.by_fibres && found.by_loops) ? 0 : exit_failure;
 }
 
-/// Adds classes to a table, those of few solutions first; each as soon as its group is known.
-int make_table(const GroupRequest& request, const Deliver& deliver) {
-    GroupTable table(request.path);
-    std::vector<ClassDegree> open;
+/// The classes of at most so many solutions that a table does not have, those of few solutions
+/// first.
+std::vector<ClassDegree> missing_in(const GroupTable& table, int up_to) {
+    std::vector<ClassDegree> missing;
     for (const ClassDegree& row : degrees_on_file())
-        if (row.degree <= request.up_to && !table.has(row.constraint_class)) open.push_back(row);
-    std::ranges::stable_sort(open, {}, &ClassDegree::degree);
-    ProgressLine line("groups", open.size());
+        if (row.degree <= up_to && !table.has(row.constraint_class)) missing.push_back(row);
+    std::ranges::stable_sort(missing, {}, &ClassDegree::degree);
+    return missing;
+}
+
+/// Adds classes to a table, by a thread a core. The file is written every few seconds.
+int make_table(const GroupRequest& request, const Deliver& deliver) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::seconds between_writes(2);
+    GroupTable table(request.path);
+    const std::vector<ClassDegree> missing = missing_in(table, request.up_to);
+    ProgressLine line("groups", missing.size());
+    std::mutex mutex; // guards what follows, and the table
+    std::size_t next = 0;
+    std::size_t done = 0;
     std::size_t lost = 0;
-    for (std::size_t done = 0; done < open.size(); ++done) {
-        line.show(done);
-        const auto& [number, degree] = open[done];
-        const auto found = group_of_loops(number, degree, request.options.seed);
-        if (found) table.add(number, found->group);
-        lost += found ? 0 : 1;
-        if (found) deliver(request.path, table.text());
-    }
+    Clock::time_point written = Clock::now();
+    const auto take = [&] {
+        const std::lock_guard lock(mutex);
+        return next < missing.size() ? &missing[next++] : nullptr;
+    };
+    const auto keep = [&](std::size_t number, const std::optional<LoopGroup>& found) {
+        const std::lock_guard lock(mutex);
+        if (found)
+            table.add(number, found->group);
+        else
+            ++lost;
+        line.show(++done);
+        if (Clock::now() - written < between_writes) return;
+        deliver(request.path, table.text());
+        written = Clock::now();
+    };
+    const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+    in_parts(std::min<std::size_t>(threads, missing.size()), threads,
+             [&](std::size_t, std::size_t) {
+                 while (const ClassDegree* row = take())
+                     keep(row->constraint_class,
+                          group_of_loops(row->constraint_class, row->degree, request.options.seed));
+             });
+    deliver(request.path, table.text());
     line.wipe();
     if (lost == 0) return 0;
     std::cerr << "the groups of " << lost << " classes are not known, as too many paths were lost: "

@@ -33,7 +33,7 @@ void multiply(Factored& product, const Factored& factor, int exponent) {
         if ((product[prime] += power * exponent) == 0) product.erase(prime);
 }
 
-/// Whether a primitive group has all even permutations, because some have a cycle of prime length
+/// Whether a transitive group has all even permutations, because some have a cycle of prime length
 /// (Jordan). If it has, a search is in vain once in 10,000 times.
 bool contains_alternating(const std::vector<Permutation>& generators) {
     constexpr int tries = 100;
@@ -196,6 +196,30 @@ MonodromyGroup monodromy_group(const std::vector<Permutation>& generators) {
     }
     std::ranges::reverse(result.steps);
     return result;
+}
+
+bool shows_alternating(const std::vector<Permutation>& generators) {
+    return is_transitive(generators) && contains_alternating(generators);
+}
+
+std::vector<Permutation> loops_of_edges(const std::vector<Permutation>& bijections) {
+    std::vector<Permutation> result;
+    for (const Permutation& other : bijections | std::views::drop(1))
+        result.push_back(then(bijections.front(), inverse(other)));
+    return result;
+}
+
+std::optional<MonodromyGroup> symmetric_group_of_edges(const std::vector<Permutation>& bijections) {
+    constexpr int fewest = 4;
+    if (std::ssize(bijections) < fewest) return std::nullopt;
+    for (std::size_t left_out = 0; left_out < bijections.size(); ++left_out) {
+        std::vector<Permutation> others = bijections;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
+        const std::vector<Permutation> loops = loops_of_edges(others);
+        if (std::ranges::all_of(loops, is_even) || !shows_alternating(loops)) return std::nullopt;
+    }
+    const int degree = static_cast<int>(bijections.front().size());
+    return MonodromyGroup{{{degree, 1, Kind::symmetric, {}}}};
 }
 
 } // namespace plprove

@@ -46,6 +46,23 @@ private:
     std::vector<Permutation> permutations_;
 };
 
+/// The group by as few edges as will do, if it is S_d. Some more edges are tried for the sake of
+/// the sign: it takes two of either.
+template <class Loops>
+std::optional<LoopGroup> symmetric_group_of(SolutionLoops<Loops>& solutions,
+                                            const LoopProgress& progress) {
+    constexpr int fewest = 4;
+    constexpr int most = 7;
+    for (int edges = fewest; edges <= most; ++edges) {
+        solutions.add_bijections(edges);
+        const std::vector<Permutation>& known = solutions.bijections();
+        if (std::ssize(known) < edges || !shows_alternating(loops_of_edges(known))) return {};
+        if (progress) progress(edges - 1);
+        if (auto group = symmetric_group_of_edges(known)) return LoopGroup{*group, edges - 1};
+    }
+    return {};
+}
+
 /// Follows loops until ten more of these make the group no larger, or until they make it S_d.
 /// Nothing where too many paths are lost.
 template <class Loops>
@@ -77,6 +94,7 @@ std::optional<LoopGroup> group_by_loops(std::uint64_t seed, const LoopProgress& 
     for (std::uint64_t attempt = 0; attempt < most_images; ++attempt) {
         auto solutions = solutions_at(most_images * seed + attempt);
         if (!solutions.complete()) continue;
+        if (auto group = symmetric_group_of(solutions, progress)) return group;
         if (auto group = group_of(LoopPermutations(std::move(solutions), progress))) return group;
     }
     return std::nullopt;

@@ -80,4 +80,9 @@ int MatchedGraph::matched(int edge) const {
                                                   [](int partner) { return partner >= 0; }));
 }
 
+std::optional<std::vector<int>> MatchedGraph::bijection(int edge, int count) const {
+    if (edges_[index(edge)].has_detour || matched(edge) != count) return std::nullopt;
+    return edges_[index(edge)].partner[0];
+}
+
 } // namespace plprove

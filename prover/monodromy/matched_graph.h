@@ -38,11 +38,18 @@ public:
     /// The starts in doubt that have not been matched since; they are no longer in doubt then.
     std::vector<int> take_doubtful(Direction direction);
 
+    /// One of the edge's matches is of another path than the others.
+    void mark_detour(int edge) { edges_[static_cast<std::size_t>(edge)].has_detour = true; }
+
     /// Whether a solution of the node that the direction leads to has a partner.
     bool is_matched(Direction direction, int end) const;
 
     /// How many solutions of either node have a partner along the edge.
     int matched(int edge) const;
+
+    /// To which solution of node 1 the edge leads each of the `count` ones of node 0. Nothing if
+    /// some have no partner, or if the edge has a detour.
+    std::optional<std::vector<int>> bijection(int edge, int count) const;
 
 private:
     enum State : int { open = -1, lost = -2, disputed = -3 };
@@ -50,6 +57,7 @@ private:
     struct Edge {
         std::array<std::vector<int>, 2> partner;  ///< of each solution of a node, or a State
         std::array<std::vector<int>, 2> doubtful; ///< starts of paths to follow again
+        bool has_detour = false;
     };
 
     int state(int edge, int node, int solution) const;

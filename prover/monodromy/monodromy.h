@@ -76,6 +76,23 @@ public:
             add_edge();
     }
 
+    /// Follows one more edge, or what has not been followed of one, from all solutions of either
+    /// node. To which solution of the second node it leads each of the first one; nothing where a
+    /// path is lost or takes a detour.
+    std::optional<std::vector<int>> follow_edge(int edge) {
+        if (edge == graph_.edges()) add_edge();
+        for (bool moved = true; moved;) {
+            moved = false;
+            for (const int from : {0, 1}) {
+                if (!follow({edge, from}, std::numeric_limits<int>::max())) continue;
+                follow_doubtful({edge, from});
+                moved = true;
+            }
+        }
+        const int count = solutions().size();
+        return solutions(1).size() == count ? graph_.bijection(edge, count) : std::nullopt;
+    }
+
     /// Those of the first node, or of either.
     const SolutionSet<Point>& solutions() const { return solutions_[0]; }
     const SolutionSet<Point>& solutions(int node) const {
@@ -158,8 +175,11 @@ private:
                     graph_.is_matched(direction, *known))
                     continue;
                 ends[indices[k]] = again[k];
-                lost_ -= graph_.match_again(direction, starts[indices[k]],
-                                            index_of(direction.to(), again[k]));
+                if (!graph_.match_again(direction, starts[indices[k]],
+                                        index_of(direction.to(), again[k])))
+                    continue;
+                --lost_;
+                if (loops_.leads_elsewhere(attempt)) graph_.mark_detour(direction.edge);
             }
         }
         return solutions(direction.to()).size() > before;

@@ -7,34 +7,45 @@
 
 namespace plprove {
 
-/// All solutions for some images, and loops there. Each loop goes along one edge and back along
-/// another. Loops is as in monodromy.h.
+/// All solutions for some images, and loops there. Each loop goes along the first edge and back
+/// along another. Loops is as in monodromy.h.
 template <class Loops>
 class SolutionLoops {
 public:
     using Point = typename Loops::Point;
 
     /// `monodromy` knows a solution; `degree` is the number of all. Where not all are found there
-    /// are no loops.
+    /// are no loops. Most paths of the first ones have been followed when all are found.
     SolutionLoops(Monodromy<Loops> monodromy, int degree, double near)
         : monodromy_(std::move(monodromy)), near_(near) {
         constexpr int most_edges = 6;
         monodromy_.reach(degree, most_edges);
         const Solutions& solutions = monodromy_.solutions();
         if (solutions.size() != degree) return;
-        // The first edge says which solutions there are at its end.
-        constexpr int tries = 3;
-        for (int i = 0; i < tries && !there_; ++i) {
-            const int edge = add_edge();
-            const Ends ends = follow({edge, 0}, solutions.points());
-            auto there = as_solutions(ends);
-            if (!there) continue;
-            const auto back = indices_in(solutions, follow({edge, 1}, there->points()));
-            if (back && is_identity(*back)) there_ = std::move(there);
-        }
+        add_bijections(1);
+        if (bijections_.empty()) return;
+        there_.emplace(near_);
+        for (const int index : bijections_.front())
+            there_->add(monodromy_.solutions(1)[index]);
     }
 
     bool complete() const { return there_.has_value(); }
+
+    /// Follows more edges, those first that it took to find the solutions, until so many are known
+    /// whole or many have lost paths. Each path is followed once, in one direction. To be called
+    /// before there are loops.
+    void add_bijections(int count) {
+        constexpr int most_lost = 4;
+        for (int lost = 0; std::ssize(bijections_) < count && lost < most_lost;) {
+            if (auto along = monodromy_.follow_edge(edges_++))
+                bijections_.push_back(std::move(*along));
+            else
+                ++lost;
+        }
+    }
+
+    /// How edges lead the solutions of one node to those of the other.
+    const std::vector<Permutation>& bijections() const { return bijections_; }
 
     /// The permutation of another loop; nothing where a path is lost.
     std::optional<Permutation> next() { return back_along(add_edge()); }
@@ -54,6 +65,7 @@ private:
     using Ends = PathEnds<Point>;
     using Solutions = SolutionSet<Point>;
 
+    /// From then on the graph has no more edges.
     int add_edge() {
         if (edges_ >= monodromy_.graph().edges()) monodromy_.loops().add_edge();
         return edges_++;
@@ -93,16 +105,6 @@ private:
                     ends[i].reset();
     }
 
-    /// The points, if all are there and differ.
-    std::optional<Solutions> as_solutions(const Ends& ends) const {
-        Solutions result(near_);
-        for (const std::optional<Point>& end : ends) {
-            if (!end || result.find(*end)) return std::nullopt;
-            result.add(*end);
-        }
-        return result;
-    }
-
     /// The solutions that the ends are, each once; nothing if some are none of them or one is met
     /// twice.
     static std::optional<Permutation> indices_in(const Solutions& solutions, const Ends& ends) {
@@ -119,8 +121,10 @@ private:
 
     Monodromy<Loops> monodromy_;
     double near_;
-    std::optional<Solutions> there_; ///< at the end of the first edge
-    int edges_ = 0;                  ///< that loops have been along
+    /// At the end of the first edge, in the order of the solutions that it leads there.
+    std::optional<Solutions> there_;
+    std::vector<Permutation> bijections_;
+    int edges_ = 0; ///< that have been followed, for these and for loops
 };
 
 } // namespace plprove

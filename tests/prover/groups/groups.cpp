@@ -186,3 +186,29 @@ TEST_CASE("a step that those before solve makes the problem no harder") {
     CHECK(group.name() == "<S2 wr S7");
     CHECK(group.width() == 7);
 }
+
+TEST_CASE("edges show that a group is symmetric only if they do whichever is left out") {
+    constexpr int degree = 30;
+    RandomElements elements(symmetric(degree, degree));
+    std::vector<Permutation> even, odd;
+    while (even.size() < 3 || odd.size() < 2) {
+        const Permutation next = elements.next();
+        (is_even(next) ? even : odd).push_back(next);
+    }
+    const std::vector<Permutation> edges = {even[0], odd[0], even[1], odd[1]};
+    const auto group = symmetric_group_of_edges(edges);
+    REQUIRE(group);
+    CHECK(group->name() == "S30");
+    CHECK(*group == monodromy_group(loops_of_edges(edges)));
+    CHECK_FALSE(symmetric_group_of_edges({edges.begin(), edges.begin() + 3}));
+    // Of one odd edge the sign may be an error.
+    CHECK_FALSE(symmetric_group_of_edges({even[0], even[1], even[2], odd[0]}));
+    // Blocks, and one wrong edge that breaks them.
+    std::vector<Permutation> blocks = moving_blocks(symmetric(10, 10), 3);
+    blocks.push_back(then(blocks[0], blocks[1]));
+    blocks.push_back(permutation(degree, {{0, 1, 2}}));
+    CHECK_FALSE(shows_alternating(loops_of_edges(blocks)));
+    blocks.push_back(odd[0]);
+    CHECK(shows_alternating(loops_of_edges(blocks)));
+    CHECK_FALSE(symmetric_group_of_edges(blocks));
+}

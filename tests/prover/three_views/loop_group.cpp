@@ -31,12 +31,20 @@ TEST_CASE("permutations are the same both ways, and on each run") {
     };
     auto loops = loops_of(64), same = loops_of(64);
     REQUIRE(loops.complete());
+    std::vector<Permutation> same_loops;
     for (int i = 0; i < 4; ++i) {
         const auto one = loops.next_both_ways(), other = same.next();
         REQUIRE(one);
         CHECK(one == other);
         CHECK(one->size() == 64);
+        same_loops.push_back(*one);
     }
+    // Edges whose paths are followed once give the loops that are followed anew.
+    auto third = loops_of(64);
+    third.add_bijections(4);
+    REQUIRE(third.bijections().size() == 4);
+    for (int i = 0; i < 3; ++i)
+        CHECK(loops_of_edges(third.bijections())[as_index(i)] == same_loops[as_index(i)]);
     // Without all solutions there are no loops.
     CHECK_FALSE(loops_of(65).complete());
 }
