@@ -109,7 +109,7 @@ TEST_CASE("plprove gives back the bytes of a dozen certificates of lower bounds,
 }
 
 TEST_CASE(
-    "the list of lower bounds in general has problems of PLMP with more than 600 solutions, as "
+    "the list of lower bounds in general has problems of PLMP with more than 2,000 solutions, as "
     "certified as their lines say, and plcheck reported it") {
     const std::string table = read_file(certs + "family-degrees.csv");
     const std::string report = read_file(certs + "solutions/lower-bounds.txt");
@@ -119,7 +119,7 @@ TEST_CASE(
         std::vector<std::string> row;
         for (std::string column; std::getline(columns, column, ',');)
             row.push_back(column);
-        if (row[0] != "plmp" || row[5].empty() || std::stoi(row[5]) <= 600) continue;
+        if (row[0] != "plmp" || row[5].empty() || std::stoi(row[5]) <= 2000) continue;
         lines.insert(row[1] + ": " + row[5]);
     }
     std::set<std::string> listed;
@@ -135,7 +135,7 @@ TEST_CASE(
         listed.insert(notation + ": " + std::to_string(certified));
     }
     CHECK(listed == lines);
-    CHECK(listed.size() == 7);
+    CHECK(listed.size() == 6);
     CHECK(lines_of(report).size() == listed.size());
 }
 
