@@ -5,6 +5,7 @@
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "prover/solver/certificate.h"
+#include "prover/solver/general.h"
 #include "prover/solver/images_file.h"
 #include "prover/solver/poses.h"
 #include "prover/solver/synthetic.h"
@@ -17,6 +18,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <thread>
 
 namespace plprove {
 
@@ -43,19 +45,12 @@ std::string content_of(const std::string& path) {
     return text;
 }
 
-/// The features of a problem; says so where it is one of those that cannot be solved yet.
-Features solvable_problem(const std::string& spec) {
+/// Throws BadInput where it is one of those that cannot be solved.
+ImagedProblem solvable_problem(const std::string& spec) {
     const std::optional<Problem> general = parse_general_spec(spec);
     if (!general) return parse_spec(spec);
-    std::string message = "solve takes two or three calibrated views and lines with at most one "
-                          "point; this problem has ";
-    if (general->cameras != &calibrated_cameras)
-        message += "other cameras";
-    else if (general->views > 3)
-        message += std::to_string(general->views) + " views";
-    else
-        message += "lines with more points";
-    throw BadInput(message);
+    degree_to_solve(*general);
+    return *general;
 }
 
 struct SolveRequest {
@@ -139,13 +134,38 @@ bool look_like_pixels(const GivenImages& images) {
     return false;
 }
 
+int threads() {
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+/// Where the problem is not one of two or three calibrated views with local features.
+Answer solve_general_images(const SolveRequest& request, const Problem& problem,
+                            const SeenImages& images) {
+    if (!request.certificate.empty() || !request.start.empty())
+        throw BadInput("--certify and --start are for two or three calibrated views and lines with "
+                       "at most one point: leave them out");
+    const int degree = degree_to_solve(problem);
+    constexpr int many = 5000;
+    if (degree > many)
+        std::cerr << "plprove: finding " << degree << " solutions takes some minutes\n";
+    ProgressLine line("finding solutions of random images", static_cast<std::size_t>(degree));
+    GeneralOptions options;
+    options.complex = request.options.complex;
+    options.threads = threads();
+    options.found = [&](int found) { line.show(static_cast<std::size_t>(found)); };
+    return solve_in_general(problem, images, options);
+}
+
 int solve_images(const SolveRequest& request, const Deliver& deliver) {
-    std::optional<Features> asked;
+    std::optional<ImagedProblem> asked;
     if (!request.spec.empty()) asked = solvable_problem(request.spec);
     SolveReport report;
     report.images = read_images(content_of(request.images), request.images, asked);
     const Features& problem = report.images.problem;
-    if (look_like_pixels(report.images)) {
+    const std::optional<Problem>& general = report.images.general;
+    if (general) degree_to_solve(*general); // refuses what cannot be solved
+    const bool calibrated = !general || general->cameras == &calibrated_cameras;
+    if (calibrated && look_like_pixels(report.images)) {
         report.warnings.push_back("coordinates look like pixels, and without \"cameras\" they "
                                   "count as normalised: give \"cameras\"");
         std::cerr << "plprove: warning: " << report.warnings.back() << '\n';
@@ -153,6 +173,11 @@ int solve_images(const SolveRequest& request, const Deliver& deliver) {
     const ConsistentImages images = consistent(report.images);
     report.moved = images.moved;
     refuse_degenerate(report.images);
+    if (general) {
+        report.answer = solve_general_images(request, *general, rounded(report.images, images));
+        deliver(request.path, request.json ? json_report(report) : text_report(report));
+        return report.answer.found > 0 ? 0 : exit_failure;
+    }
     const Solver solver = solver_for(request, problem);
     report.number = solver.plan().number;
     ProgressLine line("finding solutions", static_cast<std::size_t>(solver.degree()));
@@ -170,8 +195,8 @@ int solve_images(const SolveRequest& request, const Deliver& deliver) {
 
 int run_solve(const SolveRequest& request, const Deliver& deliver) {
     if (!request.example.empty()) {
-        const Features problem = solvable_problem(request.example);
-        plan(problem); // refuses what cannot be solved
+        const ImagedProblem problem = solvable_problem(request.example);
+        if (!problem.general) plan(problem.features); // refuses what cannot be solved
         deliver(request.path, images_file(synthetic_scene(problem, 1)));
         return 0;
     }
@@ -243,7 +268,12 @@ Command add_start_command(CLI::App& program, const Deliver& deliver) {
                 "  plprove start Chicago -o chicago.start\n"
                 "  plprove solve Chicago images.json --start chicago.start");
     return {app, [request, deliver] {
-                const SolvePlan how = plan(solvable_problem(request->spec));
+                const ImagedProblem problem = solvable_problem(request->spec);
+                if (problem.general)
+                    throw BadInput("starts are for three calibrated views and lines with at most "
+                                   "one point: `plprove solve` solves " +
+                                   notation(problem) + " without");
+                const SolvePlan how = plan(problem.features);
                 if (!how.number)
                     throw BadInput("problems in two views need no start: `plprove solve` "
                                    "solves them without");

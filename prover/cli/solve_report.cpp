@@ -19,6 +19,14 @@ std::array<double, 4> quaternion(const Eigen::Matrix3cd& R) {
     return {q.w(), q.x(), q.y(), q.z()};
 }
 
+bool is_calibrated(const GivenImages& images) {
+    return !images.general || images.general->cameras == &calibrated_cameras;
+}
+
+std::string problem_of(const GivenImages& images) {
+    return images.general ? notation(*images.general) : notation(images.problem);
+}
+
 int real_solutions(const Answer& answer) {
     return static_cast<int>(std::ranges::count_if(answer.solutions, &Solution::real));
 }
@@ -38,6 +46,13 @@ Json numbers(const Matrix& matrix, bool real) {
     return result;
 }
 
+/// Of uncalibrated cameras.
+Json matrix_json(const ComplexPose& pose, bool real) {
+    Eigen::Matrix<std::complex<double>, 3, 4> P;
+    P << pose.R, pose.t;
+    return {{"P", numbers(P, real)}};
+}
+
 Json camera_json(const ComplexPose& pose, bool real) {
     Json result{{"R", numbers(pose.R, real)}};
     if (real) result["quaternion"] = quaternion(pose.R);
@@ -45,11 +60,12 @@ Json camera_json(const ComplexPose& pose, bool real) {
     return result;
 }
 
-Json feature_json(const SpaceFeature& feature, bool real) {
+Json feature_json(const SpaceFeature& feature, const Feature& kind, bool real) {
     Json result{{"point", nullptr}, {"lines", Json::object()}, {"in_front", Json::array()}};
     if (feature.point) result["point"] = numbers(*feature.point, real);
     for (std::size_t line = 0; line < feature.lines.size(); ++line) {
-        Json& entry = result["lines"][std::string(1, static_cast<char>('a' + line))];
+        const char letter = letter_of(kind, static_cast<int>(line));
+        Json& entry = result["lines"][std::string(1, letter)];
         if (const auto& found = feature.lines[line])
             entry = {{"point", numbers(found->point, real)},
                      {"direction", numbers(found->direction, real)}};
@@ -59,12 +75,14 @@ Json feature_json(const SpaceFeature& feature, bool real) {
     return result;
 }
 
-Json solution_json(const Solution& solution) {
+Json solution_json(const Solution& solution, const GivenImages& images) {
     Json result{{"real", solution.real}, {"cameras", Json::array()}, {"features", Json::array()}};
     for (const ComplexPose& pose : solution.cameras)
-        result["cameras"].push_back(camera_json(pose, solution.real));
-    for (const SpaceFeature& feature : solution.features)
-        result["features"].push_back(feature_json(feature, solution.real));
+        result["cameras"].push_back(is_calibrated(images) ? camera_json(pose, solution.real)
+                                                          : matrix_json(pose, solution.real));
+    for (std::size_t f = 0; f < solution.features.size(); ++f)
+        result["features"].push_back(
+            feature_json(solution.features[f], images.problem[f], solution.real));
     result["residual"] = solution.residual;
     result["in_front"] = solution.in_front;
     // JSON has no infinity.
@@ -77,7 +95,7 @@ Json solution_json(const Solution& solution) {
 
 std::string json_report(const SolveReport& report) {
     const Answer& answer = report.answer;
-    Json json{{"problem", notation(report.images.problem)},
+    Json json{{"problem", problem_of(report.images)},
               {"class", nullptr},
               {"degree", answer.degree},
               {"found", answer.found},
@@ -93,7 +111,7 @@ std::string json_report(const SolveReport& report) {
                                {"moved", note->moved}};
     json["solutions"] = Json::array();
     for (const Solution& solution : answer.solutions)
-        json["solutions"].push_back(solution_json(solution));
+        json["solutions"].push_back(solution_json(solution, report.images));
     return json.dump(1) + '\n';
 }
 
@@ -103,11 +121,18 @@ std::string completeness(const Answer& answer) {
     switch (answer.complete) {
     case Completeness::certified:
         return "all: the degree is certified";
+    case Completeness::evidence:
+        return "all by evidence: no more have been found for any images";
     case Completeness::unknown:
         return std::to_string(answer.lost) + " are missing: paths were lost, or the images are "
                                              "special";
     }
     return {};
+}
+
+std::size_t points_of(const Features& problem) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(problem, [](const Feature& f) { return point_is_seen(f); }));
 }
 
 std::string camera_row(const ComplexPose& pose) {
@@ -121,21 +146,34 @@ std::string camera_row(const ComplexPose& pose) {
     return text.str();
 }
 
+/// The rows of the matrix of an uncalibrated camera, divided by the largest number.
+std::string matrix_rows(const ComplexPose& pose) {
+    Eigen::Matrix<double, 3, 4> P;
+    P << pose.R.real(), pose.t.real();
+    P /= P.cwiseAbs().maxCoeff();
+    std::ostringstream text;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        text << (i == 0 ? "P" : "\n               ");
+        for (Eigen::Index j = 0; j < 4; ++j)
+            text << std::scientific << std::setprecision(4) << std::setw(13) << P(i, j);
+    }
+    return text.str();
+}
+
 void append_solution(std::ostream& text, std::size_t index, const Solution& solution,
-                     std::size_t points) {
-    text << '\n'
-         << std::setw(3) << index + 1 << "  in front " << solution.in_front << " of " << points
-         << ", residual " << std::scientific << std::setprecision(0) << solution.residual
+                     const GivenImages& images) {
+    text << '\n' << std::setw(3) << index + 1 << "  ";
+    if (is_calibrated(images))
+        text << "in front " << solution.in_front << " of " << points_of(images.problem) << ", ";
+    text << "residual " << std::scientific << std::setprecision(0) << solution.residual
          << " pixels";
     if (solution.condition) text << ", condition " << *solution.condition;
     text << '\n';
     for (std::size_t v = 1; v < solution.cameras.size(); ++v)
-        text << "     camera " << v + 1 << "  " << camera_row(solution.cameras[v]) << '\n';
-}
-
-std::size_t points_of(const Features& problem) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(problem, [](const Feature& f) { return point_is_seen(f); }));
+        text << "     camera " << v + 1 << "  "
+             << (is_calibrated(images) ? camera_row(solution.cameras[v])
+                                       : matrix_rows(solution.cameras[v]))
+             << '\n';
 }
 
 } // namespace
@@ -144,7 +182,7 @@ std::string text_report(const SolveReport& report) {
     const Answer& answer = report.answer;
     const int real = real_solutions(answer);
     std::ostringstream text;
-    text << "problem     " << notation(report.images.problem) << '\n'
+    text << "problem     " << problem_of(report.images) << '\n'
          << "solutions   " << answer.found << " of " << answer.degree << ", "
          << completeness(answer) << '\n'
          << "real        " << real << '\n';
@@ -158,7 +196,7 @@ std::string text_report(const SolveReport& report) {
         text << ": certified once plcheck accepts it\n";
     }
     for (std::size_t i = 0; i < answer.solutions.size() && answer.solutions[i].real; ++i)
-        append_solution(text, i, answer.solutions[i], points_of(report.images.problem));
+        append_solution(text, i, answer.solutions[i], report.images);
     return text.str();
 }
 

@@ -47,6 +47,7 @@ Complete complete(plprove::Completeness completeness) {
     switch (completeness) {
     case plprove::Completeness::certified:
         return Complete::certified;
+    case plprove::Completeness::evidence: // of problems that this library does not take
     case plprove::Completeness::unknown:
         return Complete::unknown;
     }

@@ -3,6 +3,7 @@
 #include "prover/format/certificate_text.h"
 #include "prover/many_views/integer_pictures.h"
 #include "prover/many_views/path.h"
+#include "prover/many_views/standard_chart.h"
 #include "prover/monodromy/arrivals.h"
 #include "prover/problem/notation.h"
 
@@ -16,31 +17,6 @@ namespace {
 
 using Eigen::Index;
 
-/// Of a real solution, relative; tried, not believed.
-constexpr double small_imaginary_part = 1e-8;
-
-bool is_real(const Point& point) {
-    return has_near_coordinates(point, Point(point.conjugate()), 2 * small_imaginary_part);
-}
-
-/// The same cameras and places in the standard chart.
-Point in_standard_chart(const System& system, const Point& point) {
-    const CameraModel& model = *system.problem().cameras;
-    const CameraChart& chart = system.chart();
-    Point result(point.size());
-    Complex depths = 1;
-    const Point coordinates = point.tail(chart.dimension());
-    result.segment(system.depths(), chart.shared()) = coordinates.head(chart.shared());
-    for (std::size_t view = 1; view < static_cast<std::size_t>(chart.views()); ++view) {
-        Eigen::VectorXcd numbers = chart.numbers(view, coordinates);
-        model.normalise(numbers.data(), view == 1, depths);
-        result.segment(system.depths() + chart.offset(view), chart.coordinates(view)) =
-            numbers(model.coordinates(view == 1));
-    }
-    result.head(system.depths()) = point.head(system.depths()) * depths;
-    return result;
-}
-
 /// The equations at the integer images, in the standard chart. Their vectors are divided by the
 /// scale.
 class IntegerSystem {
@@ -51,19 +27,9 @@ public:
 
     const Images<Complex>& images() const { return images_; }
 
-    /// Where at most eight Newton steps lead, as the checker makes them; nothing where they do not
-    /// converge.
-    std::optional<Point> solve(Point point) {
-        constexpr int most_steps = 8;
-        constexpr double small_step = 1e-10, last_step = 1e-7;
-        double relative = 1;
-        for (int step = 0; step < most_steps && relative > small_step; ++step) {
-            const Point change = system_.newton_step(still_, point, evaluation_);
-            point -= change;
-            relative = (change.array().abs() / (1 + point.array().abs())).maxCoeff();
-        }
-        if (!point.allFinite() || !(relative < last_step)) return std::nullopt;
-        return point;
+    /// See refined().
+    std::optional<Point> solve(const Point& point) {
+        return refined(system_, still_, point, evaluation_);
     }
 
     /// The coordinates in the order of the file, with depths for the integers themselves; and back.

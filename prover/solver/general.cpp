@@ -103,12 +103,13 @@ void add_shared_lines(const Features& features, Solution& solution) {
     for (std::size_t f = 0; f < features.size(); ++f)
         for (std::size_t line = 0; line < features[f].shared.size(); ++line) {
             const auto has_it = [&](const Feature& other) {
-                return &other != &features[f] && other.shared.contains(features[f].shared[line]);
+                return &other != &features[f] &&
+                       other.shared.find(features[f].shared[line]) != std::string::npos;
             };
             const auto other = std::ranges::find_if(features, has_it) - features.begin();
             const auto& a = solution.features[f].point;
             const auto& b = solution.features[static_cast<std::size_t>(other)].point;
-            if (a && b) solution.features[f].lines[line] = {*a, (*b - *a).normalized()};
+            if (a && b) solution.features[f].lines[line] = SpaceLine{*a, (*b - *a).normalized()};
         }
 }
 
@@ -124,7 +125,7 @@ void undo_centring(const std::vector<Eigen::Matrix3d>& calibration, Solution& so
         std::ranges::fill(feature.in_front, std::nullopt);
         if (feature.point) feature.point = (first * *feature.point).eval();
         for (auto& line : feature.lines)
-            if (line) line = {first * line->point, (first * line->direction).normalized()};
+            if (line) line = SpaceLine{first * line->point, (first * line->direction).normalized()};
     }
     solution.in_front = 0;
 }
@@ -168,7 +169,9 @@ Answer solve_in_general(const Problem& problem, const SeenImages& images,
         if (projective) undo_centring(seen.calibration, solution);
     }
     answer.lost = answer.degree - answer.found;
-    if (answer.lost == 0 && known.status == "certified") answer.complete = Completeness::certified;
+    if (answer.lost == 0)
+        answer.complete =
+            known.status == "certified" ? Completeness::certified : Completeness::evidence;
     finish(answer, seen);
     return answer;
 }

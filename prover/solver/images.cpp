@@ -4,6 +4,8 @@
 #include "prover/solver/exact_vector.h"
 #include "prover/system/exit.h"
 
+#include <cmath>
+
 namespace plprove {
 
 namespace {
@@ -84,16 +86,61 @@ ExactSighting normalised(const Calibration& K, const GivenSighting& sighting) {
 
 } // namespace
 
+std::string notation(const ImagedProblem& problem) {
+    return problem.general ? notation(*problem.general) : notation(problem.features);
+}
+
+namespace {
+
+/// Moves the point, in pixels, onto the line through two others. Returns by how much.
+double move_onto_line(ExactVector& point, const ExactVector& a, const ExactVector& b) {
+    const std::array<mpq_class, 2> along{b[0] - a[0], b[1] - a[1]};
+    const mpq_class length = along[0] * along[0] + along[1] * along[1];
+    if (length == 0) return 0; // refuse_degenerate() says so
+    const mpq_class part = ((point[0] - a[0]) * along[0] + (point[1] - a[1]) * along[1]) / length;
+    const ExactVector moved{a[0] + part * along[0], a[1] + part * along[1], 1};
+    const mpq_class x = moved[0] - point[0], y = moved[1] - point[1];
+    point = moved;
+    return std::sqrt(mpq_class(x * x + y * y).get_d());
+}
+
+/// Makes points of one line lie on one, in each view; their pins pass through them again.
+double make_collinear(const Problem& problem, std::vector<std::vector<GivenSighting>>& features) {
+    double moved = 0;
+    for (std::size_t p = 0; p < problem.points.size(); ++p) {
+        const auto line = carrier(problem, static_cast<int>(p));
+        if (!line) continue;
+        const std::vector<int>& on_it = problem.lines[static_cast<std::size_t>(*line)].points;
+        const auto& first = features[static_cast<std::size_t>(on_it[0])];
+        const auto& second = features[static_cast<std::size_t>(on_it[1])];
+        for (std::size_t view = 0; view < features[p].size(); ++view) {
+            auto& [point, lines] = features[p][view];
+            moved =
+                std::max(moved, move_onto_line(*point, *first[view].point, *second[view].point));
+            for (auto& pin : lines)
+                if (pin)
+                    pin->coefficients[2] =
+                        -(pin->coefficients[0] * (*point)[0] + pin->coefficients[1] * (*point)[1]);
+        }
+    }
+    return moved;
+}
+
+} // namespace
+
 ConsistentImages consistent(const GivenImages& images) {
     ConsistentImages result;
-    for (const auto& views : images.features) {
-        auto& feature = result.features.emplace_back();
-        for (std::size_t v = 0; v < views.size(); ++v) {
-            GivenSighting sighting = views[v];
+    auto features = images.features;
+    for (auto& views : features)
+        for (GivenSighting& sighting : views)
             if (sighting.point && !meet(sighting))
                 result.moved = std::max(result.moved, make_meet(sighting));
-            feature.push_back(normalised(images.calibration[v], sighting));
-        }
+    if (images.general)
+        result.moved = std::max(result.moved, make_collinear(*images.general, features));
+    for (const auto& views : features) {
+        auto& feature = result.features.emplace_back();
+        for (std::size_t v = 0; v < views.size(); ++v)
+            feature.push_back(normalised(images.calibration[v], views[v]));
     }
     return result;
 }

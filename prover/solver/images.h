@@ -26,9 +26,26 @@ struct GivenSighting {
     std::vector<std::optional<GivenLine>> lines; ///< one for each line of the feature
 };
 
-/// The images of a problem. What a view is to see by the problem is there, and nothing else.
+/// A problem of which there may be images: its features; and what they do not say where points
+/// share lines, there are more than three views, or the cameras are not calibrated.
+struct ImagedProblem {
+    Features features;
+    std::optional<Problem> general{};
+
+    // Either kind is one.
+    ImagedProblem(Features local) : features(std::move(local)) {}
+    ImagedProblem(const Problem& problem) : features(features_of(problem)), general(problem) {}
+
+    friend bool operator==(const ImagedProblem&, const ImagedProblem&) = default;
+};
+
+std::string notation(const ImagedProblem& problem);
+
+/// The images of a problem. What a view is to see by the problem is there, and nothing else; but
+/// for lines with two points or more, which these show.
 struct GivenImages {
     Features problem;
+    std::optional<Problem> general; ///< see ImagedProblem
     std::vector<std::string> names; ///< one for each feature; empty where it has none
     /// One matrix for each view, upper triangular, by rows: from normalised coordinates to pixels.
     std::vector<std::array<ExactVector, 3>> calibration;
@@ -50,6 +67,7 @@ struct ConsistentImages {
 };
 
 /// Where a line misses its point, both are moved to the nearest ones that meet (consistency.h).
+/// Then each point that a line has beside its first two is moved onto the line of these.
 ConsistentImages consistent(const GivenImages& images);
 
 /// The same in doubles.

@@ -185,17 +185,14 @@ std::array<ExactVector, 3> read_camera(const Field& field) {
     return K;
 }
 
-std::string letter(int line) {
-    return {static_cast<char>('a' + line)};
-}
-
 GivenSighting read_sighting(const Field& field, const Feature& feature, int view) {
     GivenSighting sighting;
     sighting.lines.resize(static_cast<std::size_t>(feature.lines));
     const bool sees_point = feature.sees_point(view);
+    const auto shared = static_cast<int>(feature.shared.size());
     std::vector<std::string> letters;
-    for (int line = 0; line < feature.lines; ++line)
-        if (feature.sees_line(view, line)) letters.push_back(letter(line));
+    for (int line = shared; line < feature.lines; ++line)
+        if (feature.sees_line(view, line)) letters.emplace_back(1, letter_of(feature, line));
     if (!sees_point && letters.empty()) {
         if (!field.is_null()) field.expect("null: this view sees nothing of " + notation(feature));
         return sighting;
@@ -213,7 +210,8 @@ GivenSighting read_sighting(const Field& field, const Feature& feature, int view
     const Field lines = field.at("lines");
     lines.require_object(letters);
     for (const std::string& name : letters)
-        sighting.lines[static_cast<std::size_t>(name[0] - 'a')] = read_line(lines.at(name));
+        sighting.lines[static_cast<std::size_t>(shared + name[0] - 'a')] =
+            read_line(lines.at(name));
     return sighting;
 }
 
@@ -273,6 +271,8 @@ void read_cameras(const Field& file, GivenImages& images) {
         images.calibration.assign(views, read_camera(Field(Json(), "cameras")));
         return;
     }
+    if (images.general && images.general->cameras == &projective_cameras)
+        field->refuse("uncalibrated cameras have no intrinsics: leave \"cameras\" out");
     const auto cameras = field->list("a list of cameras");
     if (cameras.size() != views)
         field->expect(std::to_string(views) + " cameras, one for each view; these are " +
@@ -282,12 +282,14 @@ void read_cameras(const Field& file, GivenImages& images) {
 }
 
 /// The problem that was asked for, which the file names, too, or that of the file.
-Features read_problem(const Field& file, const std::optional<Features>& asked) {
+ImagedProblem read_problem(const Field& file, const std::optional<ImagedProblem>& asked) {
     const auto field = file.find("problem");
     if (!field && !asked) file.expect("the member \"problem\"");
     if (!field) return *asked;
-    const Features problem = parse_spec(field->text());
-    if (asked && problem != *asked)
+    const std::string text = field->text();
+    const std::optional<Problem> general = parse_general_spec(text);
+    const ImagedProblem problem = general ? ImagedProblem(*general) : parse_spec(text);
+    if (asked && !(problem == *asked))
         field->expect("images of " + notation(*asked) + ", in the order of this notation");
     return problem;
 }
@@ -295,7 +297,7 @@ Features read_problem(const Field& file, const std::optional<Features>& asked) {
 } // namespace
 
 GivenImages read_images(const std::string& text, const std::string& name,
-                        const std::optional<Features>& problem) {
+                        const std::optional<ImagedProblem>& problem) {
     Json json;
     try {
         json = parse_exact_json(text);
@@ -306,7 +308,9 @@ GivenImages read_images(const std::string& text, const std::string& name,
         const Field file(json, "");
         file.require_object({"problem", "cameras", "features"});
         GivenImages images;
-        images.problem = read_problem(file, problem);
+        ImagedProblem imaged = read_problem(file, problem);
+        images.problem = std::move(imaged.features);
+        images.general = std::move(imaged.general);
         read_cameras(file, images);
         read_features(file.at("features"), images);
         return images;

@@ -18,6 +18,8 @@ std::string_view name(Completeness completeness) {
     switch (completeness) {
     case Completeness::certified:
         return "certified";
+    case Completeness::evidence:
+        return "evidence";
     case Completeness::unknown:
         return "unknown";
     }
@@ -76,6 +78,11 @@ void drop_what_explains_nothing(Answer& answer, const SeenImages& images) {
 
 } // namespace
 
+void finish(Answer& answer, const SeenImages& images) {
+    drop_what_explains_nothing(answer, images);
+    sort(answer.solutions);
+}
+
 Solver::Solver(SolvePlan plan, Start start) : plan_(std::move(plan)) {
     if (!plan_.number) throw BadInput("problems in two views need no start");
     if (*plan_.number != start.number)
@@ -118,8 +125,7 @@ Answer Solver::solve(const SeenImages& images, const std::vector<Eigen::Vector3d
             answer.solutions.push_back(complex_solution(images, ordered));
         }
     }
-    drop_what_explains_nothing(answer, images);
-    sort(answer.solutions);
+    finish(answer, images);
     return answer;
 }
 
@@ -148,8 +154,7 @@ Answer Solver::solve_two_views(const SeenImages& images, const SolveOptions& opt
     answer.degree = degree();
     answer.lost = answer.degree - answer.found;
     if (answer.lost == 0) answer.complete = Completeness::certified;
-    drop_what_explains_nothing(answer, images);
-    sort(answer.solutions);
+    finish(answer, images);
     return answer;
 }
 

@@ -11,6 +11,7 @@ namespace plprove {
 /// those for any.
 enum class Completeness {
     certified, ///< their number is the degree, which is certified (certs/degrees.csv)
+    evidence,  ///< it is, and the degree is known by evidence (certs/family-degrees.csv)
     unknown    ///< fewer
 };
 
@@ -25,6 +26,10 @@ struct Answer {
     /// All zeros of the camera equations, in the standard chart; in three views only.
     std::vector<CameraPoint> zeros;
 };
+
+/// Drops what rounding errors have made of images of extreme size; puts the real solutions first,
+/// those with most points in front before the others.
+void finish(Answer& answer, const SeenImages& images);
 
 struct SolveOptions {
     SearchOptions search;

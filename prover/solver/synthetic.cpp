@@ -42,8 +42,26 @@ std::vector<Pose<double>> random_cameras(int views, Random& random) {
     const Vector3d second = random_vector(random).normalized();
     cameras.push_back(looking_at_scene(second, random));
     const Vector3d across = random_vector(random).cross(second).normalized();
-    if (views == 3) cameras.push_back(looking_at_scene(0.7 * second + across, random));
+    if (views >= 3) cameras.push_back(looking_at_scene(0.7 * second + across, random));
+    while (std::ssize(cameras) < views)
+        cameras.push_back(looking_at_scene(random_vector(random), random));
     return cameras;
+}
+
+Vector3d near_the_middle(Random& random) {
+    return Vector3d(0, 0, distance_of_scene) + 1.5 * random_vector(random);
+}
+
+/// A point, or the next point of the line on which two points are already.
+Vector3d next_point(const std::optional<Problem>& problem, const std::vector<Vector3d>& points,
+                    Random& random) {
+    const bool is_point = problem && points.size() < problem->points.size();
+    const auto line = is_point ? carrier(*problem, static_cast<int>(points.size())) : std::nullopt;
+    if (!line) return near_the_middle(random);
+    const std::vector<int>& on_it = problem->lines[static_cast<std::size_t>(*line)].points;
+    const Vector3d& a = points[static_cast<std::size_t>(on_it[0])];
+    const Vector3d& b = points[static_cast<std::size_t>(on_it[1])];
+    return (a + b) / 2 + 0.4 * random.real() * (b - a);
 }
 
 Sighting sighting(const Feature& feature, int view, const Pose<double>& camera,
@@ -51,7 +69,8 @@ Sighting sighting(const Feature& feature, int view, const Pose<double>& camera,
     Sighting result;
     const Vector3d x = camera.R * point + camera.t;
     if (feature.sees_point(view)) result.point = x / x[2];
-    for (int line = 0; line < feature.lines; ++line) {
+    result.lines.resize(feature.shared.size()); // the points show these
+    for (int line = static_cast<int>(feature.shared.size()); line < feature.lines; ++line) {
         result.lines.emplace_back();
         const Vector3d d = camera.R * directions[static_cast<std::size_t>(line)];
         if (feature.sees_line(view, line)) result.lines.back() = x.cross(d).normalized();
@@ -61,15 +80,16 @@ Sighting sighting(const Feature& feature, int view, const Pose<double>& camera,
 
 } // namespace
 
-SyntheticScene synthetic_scene(const Features& problem, std::uint64_t seed) {
+SyntheticScene synthetic_scene(const ImagedProblem& problem, std::uint64_t seed) {
     Random random(seed, 0);
     SyntheticScene scene;
-    scene.problem = problem;
-    const int views = problem.front().views();
+    scene.problem = problem.features;
+    scene.general = problem.general;
+    const int views = problem.features.front().views();
     scene.cameras = random_cameras(views, random);
     scene.images.calibration.assign(static_cast<std::size_t>(views), calibration());
-    for (const Feature& feature : problem) {
-        scene.points.push_back(Vector3d(0, 0, distance_of_scene) + 1.5 * random_vector(random));
+    for (const Feature& feature : problem.features) {
+        scene.points.push_back(next_point(problem.general, scene.points, random));
         auto& directions = scene.directions.emplace_back();
         for (int line = 0; line < feature.lines; ++line)
             directions.push_back(random_vector(random).normalized());
@@ -109,12 +129,12 @@ Json two_points(const Eigen::Matrix3d& K, const Vector3d& line,
     return {pixel(K, first), pixel(K, first + along)};
 }
 
-Json sighting_of(const Sighting& sighting, const Eigen::Matrix3d& K) {
+Json sighting_of(const Feature& feature, const Sighting& sighting, const Eigen::Matrix3d& K) {
     Json result;
     if (sighting.point) result["point"] = pixel(K, *sighting.point);
     for (std::size_t line = 0; line < sighting.lines.size(); ++line)
         if (sighting.lines[line])
-            result["lines"][std::string(1, static_cast<char>('a' + line))] =
+            result["lines"][std::string(1, letter_of(feature, static_cast<int>(line)))] =
                 two_points(K, *sighting.lines[line], sighting.point);
     return result;
 }
@@ -122,16 +142,18 @@ Json sighting_of(const Sighting& sighting, const Eigen::Matrix3d& K) {
 } // namespace
 
 std::string images_file(const SyntheticScene& scene) {
-    Json json{{"problem", notation(scene.problem)},
-              {"cameras", Json::array()},
-              {"features", Json::array()}};
+    const std::string problem = scene.general ? notation(*scene.general) : notation(scene.problem);
+    Json json{{"problem", problem}, {"cameras", Json::array()}, {"features", Json::array()}};
     for (const Eigen::Matrix3d& K : scene.images.calibration)
         json["cameras"].push_back(
             {{"fx", K(0, 0)}, {"fy", K(1, 1)}, {"cx", K(0, 2)}, {"cy", K(1, 2)}});
-    for (const FeatureSightings& sightings : scene.images.observation) {
+    if (scene.general && scene.general->cameras == &projective_cameras) json.erase("cameras");
+    for (std::size_t f = 0; f < scene.problem.size(); ++f) {
+        const FeatureSightings& sightings = scene.images.observation[f];
         Json views = Json::array();
         for (std::size_t v = 0; v < sightings.size(); ++v)
-            views.push_back(sighting_of(sightings[v], scene.images.calibration[v]));
+            views.push_back(
+                sighting_of(scene.problem[f], sightings[v], scene.images.calibration[v]));
         json["features"].push_back({{"views", views}});
     }
     return json.dump(2) + '\n';

@@ -266,22 +266,57 @@ TEST_CASE("what rounding errors make of enormous coordinates is no solution") {
         CHECK(solution["residual"].get<double>() < 1e7);
 }
 
-TEST_CASE("what cannot be solved yet is said, and is no mistake of notation") {
+TEST_CASE("shared lines, four views and uncalibrated cameras are solved from a file, too") {
     const Session session;
-    const std::vector<std::pair<std::string, std::string>> problems{
-        {"1021_1", "6 views"},
-        {"'P/P/P/P'", "4 views"},
-        {"'projective: 7*P/P'", "other cameras"},
-        {"'3*PL/PL + 2*P/P'", "lines with more points"}};
-    for (const auto& [problem, what] : problems) {
+    for (const auto& [problem, degree] : std::vector<std::pair<std::string, int>>{
+             {"3*PL/PL/PL/PL + a/a/a/a", 32}, {"projective: 7*P/P", 3}}) {
         CAPTURE(problem);
-        const std::string message = "solve takes two or three calibrated views and lines with at "
-                                    "most one point; this problem has " +
-                                    what;
+        REQUIRE(session.plprove("solve --example '" + problem + "' -o images.json").status == 0);
+        const Outcome outcome = session.plprove("solve images.json --json");
+        CHECK(outcome.status == 0);
+        CHECK(outcome.err.empty());
+        const Json answer = Json::parse(outcome.out);
+        CHECK(answer["problem"] == problem);
+        CHECK(answer["found"] == degree);
+        CHECK(answer["complete"] == "certified");
+        CHECK(std::ssize(answer["solutions"]) == degree);
+        const std::string table = session.plprove("solve images.json").out;
+        CHECK(table.starts_with("problem     " + problem + "\nsolutions   " +
+                                std::to_string(degree) + " of " + std::to_string(degree) +
+                                ", all: the degree is certified\nreal        "));
+        const Outcome certify = session.plprove("solve images.json --certify mine.plc");
+        CHECK(certify.status == 2);
+        CHECK(certify.err.find("--certify and --start are for two or three calibrated views") !=
+              std::string::npos);
+        const Outcome start = session.plprove("start '" + problem + "' -o mine.start");
+        CHECK(start.status == 2);
+        CHECK(start.err.find("`plprove solve` solves " + problem + " without") !=
+              std::string::npos);
+        const Json images = session.json("images.json");
+        CHECK(images.contains("cameras") != problem.starts_with("projective"));
+    }
+    // What uncalibrated cameras do not have.
+    Json images = session.json("images.json");
+    images["cameras"] = {nullptr, nullptr};
+    write_file(session / "more.json", images.dump());
+    const Outcome more = session.plprove("solve more.json");
+    CHECK(more.status == 2);
+    CHECK(more.err.find("cameras: uncalibrated cameras have no intrinsics: leave \"cameras\" "
+                        "out") != std::string::npos);
+}
+
+TEST_CASE("what cannot be solved is said, and is no mistake of notation") {
+    const Session session;
+    for (const auto& [problem, what] : std::vector<std::pair<std::string, std::string>>{
+             {"'P/P/P/P'", "P/P/P/P is none of these"},
+             {"'P/P/P/- + 5*P/P/P/P'", " is none of these"},
+             {"'shared-focal: 6*P/P'", "shared-focal: 6*P/P has others"}}) {
+        CAPTURE(problem);
         for (const std::string command : {"solve --example ", "start -o x.start "}) {
             const Outcome outcome = session.plprove(command + problem);
             CHECK(outcome.status == 2);
-            CHECK(outcome.err.find(message) != std::string::npos);
+            CHECK(outcome.err.find("solve takes ") != std::string::npos);
+            CHECK(outcome.err.find(what) != std::string::npos);
         }
     }
 }

@@ -63,7 +63,13 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         os.environ["XDG_CACHE_HOME"] = name
-        for problem in ["Chicago", "five-point", "Pabcde/Pabcde/Pabcde + P/P/P + a/a/- + P/-/-"]:
+        for problem in [
+            "Chicago",
+            "five-point",
+            "Pabcde/Pabcde/Pabcde + P/P/P + a/a/- + P/-/-",
+            "3*PL/PL/PL/PL + a/a/a/a",
+            "projective: 7*P/P",
+        ]:
             example = subprocess.run(
                 [plprove, "solve", "--example", problem], capture_output=True, check=True
             )
