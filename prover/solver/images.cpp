@@ -115,6 +115,7 @@ double make_collinear(const Problem& problem, std::vector<std::vector<GivenSight
         const auto& second = features[static_cast<std::size_t>(on_it[1])];
         for (std::size_t view = 0; view < features[p].size(); ++view) {
             auto& [point, lines] = features[p][view];
+            if (!point || !first[view].point || !second[view].point) continue;
             moved =
                 std::max(moved, move_onto_line(*point, *first[view].point, *second[view].point));
             for (auto& pin : lines)

@@ -19,14 +19,16 @@ void require_fit(std::string_view message) {
             "a message unfit for a terminal");
 }
 
-/// A view sees of a feature what the problem says, and no more.
+/// A view sees of a feature what the problem says, and no more; but for shared lines.
 void require_sight(const GivenSighting& sighting, const Feature& feature, int view) {
     require(sighting.point.has_value() == feature.sees_point(view), "a point too many, or missing");
     require(std::ssize(sighting.lines) == feature.lines, "lines of another feature");
-    for (int line = 0; line < feature.lines; ++line)
+    for (int line = 0; line < feature.lines; ++line) {
+        const bool shared = line < std::ssize(feature.shared);
         require(sighting.lines[static_cast<std::size_t>(line)].has_value() ==
-                    feature.sees_line(view, line),
+                    (!shared && feature.sees_line(view, line)),
                 "a line too many, or missing");
+    }
 }
 
 void require_sense(const GivenImages& images) {
