@@ -1,6 +1,8 @@
 #include "checker/conclusion/in_general.h"
 
+#include "checker/conclusion/label_class.h"
 #include "checker/conclusion/pages_of_theorems.h"
+#include "checker/degrees/constraint_class.h"
 #include "checker/family/degree_bound.h"
 #include "checker/general_bounds/hilbert.h"
 #include "checker/general_bounds/proved_degrees.h"
@@ -39,7 +41,7 @@ ByProblem<CountedInGeneral> counts_in_general(const Findings& findings) {
     for (const ReplayedFile* file : files_of<SolutionsFile>(findings))
         for (const auto& [notation, problem, solutions] :
              std::get<SolutionsFile>(file->content).counts) {
-            CountedInGeneral& most = counts[problem];
+            CountedInGeneral& most = counts[without_implied_lines(problem)];
             if (solutions > most.solutions) most = {solutions, file->name, notation};
         }
     return counts;
@@ -47,7 +49,7 @@ ByProblem<CountedInGeneral> counts_in_general(const Findings& findings) {
 
 CountedInGeneral count_in_general(const Findings& findings, const Problem& problem) {
     const auto counts = counts_in_general(findings);
-    const CountedInGeneral* most = counts.find(problem);
+    const CountedInGeneral* most = counts.find(without_implied_lines(problem));
     return most ? *most : CountedInGeneral{};
 }
 
@@ -56,7 +58,7 @@ ByProblem<BoundedInGeneral> bounds_in_general(const Findings& findings) {
     for (const ReplayedFile* file : files_of<AtMostFile>(findings))
         for (const auto& [notation, problem, at_most] :
              std::get<AtMostFile>(file->content).bounds) {
-            BoundedInGeneral& least = bounds[problem];
+            BoundedInGeneral& least = bounds[without_implied_lines(problem)];
             if (least.notation.empty() || at_most < least.at_most)
                 least = {at_most, {}, file->name, notation};
         }
@@ -68,8 +70,33 @@ UpperBound upper_bound(const BoundedInGeneral& bound) {
     return {bound.at_most, ByForms{}};
 }
 
-static std::optional<BoundedInGeneral> bound_by_theorem(const Problem& problem) {
+/// All upper bounds of a run, by files and by theorems, on minimal problems.
+class Bounds {
+public:
+    explicit Bounds(const Findings& findings) : by_files_(bounds_in_general(findings)) {}
+
+    /// The least; none if none is about the problem.
+    std::optional<BoundedInGeneral> least(const Problem& written) {
+        // Theorems and files know the problem without its implied lines.
+        const Problem problem = without_implied_lines(written);
+        std::optional<BoundedInGeneral> least = by_theorem(problem);
+        const BoundedInGeneral* by_file = by_files_.find(problem);
+        if (by_file && (!least || by_file->at_most < least->at_most)) least = *by_file;
+        return least;
+    }
+
+private:
+    std::optional<BoundedInGeneral> by_theorem(const Problem& problem);
+
+    ByProblem<BoundedInGeneral> by_files_;
+    exactly::Degrees of_classes_{};
+};
+
+std::optional<BoundedInGeneral> Bounds::by_theorem(const Problem& problem) {
     std::optional<BoundedInGeneral> least;
+    if (const auto signature = label_class(problem))
+        if (const auto degree = of_classes_.of(constraint_class(*signature)))
+            return BoundedInGeneral{degree->solutions, degree->theorem, {}, {}, true};
     const auto consider = [&](std::optional<std::size_t> at_most, std::string_view theorem) {
         if (at_most && (!least || *at_most < least->at_most)) least = {*at_most, theorem, {}, {}};
     };
@@ -80,26 +107,19 @@ static std::optional<BoundedInGeneral> bound_by_theorem(const Problem& problem) 
     return least;
 }
 
-static std::optional<BoundedInGeneral> least_bound(const ByProblem<BoundedInGeneral>& bounds,
-                                                   const Problem& problem) {
-    std::optional<BoundedInGeneral> least = bound_by_theorem(problem);
-    const BoundedInGeneral* by_file = bounds.find(problem);
-    if (by_file && (!least || by_file->at_most < least->at_most)) least = *by_file;
-    return least;
-}
-
 std::optional<BoundedInGeneral> bound_in_general(const Findings& findings, const Problem& problem) {
-    return least_bound(bounds_in_general(findings), problem);
+    return Bounds(findings).least(problem);
 }
 
 Contradictions contradictions_in_general(const Findings& findings) {
-    const auto bounds = bounds_in_general(findings);
+    Bounds bounds(findings);
     Contradictions found;
     for (std::size_t i = 0; i < findings.files.size(); ++i) {
         const auto* file = std::get_if<SolutionsFile>(&findings.files[i].content);
         if (!file || !findings.counts(i)) continue;
         for (const SolutionCount& count : file->counts) {
-            const auto bound = least_bound(bounds, count.problem);
+            if (count.solutions == 0) continue; // nothing says that the problem is minimal
+            const auto bound = bounds.least(count.problem);
             if (!bound || count.solutions <= bound->at_most) continue;
             const auto reason = contradiction(count.solutions, upper_bound(*bound));
             found.emplace(i, say(count.notation, " has ", *reason));
@@ -113,16 +133,18 @@ Contradictions contradictions_in_general(const Findings& findings) {
 
 DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& problems) {
     const auto counts = counts_in_general(findings);
-    const auto bounds = bounds_in_general(findings);
+    Bounds bounds(findings);
     DegreesInGeneral degrees;
     for (const ProblemVerdict& verdict : problems.verdicts) {
         if (!verdict.minimal) continue;
-        const CountedInGeneral* counted = counts.find(verdict.problem);
+        const CountedInGeneral* counted = counts.find(without_implied_lines(verdict.problem));
         const std::size_t solutions = counted ? counted->solutions : 0;
         if (solutions > 0) ++degrees.at_least[solutions];
         // A minimal problem has a solution, whatever the files count.
-        const auto bound = least_bound(bounds, verdict.problem);
-        if (!bound || bound->at_most != std::max(solutions, std::size_t{1})) continue;
+        const auto bound = bounds.least(verdict.problem);
+        const bool exact =
+            bound && (bound->attained || bound->at_most == std::max(solutions, std::size_t{1}));
+        if (!exact) continue;
         ++degrees.exact;
         if (bound->file.empty()) ++degrees.exact_by_theorem;
     }

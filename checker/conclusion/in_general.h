@@ -21,7 +21,7 @@ struct CountedInGeneral {
     std::string notation{}; // of the problem, in that file
 };
 
-/// The most that any record counts for each problem.
+/// The most that any record counts for each problem, by the problem without its implied lines.
 ByProblem<CountedInGeneral> counts_in_general(const Findings& findings);
 
 /// The same for one problem; 0 if no record is about it.
@@ -33,9 +33,10 @@ struct BoundedInGeneral {
     std::string_view theorem{};
     std::string file{};
     std::string notation{}; // of the problem, in that file
+    bool attained = false;  // whether the theorem says that there are exactly so many
 };
 
-/// The least that any record says for each problem.
+/// The least that any record says for each problem, by the problem without its implied lines.
 ByProblem<BoundedInGeneral> bounds_in_general(const Findings& findings);
 
 UpperBound upper_bound(const BoundedInGeneral& bound);

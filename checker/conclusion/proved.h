@@ -4,14 +4,6 @@
 #include "checker/conclusion/expectation.h"
 
 namespace checker {
-/// The problem without its implied lines (FORMAT.md, section 10): each has two points, and each
-/// view that sees it sees both, so it has no parameters in space and in images.
-Problem without_implied_lines(const Problem& problem);
-
-/// The number of the label class to which the problem belongs as it stands; none if it is not
-/// balanced, or has other features than the 27.
-std::optional<std::size_t> class_of(const Classification& classes, const Problem& problem);
-
 /// What is proved of a problem beside its degree.
 struct Proved {
     std::string verdict{}; // empty if none

@@ -32,6 +32,8 @@ struct BaseScenes {
     std::vector<FewDepths> few_depths{};
     std::vector<Pencil> pencils{};
     std::vector<Tangent> tangents{};
+
+    std::size_t size() const { return few_depths.size() + pencils.size() + tangents.size(); }
 };
 
 BaseScenes base_scenes(const Problem& problem, const SceneSystem& system);

@@ -53,6 +53,13 @@ SmallRow SceneCoordinates::of(SmallRow own) const {
     return moved;
 }
 
+SmallRow SceneCoordinates::scene(const SmallRow& kept) const {
+    SmallRow own(kept.size() + zero_.size());
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        own[kept_[i]] = kept[i];
+    return own;
+}
+
 /// Monomials of a degree whose degree in some variables is bounded.
 class Monomials {
 public:

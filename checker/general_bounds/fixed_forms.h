@@ -20,6 +20,9 @@ public:
     /// Their values after the motion.
     SmallRow of(SmallRow own) const;
 
+    /// All own depths of the scene with these.
+    SmallRow scene(const SmallRow& kept) const;
+
 private:
     std::vector<Row3> x_{}; // the image vector of each own depth
     std::array<std::size_t, 3> zero_{};

@@ -84,7 +84,8 @@ mpz_class determinants(const Schur& a, const Schur& b, int n) {
     return sum;
 }
 
-/// The types of the features of a problem of Theorem T, the ones with most pins first; none of another problem.
+/// The types of the features of a problem of Theorem T, the ones with most pins first; none of
+/// another problem.
 std::vector<FeatureType> feature_types_of(const Problem& problem) {
     if (!problem.cameras->all_matrices || !all_views_see_all(problem) || surplus(problem) != 0)
         return {};

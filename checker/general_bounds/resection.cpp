@@ -64,7 +64,7 @@ Resection::Resection(const SceneSystem& system, std::size_t camera) {
         throw Refused("an image is too special: it leaves a part of the camera open");
 }
 
-SmallRow Resection::cubics(const SmallRow& depths) const {
+std::vector<Row3> Resection::matrix(const SmallRow& depths) const {
     std::vector<Row3> n;
     for (const SmallRow& elimination : eliminations_) {
         Row3& row = n.emplace_back();
@@ -74,11 +74,30 @@ SmallRow Resection::cubics(const SmallRow& depths) const {
                 row[i] = row[i] + factor * incidences_[e].line[i];
         }
     }
+    return n;
+}
+
+SmallRow Resection::cubics(const SmallRow& depths) const {
+    const std::vector<Row3> n = matrix(depths);
     SmallRow minors;
     for (std::size_t c = 0; c < n.size(); ++c)
         for (std::size_t b = 0; b < c; ++b)
             for (std::size_t a = 0; a < b; ++a)
                 minors.push_back(determinant(n[a], n[b], n[c]));
     return minors;
+}
+
+bool Resection::vanish(const SmallRow& depths, const SmallRow& directions, bool twice) const {
+    const std::vector<Row3> n = matrix(depths), d = matrix(directions);
+    for (std::size_t c = 0; c < n.size(); ++c)
+        for (std::size_t b = 0; b < c; ++b)
+            for (std::size_t a = 0; a < b; ++a) {
+                if (determinant(n[a], n[b], n[c]) != Small{}) return false;
+                const Small derivative = determinant(d[a], n[b], n[c]) +
+                                         determinant(n[a], d[b], n[c]) +
+                                         determinant(n[a], n[b], d[c]);
+                if (twice && derivative != Small{}) return false;
+            }
+    return true;
 }
 } // namespace checker

@@ -29,11 +29,17 @@ public:
     /// The cubic minors of N(D), at a scene whose places have these depths.
     SmallRow cubics(const SmallRow& depths) const;
 
+    /// Whether all minors vanish at D, and if `twice`, to order 2 in z on curves D + D' z + ...
+    bool vanish(const SmallRow& depths, const SmallRow& directions, bool twice) const;
+
 private:
     struct Seen {
         Row3 line{};
         std::size_t place = 0;
     };
+
+    /// N(D).
+    std::vector<Row3> matrix(const SmallRow& depths) const;
 
     std::vector<Seen> incidences_{};
     std::vector<SmallRow> eliminations_{}; // combinations of the incidences in which M is missing

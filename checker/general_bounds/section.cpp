@@ -1,6 +1,6 @@
 #include "checker/general_bounds/section.h"
 
-#include "checker/general_bounds/resection.h"
+#include "checker/general_bounds/vanishing.h"
 
 #include <bit>
 
@@ -18,7 +18,7 @@ static std::vector<Resection> resections_of(const SceneSystem& system) {
     return resections;
 }
 
-/// The effort of noting the values of all cubic forms at this number of scenes. Throws Refused
+/// The effort of computing the values of all cubic forms at this number of scenes. Throws Refused
 /// if these are too many.
 static std::uint64_t effort_of_values(const std::vector<Resection>& resections,
                                       std::size_t scenes) {
@@ -126,7 +126,8 @@ std::size_t solutions_at_most(const Problem& problem, const std::vector<Numbers>
     const auto given = static_cast<std::size_t>(std::popcount(problem.views)) - 1;
     constexpr std::size_t more = 20; // scenes than dimensions, to notice a mistake
     const std::size_t scenes = dimension + more;
-    spend(effort_of_values(resections, scenes));
+    spend(effort_of_values(resections, scenes + base.size()));
+    try_lemmas(problem, system, base, coordinates, resections);
     const Forms forms(system, resections, coordinates, given, scenes, choices);
     RowSpace space;
     fill(space, [&](std::size_t i) { // forms that vanish at all solutions

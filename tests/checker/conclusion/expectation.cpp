@@ -1,5 +1,5 @@
 // What a user expects is verified if the files prove just that, and not otherwise.
-#include "checker/conclusion/proved.h"
+#include "checker/conclusion/label_class.h"
 #include "checker/family/isomorphism.h"
 #include "checker/problem/notation.h"
 #include "checker/registration/registration.h"

@@ -120,6 +120,92 @@ TEST_CASE("the numbers of a family stand beside those of its paper, and confirm 
         CHECK(claim.verdict.starts_with("withheld"));
 }
 
+namespace {
+
+const std::string six_points = "projective: 6*P/P/P";
+const std::string with_a_line = "projective: 2*PL/PL/PL + 4*P/P/P";
+
+/// The record of six points in the archive, of a problem with this notation.
+std::string record_as(const std::string& notation) {
+    const std::string archived = archive("projective");
+    const std::string start = "problem " + six_points + "\nminimal";
+    const std::size_t begin = archived.find(start);
+    REQUIRE(begin != archived.npos);
+    const std::string record = archived.substr(begin, archived.find("problem ", begin + 1) - begin);
+    return "plcert 2 problems\nmodulus 2305843009213693951\n" + with(record, six_points, notation);
+}
+
+/// A file that counts so many solutions, or says that there are so many at most.
+ReplayedFile counts(const std::string& notation, std::size_t solutions) {
+    SolutionsFile content;
+    content.counts.push_back({notation, parse_problem(notation), solutions});
+    return {.name = "solutions", .content = content};
+}
+
+ReplayedFile bounds(const std::string& notation, std::size_t at_most) {
+    AtMostFile content;
+    content.bounds.push_back({notation, parse_problem(notation), at_most});
+    return {.name = "at-most", .content = content};
+}
+
+Report degree_report(const std::string& notation, const std::string& degree,
+                     const std::vector<ReplayedFile>& beside) {
+    std::vector<ReplayedFile> files{replay(all_classes(), "file", record_as(notation))};
+    files.insert(files.end(), beside.begin(), beside.end());
+    return summarize(all_classes(), files, expectation_of({.problem = notation, .degree = degree}));
+}
+
+} // namespace
+
+TEST_CASE("a line with two points changes no bound, by theorem or by file") {
+    for (const std::string& notation : {six_points, with_a_line})
+        for (const std::string& counted : {six_points, with_a_line}) {
+            CAPTURE(notation);
+            CAPTURE(counted);
+            const auto verified = [&](const std::string& degree,
+                                      const std::vector<ReplayedFile>& beside) {
+                return degree_report(notation, degree, beside).judgement.verified;
+            };
+            CHECK(verified("3", {counts(counted, 3)})); // at most 3 by Theorem Q
+            CHECK(!verified("3", {counts(counted, 2)}));
+            CHECK(!verified("3", {}));
+            CHECK(verified(">=2", {counts(counted, 2)}));
+            CHECK(verified("2", {counts(counted, 2), bounds(counted, 2)}));
+        }
+    const Report wrong = degree_report(with_a_line, "4", {counts(with_a_line, 4)});
+    CHECK(wrong.status == 1);
+    CHECK(contains(complaints(wrong), "projective: 2*PL/PL/PL + 4*P/P/P has at least 4 solutions, "
+                                      "and at most 3, by Theorem Q of proofs/moduli.md"));
+    // A verdict on one of them is none on the other.
+    CHECK(!verified(record_as(with_a_line), expect(six_points, "minimal")));
+}
+
+TEST_CASE("a line that a view sees with one of its two points may change a degree") {
+    const std::string partly = "projective: PL/PL/PL + PL/PL/L + 5*P/P/P";
+    const Report report = summarize(all_classes(), {counts(partly, 1'000)});
+    CHECK(report.status == 0);
+}
+
+TEST_CASE("in three calibrated views theorems give the degree, whatever files count") {
+    const auto exact = [](const std::vector<ReplayedFile>& beside) {
+        std::vector<ReplayedFile> files{replay(all_classes(), "plmp", archive("plmp"))};
+        files.insert(files.end(), beside.begin(), beside.end());
+        const Report report = summarize(all_classes(), files);
+        REQUIRE(report.families.size() == 1);
+        CHECK(report.families[0].exact_by_theorem == report.families[0].exact);
+        return report.families[0].exact;
+    };
+    CHECK(exact({}) == 12);
+    CHECK(exact({counts("2*Pa/Pa/Pa + P/P/P", 311)}) == 12);
+    CHECK(exact({counts("5*P/P", 20)}) == 13);
+    CHECK(exact({counts("5*P/P", 19)}) == 12);
+    CHECK(exact({replay(all_classes(), "solutions", archive("solutions/plmp"))}) == 24);
+    const Report wrong = summarize(all_classes(), {replay(all_classes(), "plmp", archive("plmp")),
+                                                   counts("2*Pa/Pa/Pa + P/P/P", 313)});
+    CHECK(contains(complaints(wrong), "2*Pa/Pa/Pa + P/P/P has at least 313 solutions, and at most "
+                                      "312, by Theorem C of proofs/three_views/4_classes.md"));
+}
+
 TEST_CASE("what makes no sense is said in the words of the notation that is meant") {
     CHECK(contains(usage_of(expect("projective: 7*P", "minimal")), "2 to 12 views"));
     CHECK(contains(usage_of(expect("3*PLL/PL", "minimal")), "section 13"));
