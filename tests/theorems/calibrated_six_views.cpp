@@ -20,8 +20,8 @@ struct Number {
     std::uint64_t value = 0;
     Number() = default;
     Number(std::int64_t n)
-        : value(static_cast<std::uint64_t>(
-              (n % std::int64_t{prime} + std::int64_t{prime}) % std::int64_t{prime})) {}
+        : value(static_cast<std::uint64_t>((n % std::int64_t{prime} + std::int64_t{prime}) %
+                                           std::int64_t{prime})) {}
     friend Number operator+(Number a, Number b) { return of(a.value + b.value); }
     friend Number operator-(Number a, Number b) { return of(a.value + prime - b.value); }
     friend Number operator*(Number a, Number b) { return of(a.value * b.value); }
@@ -72,11 +72,17 @@ Classes symmetric(const Classes& roots) {
     return h;
 }
 
-std::int64_t factorial(unsigned n) { return n == 0 ? 1 : n * factorial(n - 1); }
+std::int64_t factorial(unsigned n) {
+    return n == 0 ? 1 : n * factorial(n - 1);
+}
 
-std::int64_t sign(unsigned n) { return n % 2 == 0 ? 1 : -1; }
+std::int64_t sign(unsigned n) {
+    return n % 2 == 0 ? 1 : -1;
+}
 
-Class minus_two(unsigned k) { return power(Class(-2), k); }
+Class minus_two(unsigned k) {
+    return power(Class(-2), k);
+}
 
 /// Formula (6), for a centre of this codimension, with the h_k of its roots.
 Class blown_up(Class d, const Classes& h, unsigned codimension) {
@@ -156,14 +162,15 @@ Number integral(const Space& space, const Polarisation& theta,
                             if (other != d[i]) normal = normal * Number(other - d[i]);
                     const Lines lines = space.lines(plane, d);
                     for (const int p : all) {
-                        const auto same = std::ranges::count(lines, p, [](const auto& line) {
-                            return line.second;
-                        });
-                        const int weight = theta[0] * d0 + theta[1] * d1 + theta[2] * d2 + theta[3] * p;
+                        const auto same = std::ranges::count(
+                            lines, p, [](const auto& line) { return line.second; });
+                        const int weight =
+                            theta[0] * d0 + theta[1] * d1 + theta[2] * d2 + theta[3] * p;
                         if (same == 0 || weight <= 0) continue;
                         const Number k = same == 2 ? 1 : 0;
                         Class value = f({{Class(-d0), Class(-d1), Class(-d2)},
-                                         Class(Number(-p), k), Class(-plane)});
+                                         Class(Number(-p), k),
+                                         Class(-plane)});
                         for (const auto& [j, other] : lines)
                             if (other != p) value = value * Class(Number(other - p), k).inverse();
                         sum = sum + (same == 2 ? value.b : value.a) / normal;
@@ -212,7 +219,9 @@ struct Integrals {
     }
 };
 
-Weights in_plane(int plane) { return {0, 2 * plane}; }
+Weights in_plane(int plane) {
+    return {0, 2 * plane};
+}
 
 /// The directions are all in the plane, but for some.
 std::function<std::array<Weights, 3>(int)>
@@ -236,17 +245,29 @@ common_but(std::map<unsigned, std::function<Weights(int)>> others) {
     };
 }
 
-Weights any(int) { return all; }
-Weights isotropic(int plane) { return {2 * plane}; }
-Weights in_other(int plane) { return {0, -2 * plane}; }
+Weights any(int) {
+    return all;
+}
+Weights isotropic(int plane) {
+    return {2 * plane};
+}
+Weights in_other(int plane) {
+    return {0, -2 * plane};
+}
 
 Centre all_in_plane_once_more(const At& at, unsigned j) { // A, where d_0, d_o are in both planes
     return {Class(0), {Class(2) * at.w, at.delta[j] + Class(2) * at.w}};
 }
 
-Class e(const At& at, unsigned j) { return at.delta[j] + Class(2) * at.w; }
-Class s(const At& at) { return at.xi + Class(2) * at.w; }
-Class nu(const At& at, unsigned j) { return at.xi + e(at, j); }
+Class e(const At& at, unsigned j) {
+    return at.delta[j] + Class(2) * at.w;
+}
+Class s(const At& at) {
+    return at.xi + Class(2) * at.w;
+}
+Class nu(const At& at, unsigned j) {
+    return at.xi + e(at, j);
+}
 
 CentreOf g_of(unsigned j) {
     return [j](const At& at) -> Centre {
@@ -267,9 +288,9 @@ CentreOf s_of(unsigned j) {
 CentreOf s_of(unsigned j, unsigned i) {
     return [j, i](const At& at) -> Centre {
         const Class n = i == 0 ? Class(0) : nu(at, j), w = at.w;
-        return {Class(-4) * e(at, j) - Class(2) * (s(at) + n),
-                {Class(4) * w - s(at) - Class(2) * e(at, j), Class(2) * w - e(at, j) - n,
-                 s(at) - n}};
+        return {
+            Class(-4) * e(at, j) - Class(2) * (s(at) + n),
+            {Class(4) * w - s(at) - Class(2) * e(at, j), Class(2) * w - e(at, j) - n, s(at) - n}};
     };
 }
 
@@ -308,44 +329,63 @@ Integrals integrals(const Polarisation& theta) {
             return Lines{{j, 2 * plane}};
         };
         result.centre("G" + name, {1, planar_but({{j, any}}), in_g}, g_of(j));
-        result.crossing_of("G A " + name, {2, common_but({{j, in_other}}), [j, o](int plane, const std::array<int, 3>& d) {
-                               return joined(modulo(j, all, d[j]), {{o, 2 * plane}});
-                           }},
+        result.crossing_of("G A " + name,
+                           {2, common_but({{j, in_other}}),
+                            [j, o](int plane, const std::array<int, 3>& d) {
+                                return joined(modulo(j, all, d[j]), {{o, 2 * plane}});
+                            }},
                            g_of(j), a_of(j));
-        result.crossing_of("G G " + name, {2, common_but({{j, any}}), only_j}, g_of(j), g_of(j), true);
+        result.crossing_of("G G " + name, {2, common_but({{j, any}}), only_j}, g_of(j), g_of(j),
+                           true);
         result.centre("S" + name, {1, planar_but({{j, any}}), in_s}, s_of(j));
-        result.crossing_of("S A " + name, {2, common_but({{j, in_other}}), [j, o](int plane, const std::array<int, 3>&) {
-                               return Lines{{o, 2 * plane}, {j, 2 * plane}};
-                           }},
+        result.crossing_of("S A " + name,
+                           {2, common_but({{j, in_other}}),
+                            [j, o](int plane, const std::array<int, 3>&) {
+                                return Lines{{o, 2 * plane}, {j, 2 * plane}};
+                            }},
                            s_of(j), a_of(j));
-        result.crossing_of("S G " + name, {2, common_but({{j, any}}), isotropic_j}, s_of(j), g_of(j));
-        result.crossing_of("S" + name + " G" + std::to_string(o), {2, common_but({{j, in_other}, {o, in_plane}}), [o](int plane, const std::array<int, 3>& d) {
-                               return modulo(o, in_plane(plane), d[o]);
-                           }},
+        result.crossing_of("S G " + name, {2, common_but({{j, any}}), isotropic_j}, s_of(j),
+                           g_of(j));
+        result.crossing_of("S" + name + " G" + std::to_string(o),
+                           {2, common_but({{j, in_other}, {o, in_plane}}),
+                            [o](int plane, const std::array<int, 3>& d) {
+                                return modulo(o, in_plane(plane), d[o]);
+                            }},
                            s_of(j), g_of(o));
         // d_j and p_j on the line that joins the isotropic points of both planes
-        result.crossing_of("S S " + name, {2, common_but({{j, [](int) { return Weights{2, -2}; }}}), [j](int, const std::array<int, 3>& d) {
-                               return Lines{{j, -d[j]}};
-                           }},
+        result.crossing_of("S S " + name,
+                           {2,
+                            common_but({{j,
+                                         [](int) {
+                                             return Weights{2, -2};
+                                         }}}),
+                            [j](int, const std::array<int, 3>& d) {
+                                return Lines{{j, -d[j]}};
+                            }},
                            s_of(j), s_of(j), true);
-        result.centre("S" + name + "0", {1, planar_but({{j, any}, {0, isotropic}}), in_g}, s_of(j, 0));
+        result.centre("S" + name + "0", {1, planar_but({{j, any}, {0, isotropic}}), in_g},
+                      s_of(j, 0));
         if (theta[j] < theta[o]) continue;
         const std::string both = "S" + name + std::to_string(o);
         const auto in_both = common_but({{j, in_other}, {o, isotropic}});
         result.centre(both, {1, planar_but({{j, any}, {o, isotropic}}), in_g}, s_of(j, o));
-        result.crossing_of(both + " G", {2, in_both, [j, o](int plane, const std::array<int, 3>& d) {
-                               return joined(modulo(j, in_other(plane), d[j]), {{o, 0}});
-                           }},
+        result.crossing_of(both + " G",
+                           {2, in_both,
+                            [j, o](int plane, const std::array<int, 3>& d) {
+                                return joined(modulo(j, in_other(plane), d[j]), {{o, 0}});
+                            }},
                            s_of(j, o), g_of(o));
-        result.crossing_of(both + " S", {2, in_both, [j](int plane, const std::array<int, 3>& d) {
-                               return modulo(j, in_other(plane), d[j]);
-                           }},
+        result.crossing_of(both + " S",
+                           {2, in_both,
+                            [j](int plane, const std::array<int, 3>& d) {
+                                return modulo(j, in_other(plane), d[j]);
+                            }},
                            s_of(j, o), s_of(o));
     }
-    const Space g_g{2, common_but({{1, in_other}, {2, in_plane}}), [](int plane, const std::array<int, 3>& d) {
-                        return joined(modulo(1, in_other(plane), d[1]),
-                                      modulo(2, in_plane(plane), d[2]));
-                    }};
+    const Space g_g{
+        2, common_but({{1, in_other}, {2, in_plane}}), [](int plane, const std::array<int, 3>& d) {
+            return joined(modulo(1, in_other(plane), d[1]), modulo(2, in_plane(plane), d[2]));
+        }};
     result.crossing_of("G1 G2", g_g, g_of(1), g_of(2));
     return result;
 }
@@ -357,7 +397,9 @@ using Series = std::array<Number, terms>;
 
 std::mt19937_64 generator(7); // NOLINT(cert-msc51-cpp)
 
-Number at_random() { return Number(static_cast<std::int64_t>(generator() % (prime - 1) + 1)); }
+Number at_random() {
+    return Number(static_cast<std::int64_t>(generator() % (prime - 1) + 1));
+}
 
 /// A general series of this order; `terms` for 0.
 Series series(unsigned order) {
@@ -476,7 +518,8 @@ unsigned order_of_resultant(const std::vector<Form>& forms) {
     std::vector<std::size_t> not_reduced;
     for (std::size_t row = 0; row < monomials.size(); ++row) {
         Monomial rest = monomials[row];
-        const auto first = std::ranges::find_if(rest, [](unsigned exponent) { return exponent >= 2; });
+        const auto first =
+            std::ranges::find_if(rest, [](unsigned exponent) { return exponent >= 2; });
         if (std::ranges::count_if(rest, [](unsigned exponent) { return exponent >= 2; }) > 1)
             not_reduced.push_back(row);
         *first -= 2;
@@ -532,13 +575,13 @@ TEST_CASE("the integral is 186,368, and its parts are those of the table") {
     const Integrals found = integrals({970, 1020, 1011, 1000});
     CHECK(found.sum == 186368);
     CHECK(found.of == std::map<std::string, std::int64_t>{
-                          {"L", 491520},     {"A", -272416},   {"A A", 11440},   {"R", -5744},
-                          {"G1", -60352},    {"G2", -70048},   {"G A 1", 50640}, {"G A 2", 50640},
-                          {"G G 1", -6720},  {"G G 2", -6720}, {"G1 G2", 17920}, {"S1", -18368},
-                          {"S2", -20672},    {"S A 1", 13440}, {"S A 2", 13440}, {"S G 1", 160},
-                          {"S G 2", 160},    {"S S 1", 320},   {"S S 2", 320},   {"S1 G2", -320},
-                          {"S2 G1", 1600},   {"S10", -992},    {"S20", -992},    {"S12", -11488},
-                          {"S12 G", 8320},   {"S12 S", 1280}});
+                          {"L", 491520},    {"A", -272416},   {"A A", 11440},   {"R", -5744},
+                          {"G1", -60352},   {"G2", -70048},   {"G A 1", 50640}, {"G A 2", 50640},
+                          {"G G 1", -6720}, {"G G 2", -6720}, {"G1 G2", 17920}, {"S1", -18368},
+                          {"S2", -20672},   {"S A 1", 13440}, {"S A 2", 13440}, {"S G 1", 160},
+                          {"S G 2", 160},   {"S S 1", 320},   {"S S 2", 320},   {"S1 G2", -320},
+                          {"S2 G1", 1600},  {"S10", -992},    {"S20", -992},    {"S12", -11488},
+                          {"S12 G", 8320},  {"S12 S", 1280}});
 }
 
 TEST_CASE("another polarisation has other parts with the same sum") {
@@ -553,13 +596,17 @@ TEST_CASE("resultants vanish twice for each exceptional divisor, for images at r
     const Vector in_plane = general(1);
     CHECK(order({general(), general(), general()}, general(), general()) == 0);
     CHECK(order({general(), in_plane, general(1)}, general(), general()) == 0);
-    CHECK(order({in_plane, general(1), general(1)}, general(), general()) == 2); // A
-    CHECK(order({in_plane, general(), general(1)}, general(), general(1)) == 2); // G_1
-    CHECK(order({in_plane, general(1), general()}, general(1), general()) == 2); // G_2
+    CHECK(order({in_plane, general(1), general(1)}, general(), general()) == 2);       // A
+    CHECK(order({in_plane, general(), general(1)}, general(), general(1)) == 2);       // G_1
+    CHECK(order({in_plane, general(1), general()}, general(1), general()) == 2);       // G_2
     CHECK(order({general(zero), general(1), general(2)}, general(), general(1)) == 4); // A, G_1
     CHECK(order({general(2, 1), general(1), general(1)}, general(), general()) == 4);  // A, R
-    CHECK(order({general(zero), general(), general(1)}, general(1, 1), general(2, zero)) == 4); // G, S
-    CHECK(order({general(2, 1), general(), general(zero)}, general(), general(1, zero)) == 4); // G_1, S_10
-    CHECK(order({general(4, 2), general(1), general(zero)}, general(), general(1, zero)) == 8); // and A, R
-    CHECK(order({general(zero), general(), general(2, 1)}, general(), general(1, 0, zero)) == 4); // G_1, S_12
+    CHECK(order({general(zero), general(), general(1)}, general(1, 1), general(2, zero)) ==
+          4); // G, S
+    CHECK(order({general(2, 1), general(), general(zero)}, general(), general(1, zero)) ==
+          4); // G_1, S_10
+    CHECK(order({general(4, 2), general(1), general(zero)}, general(), general(1, zero)) ==
+          8); // and A, R
+    CHECK(order({general(zero), general(), general(2, 1)}, general(), general(1, 0, zero)) ==
+          4); // G_1, S_12
 }
