@@ -9,7 +9,7 @@
 
 namespace checker {
 /// A row of a theorem's table: a problem as one view sees it. The cameras are projective, but for
-/// Theorems A and B, where they are calibrated.
+/// Theorems A, B and E, where they are calibrated.
 struct ProvedRow {
     unsigned views = 0;
     std::string_view view{};
@@ -32,6 +32,8 @@ static constexpr ProvedRow proved_rows[] = {
     {4, "3*PL + a", 32, "A"},
     // proofs/calibrated_three_points.md
     {4, "2*P + Pa", 1728, "B"},
+    // proofs/calibrated_six_views.md
+    {6, "Pa + 2*a", 186368, "E"},
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},
@@ -99,7 +101,7 @@ static constexpr ProvedRow proved_rows[] = {
 
 /// The row's problem: each view sees each feature in the same way.
 static Problem problem_of(const ProvedRow& row) {
-    std::string notation = row.theorem == "A" || row.theorem == "B" ? "" : "projective: ";
+    std::string notation = row.theorem == "A" || row.theorem == "B" || row.theorem == "E" ? "" : "projective: ";
     std::string_view rest = row.view;
     while (!rest.empty()) {
         const std::string_view feature = rest.substr(0, rest.find(" + "));

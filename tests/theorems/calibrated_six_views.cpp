@@ -1,0 +1,612 @@
+// The integral of proofs/calibrated_six_views.md, section 8, and resultants along curves of scenes,
+// all modulo a prime.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <doctest/doctest.h>
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+constexpr std::uint64_t prime = 2147483629;
+
+/// Modulo the prime.
+struct Number {
+    std::uint64_t value = 0;
+    Number() = default;
+    Number(std::int64_t n)
+        : value(static_cast<std::uint64_t>((n % std::int64_t{prime} + std::int64_t{prime}) %
+                                           std::int64_t{prime})) {}
+    friend Number operator+(Number a, Number b) { return of(a.value + b.value); }
+    friend Number operator-(Number a, Number b) { return of(a.value + prime - b.value); }
+    friend Number operator*(Number a, Number b) { return of(a.value * b.value); }
+    friend Number operator/(Number a, Number b) { return a * power(b, prime - 2); }
+    static Number power(Number a, std::uint64_t exponent) {
+        Number result = 1;
+        for (; exponent > 0; exponent >>= 1, a = a * a)
+            if (exponent & 1) result = result * a;
+        return result;
+    }
+    std::int64_t small() const {
+        return value > prime / 2 ? static_cast<std::int64_t>(value) - std::int64_t{prime}
+                                 : static_cast<std::int64_t>(value);
+    }
+
+private:
+    static Number of(std::uint64_t n) {
+        Number result;
+        result.value = n % prime;
+        return result;
+    }
+};
+
+/// A class on a component of the fixed points, a point or a line: a + b k with k^2 = 0.
+struct Class {
+    Number a, b;
+    Class(std::int64_t n) : a(n) {}
+    Class(Number first, Number second = {}) : a(first), b(second) {}
+    friend Class operator+(Class x, Class y) { return {x.a + y.a, x.b + y.b}; }
+    friend Class operator-(Class x, Class y) { return {x.a - y.a, x.b - y.b}; }
+    friend Class operator*(Class x, Class y) { return {x.a * y.a, x.a * y.b + x.b * y.a}; }
+    Class inverse() const { return {Number(1) / a, Number(0) - b / (a * a)}; }
+};
+
+Class power(Class x, unsigned exponent) {
+    return exponent == 0 ? Class(1) : x * power(x, exponent - 1);
+}
+
+using Classes = std::vector<Class>;
+
+/// The complete symmetric polynomials of degree 0 to 6.
+Classes symmetric(const Classes& roots) {
+    Classes h(7, Class(0));
+    h[0] = Class(1);
+    for (const Class& root : roots)
+        for (unsigned k = 1; k < h.size(); ++k)
+            h[k] = h[k] + root * h[k - 1];
+    return h;
+}
+
+std::int64_t factorial(unsigned n) {
+    return n == 0 ? 1 : n * factorial(n - 1);
+}
+
+std::int64_t sign(unsigned n) {
+    return n % 2 == 0 ? 1 : -1;
+}
+
+Class minus_two(unsigned k) {
+    return power(Class(-2), k);
+}
+
+/// Formula (6), for a centre of this codimension, with the h_k of its roots.
+Class blown_up(Class d, const Classes& h, unsigned codimension) {
+    Class sum(0);
+    for (unsigned k = codimension; k <= 6; ++k)
+        sum = sum + Class(factorial(6) / (factorial(k) * factorial(6 - k))) * power(d, 6 - k) *
+                        minus_two(k) * h[k - codimension];
+    return Class(-sign(codimension)) * sum;
+}
+
+/// Formula (7).
+Class crossing(Class d, const Classes& roots, const Classes& others) {
+    const auto r = static_cast<unsigned>(roots.size()), o = static_cast<unsigned>(others.size());
+    const Classes h = symmetric(roots), g = symmetric(others);
+    Class sum(0);
+    for (unsigned k = r; k <= 6; ++k)
+        for (unsigned l = o; k + l <= 6; ++l)
+            sum = sum + Class(factorial(6) / (factorial(k) * factorial(l) * factorial(6 - k - l))) *
+                            power(d, 6 - k - l) * minus_two(k + l) * h[k - r] * g[l - o];
+    return Class(sign(r + o)) * sum;
+}
+
+/// The classes at a component of the fixed points, where w has the weight `plane`.
+struct At {
+    std::array<Class, 3> delta;
+    Class xi;
+    Class w;
+    Class eight_l() const { return Class(8) * (delta[0] + delta[1] + delta[2] + xi); }
+};
+
+using Weights = std::vector<int>;
+using Lines = std::vector<std::pair<unsigned, int>>; // a line of V/d_j, with its weight
+
+/// A tower of bundles: the planes w, w', the weights of each d_i, those of (p_1, p_2).
+struct Space {
+    unsigned planes = 0;
+    std::function<std::array<Weights, 3>(int plane)> directions;
+    std::function<Lines(int plane, const std::array<int, 3>& d)> lines;
+};
+
+const Weights all{2, 0, -2};
+
+/// Of d_j, for a class of vectors that contains it.
+Lines modulo(unsigned j, const Weights& vectors, int d) {
+    Lines lines;
+    for (const int weight : vectors)
+        if (weight != d) lines.emplace_back(j, weight);
+    return lines;
+}
+
+Lines joined(Lines first, const Lines& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+Lines all_lines(int, const std::array<int, 3>& d) {
+    return joined(modulo(1, all, d[1]), modulo(2, all, d[2]));
+}
+
+/// The polarisation, times 1000: of the d_i and of p.
+using Polarisation = std::array<int, 4>;
+
+/// Formula (8).
+Number integral(const Space& space, const Polarisation& theta,
+                const std::function<Class(const At&)>& f) {
+    Number sum;
+    const Weights planes = space.planes == 0 ? Weights{0} : Weights{1, -1};
+    for (const int plane : planes) {
+        const std::array<Weights, 3> weights = space.directions(plane);
+        for (const int d0 : weights[0])
+            for (const int d1 : weights[1])
+                for (const int d2 : weights[2]) {
+                    const std::array<int, 3> d{d0, d1, d2};
+                    Number normal = space.planes == 0 ? 1 : space.planes == 1 ? -2 * plane : -4;
+                    for (unsigned i = 0; i < 3; ++i)
+                        for (const int other : weights[i])
+                            if (other != d[i]) normal = normal * Number(other - d[i]);
+                    const Lines lines = space.lines(plane, d);
+                    for (const int p : all) {
+                        const auto same = std::ranges::count(
+                            lines, p, [](const auto& line) { return line.second; });
+                        const int weight =
+                            theta[0] * d0 + theta[1] * d1 + theta[2] * d2 + theta[3] * p;
+                        if (same == 0 || weight <= 0) continue;
+                        const Number k = same == 2 ? 1 : 0;
+                        Class value = f({{Class(-d0), Class(-d1), Class(-d2)},
+                                         Class(Number(-p), k),
+                                         Class(-plane)});
+                        for (const auto& [j, other] : lines)
+                            if (other != p) value = value * Class(Number(other - p), k).inverse();
+                        sum = sum + (same == 2 ? value.b : value.a) / normal;
+                    }
+                }
+    }
+    return Number(4) * sum;
+}
+
+/// A centre at a component: what is added to 8 L, and the roots.
+struct Centre {
+    Class added;
+    Classes roots;
+};
+using CentreOf = std::function<Centre(const At&)>;
+
+At other_plane(At at) {
+    at.w = Class(0) - at.w;
+    return at;
+}
+
+/// All integrals of section 8, by name.
+struct Integrals {
+    Polarisation theta;
+    std::map<std::string, std::int64_t> of;
+    std::int64_t sum = 0;
+
+    void add(const std::string& name, Number number) {
+        of[name] = number.small();
+        sum += number.small();
+    }
+    void centre(const std::string& name, const Space& space, const CentreOf& c) {
+        add(name, integral(space, theta, [&](const At& at) {
+                const Centre here = c(at);
+                return blown_up(at.eight_l() + here.added, symmetric(here.roots),
+                                static_cast<unsigned>(here.roots.size()));
+            }));
+    }
+    void crossing_of(const std::string& name, const Space& space, const CentreOf& c,
+                     const CentreOf& other, bool same_kind = false) {
+        const Number all_pairs = integral(space, theta, [&](const At& at) {
+            const Centre here = c(at), there = other(other_plane(at));
+            return crossing(at.eight_l() + here.added + there.added, here.roots, there.roots);
+        });
+        add(name, same_kind ? all_pairs / Number(2) : all_pairs);
+    }
+};
+
+Weights in_plane(int plane) {
+    return {0, 2 * plane};
+}
+
+/// The directions are all in the plane, but for some.
+std::function<std::array<Weights, 3>(int)>
+planar_but(std::map<unsigned, std::function<Weights(int)>> others) {
+    return [others](int plane) {
+        std::array<Weights, 3> weights{in_plane(plane), in_plane(plane), in_plane(plane)};
+        for (const auto& [i, weights_of] : others)
+            weights[i] = weights_of(plane);
+        return weights;
+    };
+}
+
+/// They are all in both planes, but for some.
+std::function<std::array<Weights, 3>(int)>
+common_but(std::map<unsigned, std::function<Weights(int)>> others) {
+    return [others](int plane) {
+        std::array<Weights, 3> weights{Weights{0}, Weights{0}, Weights{0}};
+        for (const auto& [i, weights_of] : others)
+            weights[i] = weights_of(plane);
+        return weights;
+    };
+}
+
+Weights any(int) {
+    return all;
+}
+Weights isotropic(int plane) {
+    return {2 * plane};
+}
+Weights in_other(int plane) {
+    return {0, -2 * plane};
+}
+
+Centre all_in_plane_once_more(const At& at, unsigned j) { // A, where d_0, d_o are in both planes
+    return {Class(0), {Class(2) * at.w, at.delta[j] + Class(2) * at.w}};
+}
+
+Class e(const At& at, unsigned j) {
+    return at.delta[j] + Class(2) * at.w;
+}
+Class s(const At& at) {
+    return at.xi + Class(2) * at.w;
+}
+Class nu(const At& at, unsigned j) {
+    return at.xi + e(at, j);
+}
+
+CentreOf g_of(unsigned j) {
+    return [j](const At& at) -> Centre {
+        const unsigned o = 3 - j;
+        return {Class(-2) * e(at, j),
+                {at.delta[0] + at.delta[o] + Class(2) * at.w - e(at, j), s(at)}};
+    };
+}
+
+CentreOf s_of(unsigned j) {
+    return [j](const At& at) -> Centre {
+        const Class l = at.delta[0] + Class(2) * at.w - e(at, j);
+        return {Class(-2) * (e(at, j) + l), {nu(at, j), s(at) + at.delta[3 - j] - l, l}};
+    };
+}
+
+/// S_j0 and S_jo.
+CentreOf s_of(unsigned j, unsigned i) {
+    return [j, i](const At& at) -> Centre {
+        const Class n = i == 0 ? Class(0) : nu(at, j), w = at.w;
+        return {
+            Class(-4) * e(at, j) - Class(2) * (s(at) + n),
+            {Class(4) * w - s(at) - Class(2) * e(at, j), Class(2) * w - e(at, j) - n, s(at) - n}};
+    };
+}
+
+Integrals integrals(const Polarisation& theta) {
+    Integrals result{theta, {}, 0};
+    const auto a_of = [](unsigned j) {
+        return [j](const At& at) { return all_in_plane_once_more(at, j); };
+    };
+    const Space scenes{0, [](int) { return std::array<Weights, 3>{all, all, all}; }, all_lines};
+    result.add("L", integral(scenes, theta, [](const At& at) { return power(at.eight_l(), 6); }));
+    const Space planar{1, planar_but({}), all_lines};
+    result.add("A", integral(planar, theta, [](const At& at) {
+                   Classes h = symmetric({e(at, 0), e(at, 1), e(at, 2)});
+                   // one root less: the tangent space of the line of w
+                   for (unsigned k = 6; k > 0; --k)
+                       h[k] = h[k] - Class(2) * at.w * h[k - 1];
+                   return blown_up(at.eight_l(), h, 2);
+               }));
+    result.crossing_of("A A", {2, common_but({}), all_lines}, a_of(0), a_of(0), true);
+    result.centre("R", {1, planar_but({{0, isotropic}}), all_lines}, [](const At& at) -> Centre {
+        const Class n = at.delta[1] + e(at, 2);
+        return {Class(-2) * n - Class(4) * s(at),
+                {Class(4) * at.w - n - Class(2) * s(at), Class(2) * at.w, n}};
+    });
+    for (const unsigned j : {1U, 2U}) {
+        const unsigned o = 3 - j;
+        const std::string name = std::to_string(j);
+        const auto in_g = [j, o](int plane, const std::array<int, 3>& d) {
+            return joined(modulo(j, all, d[j]), modulo(o, in_plane(plane), d[o]));
+        };
+        const auto in_s = [j, o](int plane, const std::array<int, 3>& d) {
+            return joined(modulo(o, in_plane(plane), d[o]), {{j, 2 * plane}});
+        };
+        const auto only_j = [j](int, const std::array<int, 3>& d) { return modulo(j, all, d[j]); };
+        const auto isotropic_j = [j](int plane, const std::array<int, 3>&) {
+            return Lines{{j, 2 * plane}};
+        };
+        result.centre("G" + name, {1, planar_but({{j, any}}), in_g}, g_of(j));
+        result.crossing_of("G A " + name,
+                           {2, common_but({{j, in_other}}),
+                            [j, o](int plane, const std::array<int, 3>& d) {
+                                return joined(modulo(j, all, d[j]), {{o, 2 * plane}});
+                            }},
+                           g_of(j), a_of(j));
+        result.crossing_of("G G " + name, {2, common_but({{j, any}}), only_j}, g_of(j), g_of(j),
+                           true);
+        result.centre("S" + name, {1, planar_but({{j, any}}), in_s}, s_of(j));
+        result.crossing_of("S A " + name,
+                           {2, common_but({{j, in_other}}),
+                            [j, o](int plane, const std::array<int, 3>&) {
+                                return Lines{{o, 2 * plane}, {j, 2 * plane}};
+                            }},
+                           s_of(j), a_of(j));
+        result.crossing_of("S G " + name, {2, common_but({{j, any}}), isotropic_j}, s_of(j),
+                           g_of(j));
+        result.crossing_of("S" + name + " G" + std::to_string(o),
+                           {2, common_but({{j, in_other}, {o, in_plane}}),
+                            [o](int plane, const std::array<int, 3>& d) {
+                                return modulo(o, in_plane(plane), d[o]);
+                            }},
+                           s_of(j), g_of(o));
+        // d_j and p_j on the line that joins the isotropic points of both planes
+        result.crossing_of("S S " + name,
+                           {2,
+                            common_but({{j,
+                                         [](int) {
+                                             return Weights{2, -2};
+                                         }}}),
+                            [j](int, const std::array<int, 3>& d) {
+                                return Lines{{j, -d[j]}};
+                            }},
+                           s_of(j), s_of(j), true);
+        result.centre("S" + name + "0", {1, planar_but({{j, any}, {0, isotropic}}), in_g},
+                      s_of(j, 0));
+        if (theta[j] < theta[o]) continue;
+        const std::string both = "S" + name + std::to_string(o);
+        const auto in_both = common_but({{j, in_other}, {o, isotropic}});
+        result.centre(both, {1, planar_but({{j, any}, {o, isotropic}}), in_g}, s_of(j, o));
+        result.crossing_of(both + " G",
+                           {2, in_both,
+                            [j, o](int plane, const std::array<int, 3>& d) {
+                                return joined(modulo(j, in_other(plane), d[j]), {{o, 0}});
+                            }},
+                           s_of(j, o), g_of(o));
+        result.crossing_of(both + " S",
+                           {2, in_both,
+                            [j](int plane, const std::array<int, 3>& d) {
+                                return modulo(j, in_other(plane), d[j]);
+                            }},
+                           s_of(j, o), s_of(o));
+    }
+    const Space g_g{
+        2, common_but({{1, in_other}, {2, in_plane}}), [](int plane, const std::array<int, 3>& d) {
+            return joined(modulo(1, in_other(plane), d[1]), modulo(2, in_plane(plane), d[2]));
+        }};
+    result.crossing_of("G1 G2", g_g, g_of(1), g_of(2));
+    return result;
+}
+
+// Resultants of the four quadrics (1) along curves of scenes: power series.
+
+constexpr unsigned terms = 20;
+using Series = std::array<Number, terms>;
+
+std::mt19937_64 generator(7); // NOLINT(cert-msc51-cpp)
+
+Number at_random() {
+    return Number(static_cast<std::int64_t>(generator() % (prime - 1) + 1));
+}
+
+/// A general series of this order; `terms` for 0.
+Series series(unsigned order) {
+    Series result{};
+    for (unsigned k = order; k < terms; ++k)
+        result[k] = at_random();
+    return result;
+}
+
+unsigned order_of(const Series& x) {
+    unsigned k = 0;
+    while (k < terms && x[k].value == 0)
+        ++k;
+    return k;
+}
+
+/// x minus f y, both divided by t^shift before: f y is.
+void subtract(Series& x, const Series& f, const Series& y) {
+    for (unsigned i = 0; i < terms; ++i)
+        if (f[i].value != 0)
+            for (unsigned k = 0; i + k < terms; ++k)
+                x[i + k] = x[i + k] - f[i] * y[k];
+}
+
+Series quotient(const Series& x, const Series& y, unsigned order) {
+    Series result{};
+    for (unsigned k = 0; k + order < terms; ++k) {
+        Number rest = x[k + order];
+        for (unsigned i = 0; i < k; ++i)
+            rest = rest - result[i] * y[k - i + order];
+        result[k] = rest / y[order];
+    }
+    return result;
+}
+
+using Matrix = std::vector<std::vector<Series>>;
+
+unsigned order_of_determinant(Matrix m) {
+    unsigned sum = 0;
+    for (std::size_t c = 0; c < m.size(); ++c) {
+        std::size_t row = c, column = c;
+        unsigned least = terms;
+        for (std::size_t i = c; i < m.size(); ++i)
+            for (std::size_t k = c; k < m.size(); ++k)
+                if (order_of(m[i][k]) < least) {
+                    least = order_of(m[i][k]);
+                    row = i;
+                    column = k;
+                }
+        REQUIRE(least + 6 < terms);
+        sum += least;
+        std::swap(m[c], m[row]);
+        for (auto& r : m)
+            std::swap(r[c], r[column]);
+        for (std::size_t i = c + 1; i < m.size(); ++i) {
+            if (order_of(m[i][c]) == terms) continue;
+            const Series factor = quotient(m[i][c], m[c][c], least);
+            for (std::size_t k = c + 1; k < m.size(); ++k)
+                subtract(m[i][k], factor, m[c][k]);
+        }
+    }
+    return sum;
+}
+
+using Monomial = std::array<unsigned, 4>;
+using Form = std::map<Monomial, Series>;
+using Vector = std::array<Series, 3>; // u, m, z
+
+void add(Form& form, const Monomial& monomial, Number factor, const Series& x) {
+    Series& sum = form.try_emplace(monomial).first->second;
+    for (unsigned k = 0; k < terms; ++k)
+        sum[k] = sum[k] + factor * x[k];
+}
+
+/// l . R d as a form in q: formula (2), with kappa and delta kappa' of two coordinates each.
+Form form_of(const std::array<Number, 3>& l, const Vector& d) {
+    Form form;
+    for (unsigned a = 0; a < 4; ++a)
+        for (unsigned b = 0; b < 4; ++b) {
+            Monomial monomial{};
+            ++monomial[a];
+            ++monomial[b];
+            add(form, monomial, l[a % 2 + b % 2], d[a / 2 + b / 2]);
+        }
+    return form;
+}
+
+Form moved(const Form& form, const std::array<std::array<Number, 4>, 4>& change) {
+    Form result;
+    for (const auto& [monomial, x] : form) {
+        std::vector<unsigned> variables;
+        for (unsigned i = 0; i < 4; ++i)
+            variables.insert(variables.end(), monomial[i], i);
+        for (unsigned a = 0; a < 4; ++a)
+            for (unsigned b = 0; b < 4; ++b) {
+                Monomial other{};
+                ++other[a];
+                ++other[b];
+                add(result, other, change[variables[0]][a] * change[variables[1]][b], x);
+            }
+    }
+    return result;
+}
+
+/// Macaulay's quotient of determinants, for four quadrics.
+unsigned order_of_resultant(const std::vector<Form>& forms) {
+    std::vector<Monomial> monomials;
+    std::map<Monomial, std::size_t> index;
+    for (unsigned i = 0; i <= 5; ++i)
+        for (unsigned j = 0; i + j <= 5; ++j)
+            for (unsigned k = 0; i + j + k <= 5; ++k) {
+                index[{i, j, k, 5 - i - j - k}] = monomials.size();
+                monomials.push_back({i, j, k, 5 - i - j - k});
+            }
+    Matrix matrix(monomials.size(), std::vector<Series>(monomials.size(), Series{}));
+    std::vector<std::size_t> not_reduced;
+    for (std::size_t row = 0; row < monomials.size(); ++row) {
+        Monomial rest = monomials[row];
+        const auto first =
+            std::ranges::find_if(rest, [](unsigned exponent) { return exponent >= 2; });
+        if (std::ranges::count_if(rest, [](unsigned exponent) { return exponent >= 2; }) > 1)
+            not_reduced.push_back(row);
+        *first -= 2;
+        for (const auto& [quadratic, x] : forms[static_cast<std::size_t>(first - rest.begin())]) {
+            Monomial monomial = quadratic;
+            for (unsigned i = 0; i < 4; ++i)
+                monomial[i] += rest[i];
+            matrix[row][index.at(monomial)] = x;
+        }
+    }
+    Matrix extraneous;
+    for (const std::size_t row : not_reduced) {
+        extraneous.emplace_back();
+        for (const std::size_t column : not_reduced)
+            extraneous.back().push_back(matrix[row][column]);
+    }
+    return order_of_determinant(matrix) - order_of_determinant(extraneous);
+}
+
+struct Curve {
+    std::array<Vector, 3> d;
+    Vector p1, p2;
+};
+
+/// The order for an image at random.
+unsigned order_along(const Curve& curve) {
+    std::array<std::array<Number, 3>, 3> l;
+    for (auto& line : l)
+        std::ranges::generate(line, at_random);
+    std::array<std::array<Number, 4>, 4> change;
+    for (auto& row : change)
+        std::ranges::generate(row, at_random);
+    std::vector<Form> forms;
+    for (unsigned i = 0; i < 3; ++i)
+        forms.push_back(moved(form_of(l[i], curve.d[i]), change));
+    const Number y1 = at_random(), y2 = at_random();
+    Form last;
+    for (const auto& [monomial, x] : form_of(l[1], curve.p1))
+        add(last, monomial, y2, x);
+    for (const auto& [monomial, x] : form_of(l[2], curve.p2))
+        add(last, monomial, Number(0) - y1, x);
+    forms.push_back(moved(last, change));
+    return order_of_resultant(forms);
+}
+
+Vector general(unsigned u = 0, unsigned m = 0, unsigned z = 0) {
+    return {series(u), series(m), series(z)};
+}
+
+} // namespace
+
+TEST_CASE("the integral is 186,368, and its parts are those of the table") {
+    const Integrals found = integrals({970, 1020, 1011, 1000});
+    CHECK(found.sum == 186368);
+    CHECK(found.of == std::map<std::string, std::int64_t>{
+                          {"L", 491520},    {"A", -272416},   {"A A", 11440},   {"R", -5744},
+                          {"G1", -60352},   {"G2", -70048},   {"G A 1", 50640}, {"G A 2", 50640},
+                          {"G G 1", -6720}, {"G G 2", -6720}, {"G1 G2", 17920}, {"S1", -18368},
+                          {"S2", -20672},   {"S A 1", 13440}, {"S A 2", 13440}, {"S G 1", 160},
+                          {"S G 2", 160},   {"S S 1", 320},   {"S S 2", 320},   {"S1 G2", -320},
+                          {"S2 G1", 1600},  {"S10", -992},    {"S20", -992},    {"S12", -11488},
+                          {"S12 G", 8320},  {"S12 S", 1280}});
+}
+
+TEST_CASE("another polarisation has other parts with the same sum") {
+    CHECK(integrals({970, 1011, 1020, 1000}).sum == 186368);
+}
+
+TEST_CASE("resultants vanish twice for each exceptional divisor, for images at random") {
+    constexpr unsigned zero = terms;
+    const auto order = [](const std::array<Vector, 3>& d, const Vector& p1, const Vector& p2) {
+        return order_along({d, p1, p2});
+    };
+    const Vector in_plane = general(1);
+    CHECK(order({general(), general(), general()}, general(), general()) == 0);
+    CHECK(order({general(), in_plane, general(1)}, general(), general()) == 0);
+    CHECK(order({in_plane, general(1), general(1)}, general(), general()) == 2);       // A
+    CHECK(order({in_plane, general(), general(1)}, general(), general(1)) == 2);       // G_1
+    CHECK(order({in_plane, general(1), general()}, general(1), general()) == 2);       // G_2
+    CHECK(order({general(zero), general(1), general(2)}, general(), general(1)) == 4); // A, G_1
+    CHECK(order({general(2, 1), general(1), general(1)}, general(), general()) == 4);  // A, R
+    CHECK(order({general(zero), general(), general(1)}, general(1, 1), general(2, zero)) ==
+          4); // G, S
+    CHECK(order({general(2, 1), general(), general(zero)}, general(), general(1, zero)) ==
+          4); // G_1, S_10
+    CHECK(order({general(4, 2), general(1), general(zero)}, general(), general(1, zero)) ==
+          8); // and A, R
+    CHECK(order({general(zero), general(), general(2, 1)}, general(), general(1, 0, zero)) ==
+          4); // G_1, S_12
+}
