@@ -40,12 +40,13 @@ struct FamilyDegree {
     std::string_view problem;      // in notation
     std::size_t claimed_above = 0; // by the paper
     std::size_t at_least = 0;      // certified; 0 if nothing is
+    std::size_t at_most = 0;       // certified; 0 if nothing is
     std::size_t evidence = 0;      // what certs/family-degrees.csv has
     std::string_view verdict{};
 };
 
-/// States how many solutions are certified at least, and compares.
-void set_certified(FamilyDegree& degree, std::size_t at_least);
+/// States how many solutions are certified at least and at most, and compares.
+void set_certified(FamilyDegree& degree, std::size_t at_least, std::size_t at_most);
 
 /// The numbers of a family of problems in general, beside those of its paper.
 struct FamilyTable {

@@ -28,10 +28,13 @@ static constexpr FamilyDegree claimed_degree{.name = "1021_1",
                                              .claimed_above = 450'000,
                                              .evidence = 186'368};
 
-void set_certified(FamilyDegree& degree, std::size_t at_least) {
+void set_certified(FamilyDegree& degree, std::size_t at_least, std::size_t at_most) {
     degree.at_least = at_least;
+    degree.at_most = at_most;
+    const bool refuted = at_most > 0 && at_most <= degree.claimed_above;
     degree.verdict = at_least > degree.claimed_above ? "confirmed"
                      : at_least > degree.evidence    ? "open: the evidence is wrong"
+                     : refuted                       ? "differs, certified"
                                                      : "differs by evidence";
 }
 

@@ -133,7 +133,8 @@ static std::string item(const paper::Claim& c) {
 static std::string item(const paper::FamilyDegree& d) {
     return say("{\"problem\": ", json_string(d.problem), ", \"name\": ", json_string(d.name),
                ", \"claimed_above\": ", d.claimed_above, ", \"certified_at_least\": ", d.at_least,
-               ", \"evidence\": ", d.evidence, ", \"verdict\": ", json_string(d.verdict), "}");
+               ", \"certified_at_most\": ", d.at_most, ", \"evidence\": ", d.evidence,
+               ", \"verdict\": ", json_string(d.verdict), "}");
 }
 
 static std::string item(const paper::FamilyTable& table) {

@@ -71,7 +71,9 @@ static void add_families(Report& report) {
         table.exact_by_theorem = degrees.exact_by_theorem;
         for (paper::FamilyDegree& degree : table.degrees) {
             const Problem problem = parse_problem(degree.problem);
-            set_certified(degree, count_in_general(findings, problem).solutions);
+            const auto bound = bound_in_general(findings, problem);
+            set_certified(degree, count_in_general(findings, problem).solutions,
+                          bound ? bound->at_most : 0);
         }
         report.families.push_back(table);
     }

@@ -148,13 +148,18 @@ static std::string table_of_counts(const std::vector<paper::Claim>& claims) {
     return aligned(rows);
 }
 
+static std::string certified_range(const paper::FamilyDegree& degree) {
+    if (degree.at_most == 0) return degree.at_least > 0 ? say(">= ", degree.at_least) : "-";
+    if (degree.at_least == 0) return say("<= ", degree.at_most);
+    return say(degree.at_least, "..", degree.at_most);
+}
+
 static std::string table_of_degrees(const std::vector<paper::FamilyDegree>& degrees) {
     if (degrees.empty()) return "";
     std::vector<Cells> rows{{"degree", "claimed", "certified", "evidence", "verdict"}};
     for (const paper::FamilyDegree& d : degrees)
-        rows.push_back({std::string(d.name), say("> ", d.claimed_above),
-                        d.at_least > 0 ? say(">= ", d.at_least) : "-", say(d.evidence),
-                        std::string(d.verdict)});
+        rows.push_back({std::string(d.name), say("> ", d.claimed_above), certified_range(d),
+                        say(d.evidence), std::string(d.verdict)});
     return aligned(rows) + '\n';
 }
 
