@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <map>
+#include <string_view>
 
 using namespace checker;
 
@@ -25,10 +26,12 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
         const auto proved = proved_degree(parse_problem(on_file.problem));
         if (!proved) continue;
         CAPTURE(on_file.problem);
-        const bool calibrated = std::string_view("ABE").find(proved->theorem) != std::string_view::npos;
+        const bool calibrated =
+            std::string_view("ABE").find(proved->theorem) != std::string_view::npos;
         CHECK(on_file.family == (calibrated ? "plmp" : "projective"));
         CHECK(proved->at_most == std::stoul(on_file.degree));
-        CHECK(on_file.status == "certified");
+        // of Theorem E's problem fewer solutions have certificates: 186,349
+        CHECK(on_file.status == (proved->theorem == "E" ? "evidence" : "certified"));
         ++rows[proved->theorem];
     }
     CHECK(rows == std::map<std::string_view, std::size_t>{
