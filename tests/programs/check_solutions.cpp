@@ -21,7 +21,7 @@ std::string example() {
 struct OnFile {
     std::string family, problem;
     int degree = 0, certified = 0;
-    bool is_exact = false;   // by certificates or theorem; a label class is in no file of a family
+    bool is_exact = false;   // by certificates, by theorem or by the label class
     bool by_theorem = false; // no certificate of an upper bound is needed
 };
 
@@ -37,7 +37,7 @@ std::vector<OnFile> degrees_on_file() {
             std::getline(columns, *column, ',');
         row.degree = std::stoi(degree);
         row.certified = certified.empty() ? 0 : std::stoi(certified);
-        row.is_exact = status == "certified" && !source.starts_with("by its label class");
+        row.is_exact = status == "certified";
         row.by_theorem = source.starts_with("by theorem");
     }
     return degrees;

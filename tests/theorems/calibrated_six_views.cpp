@@ -443,7 +443,7 @@ std::int64_t in_three_views(unsigned pins, unsigned lines) {
         if (kernel[0] + kernel[1] + kernel[2] < 0) continue;
         Graded product = constant(1);
         for (unsigned v = 0; v < 3; ++v) {
-            const Graded normal = linear(0, -2 * kernel[v], 8, 0) * constant(1);
+            const Graded normal = linear(0, -2 * kernel[v], 8, 0);
             Graded class_of_normal = normal;
             class_of_normal[std::size_t{1} << v][0] = Number(1);
             product = product * inverse(class_of_normal * class_of_normal);
