@@ -235,6 +235,7 @@ TEST_CASE("the README says how many lines stand behind each claim, and no folder
         for (const std::string& folder : folders)
             lines += lines_under(root / "checker" / folder);
         CAPTURE(line);
+        CAPTURE(lines);
         CHECK(line.ends_with("| " + with_comma(lines) + " lines |"));
         linked.insert(linked.end(), folders.begin(), folders.end());
     }

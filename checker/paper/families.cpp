@@ -33,7 +33,6 @@ void set_certified(FamilyDegree& degree, std::size_t at_least, std::size_t at_mo
     degree.at_most = at_most;
     const bool refuted = at_most > 0 && at_most <= degree.claimed_above;
     degree.verdict = at_least > degree.claimed_above ? "confirmed"
-                     : at_least > degree.evidence    ? "open: the evidence is wrong"
                      : refuted                       ? "differs, certified"
                                                      : "differs by evidence";
 }

@@ -53,7 +53,7 @@ def wrong_images(images):
     yield edited(lambda r: first(r)["lines"].update(A=[1, 2, 3]))
     yield edited(lambda r: first(r)["lines"].update(a=[1, 2, 3, 4]))
     yield edited(lambda r: r["features"][0].update(name=[]))
-    yield edited(lambda r: r["features"][0]["views"].append(None))
+    yield edited(lambda r: r["features"][0]["views"].extend([None] * 10))
 
 
 def main():

@@ -50,17 +50,25 @@ TEST_CASE("solutions of this problem alone are certified of it, in whatever name
     CHECK(degree_beside({solutions_of("5*P/P", 20)}).at_least == 0);
 }
 
-TEST_CASE("only more solutions than claimed confirm the claim, and more than the evidence refute "
-          "the evidence") {
-    const std::size_t evidence = degree_beside({}).evidence;
-    for (const auto& [solutions, verdict] : {std::pair{evidence, "differs, certified"},
-                                             {evidence + 1, "open: the evidence is wrong"},
-                                             {450'000, "open: the evidence is wrong"},
-                                             {450'001, "confirmed"}}) {
-        const paper::FamilyDegree degree = degree_beside({solutions_of(six_views, solutions)});
-        CHECK(degree.at_least == solutions);
+TEST_CASE("only more solutions than claimed confirm a claim, and only a bound refutes it") {
+    paper::FamilyDegree degree;
+    degree.claimed_above = 10;
+    for (const auto& [at_least, at_most, verdict] :
+         {std::tuple{11, 0, "confirmed"},
+          {10, 0, "differs by evidence"},
+          {0, 11, "differs by evidence"},
+          {0, 10, "differs, certified"}}) {
+        set_certified(degree, std::size_t(at_least), std::size_t(at_most));
         CHECK(degree.verdict == verdict);
     }
+}
+
+TEST_CASE("a file with more solutions than a theorem allows is refused") {
+    const std::size_t most = degree_beside({}).at_most;
+    CHECK(degree_beside({solutions_of(six_views, most)}).at_least == most);
+    CHECK(degree_beside({solutions_of(six_views, most)}).verdict == "differs, certified");
+    CHECK(degree_beside({solutions_of(six_views, most + 1)}).at_least == 0);
+    CHECK(degree_beside({solutions_of(six_views, most + 1)}).verdict.starts_with("withheld"));
 }
 
 TEST_CASE("beside a file that is refused, the comparison is withheld") {
