@@ -5,7 +5,6 @@ import type { GeneralDegree } from "./prover.js";
 /** What certs/family-degrees.csv says in its column `source`, part by part. */
 const parts: readonly [RegExp, (match: RegExpExecArray) => string][] = [
     [/^by theorem( and certificates)?$/, ([, more]) => `a theorem gives it${more ?? ""}`],
-    [/^at most by theorem$/, () => "a theorem says that there are no more"],
     [/^by its label class$/, () => "the theorem for three calibrated views gives it"],
     [/^by certificates$/, () => "certificates bound it from below and from above"],
     [/^that of (.*)$/, ([, problem]) => `it is that of ${problem}`],

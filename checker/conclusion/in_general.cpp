@@ -5,6 +5,7 @@
 #include "checker/degrees/constraint_class.h"
 #include "checker/family/degree_bound.h"
 #include "checker/general_bounds/hilbert.h"
+#include "checker/general_bounds/multiples.h"
 #include "checker/general_bounds/proved_degrees.h"
 #include "checker/general_bounds/three_views.h"
 #include "checker/problem/notation.h"
@@ -42,7 +43,8 @@ ByProblem<CountedInGeneral> counts_in_general(const Findings& findings) {
         for (const auto& [notation, problem, solutions] :
              std::get<SolutionsFile>(file->content).counts) {
             CountedInGeneral& most = counts[without_implied_lines(problem)];
-            if (solutions > most.solutions) most = {solutions, file->name, notation};
+            if (solutions > most.counted)
+                most = {at_least(problem, solutions), solutions, file->name, notation};
         }
     return counts;
 }
@@ -120,8 +122,9 @@ Contradictions contradictions_in_general(const Findings& findings) {
         for (const SolutionCount& count : file->counts) {
             if (count.solutions == 0) continue; // nothing says that the problem is minimal
             const auto bound = bounds.least(count.problem);
-            if (!bound || count.solutions <= bound->at_most) continue;
-            const auto reason = contradiction(count.solutions, upper_bound(*bound));
+            const std::size_t solutions = at_least(count.problem, count.solutions);
+            if (!bound || solutions <= bound->at_most) continue;
+            const auto reason = contradiction(solutions, upper_bound(*bound));
             found.emplace(i, say(count.notation, " has ", *reason));
             for (std::size_t j = 0; j < findings.files.size() && !bound->file.empty(); ++j)
                 if (findings.files[j].name == bound->file)

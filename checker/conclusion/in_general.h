@@ -14,14 +14,16 @@ struct ProvedInGeneral {
 /// What records of verdicts prove of each problem, or else records of solutions.
 ByProblem<ProvedInGeneral> verdicts_in_general(const Findings& findings);
 
-/// So many solutions a problem has at least, and the file that proves it.
+/// So many solutions a problem has at least, and the file that counts solutions. Theorem G may say
+/// that there are more than it counts.
 struct CountedInGeneral {
     std::size_t solutions = 0;
+    std::size_t counted = 0;
     std::string file{};
     std::string notation{}; // of the problem, in that file
 };
 
-/// The most that any record counts for each problem, by the problem without its implied lines.
+/// The most that any record proves for each problem, by the problem without its implied lines.
 ByProblem<CountedInGeneral> counts_in_general(const Findings& findings);
 
 /// The same for one problem; 0 if no record is about it.

@@ -80,6 +80,14 @@ static KnownDegree degree_of_class(const Classification& classes, const Findings
             say("its degree is that of label class ", *proved.number, ", ", notation(signature))};
 }
 
+static std::string source_of(const CountedInGeneral& counted) {
+    std::string source = "its solutions are counted by " + counted.file;
+    if (counted.solutions > counted.counted)
+        source += say(": ", counted.counted, ", and by Theorem G of proofs/multiples.md there are ",
+                      counted.solutions);
+    return source;
+}
+
 // With what a file of solutions counts, if that is more; of a problem in general also with what
 // theorems say.
 KnownDegree degree_of(const Classification& classes, const Findings& findings, const Proved& proved,
@@ -89,7 +97,7 @@ KnownDegree degree_of(const Classification& classes, const Findings& findings, c
     if (counted.solutions > known.bounds.at_least) {
         known.bounds.at_least = counted.solutions;
         known.files.lower = {counted.file};
-        if (known.source.empty()) known.source = "its solutions are counted by " + counted.file;
+        if (known.source.empty()) known.source = source_of(counted);
     }
     if (proved.verdict != "minimal" || known.bounds.exact()) return known;
     const auto bound = bound_in_general(findings, expected.problem);

@@ -151,6 +151,7 @@ static std::string table_of_counts(const std::vector<paper::Claim>& claims) {
 static std::string certified_range(const paper::FamilyDegree& degree) {
     if (degree.at_most == 0) return degree.at_least > 0 ? say(">= ", degree.at_least) : "-";
     if (degree.at_least == 0) return say("<= ", degree.at_most);
+    if (degree.at_least == degree.at_most) return say(degree.at_most);
     return say(degree.at_least, "..", degree.at_most);
 }
 

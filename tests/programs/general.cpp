@@ -63,7 +63,7 @@ TEST_CASE("problems in general: families as CSV and as archives") {
     CHECK(contains(plmp, ",20,5000_2,5*P/P,,certified,20\n"));
     CHECK(contains(plmp, ",312,3002_1,P/P/P + 2*Pa/Pa/Pa,,certified,312\n"));
     CHECK(contains(plmp, ",16,4100_3,3*PL/PL + 2*P/P,,certified,16\n"));
-    CHECK(contains(plmp, ",186368,1021_1,Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a,,evidence,186349\n"));
+    CHECK(contains(plmp, ",186368,1021_1,Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a,,certified,186368\n"));
     CHECK(run(plprove + " list --family plmp --minimal --count").out == "30\n");
     CHECK(run(plprove + " list --family plmp --not-minimal --count").out == "9\n");
     for (const std::string family : {"plmp", "projective"})

@@ -1,4 +1,4 @@
-// Theorem G of proofs/results/multiples.md: the combinatorics of Lemma G4, by trying all subspaces, and the
+// Theorem G of proofs/multiples.md: the combinatorics of Lemma G4, by trying all subspaces, and the
 // degrees on file.
 #include "tests/checker/general_bounds/degrees_on_file.h"
 

@@ -82,10 +82,10 @@ TEST_CASE("a class with solutions counts once, with the most that a record prove
 }
 
 TEST_CASE("a problem with solutions counts once, with the most that a record proves") {
-    CHECK(statement({counts({{one, 2}, {same, 3}, {one, 1}})}) ==
-          "VERIFIED: at least 3 solutions of " + same);
-    CHECK(statement({counts({{one, 2}}), counts({{same, 2}})}) ==
-          "VERIFIED: at least 2 solutions of " + one);
+    CHECK(statement({counts({{one, 4}, {same, 8}, {one, 3}})}) ==
+          "VERIFIED: at least 8 solutions of " + same);
+    CHECK(statement({counts({{one, 4}}), counts({{same, 4}})}) ==
+          "VERIFIED: at least 4 solutions of " + one);
     CHECK(statement({counts({{one, 2}, {other, 2}, {same, 2}})}) ==
           "VERIFIED: lower bounds of the degrees of 2 problems in general");
 }
