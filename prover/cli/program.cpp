@@ -9,6 +9,7 @@
 #include "prover/cli/group_command.h"
 #include "prover/cli/model_command.h"
 #include "prover/cli/problem_commands.h"
+#include "prover/cli/recommend_command.h"
 #include "prover/cli/solve_command.h"
 #include "prover/format/version.h"
 #include "prover/minimal/classification_file.h"
@@ -126,6 +127,7 @@ std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
             add_model_command(program, deliver),
             add_solve_command(program, deliver),
             add_start_command(program, deliver),
+            add_recommend_command(program, deliver),
             export_command(program)};
 }
 

@@ -15,6 +15,9 @@ struct Choice {
     double milliseconds = 0; ///< of one sample, on one core; about
     /// Milliseconds until a sample without wrong matches may be expected, where 30 % are wrong.
     double expected = 0;
+    /// How far off the rotations of the best solution are, in degrees (median), if half a pixel of
+    /// noise is on images with a focal length of 800 pixels.
+    double error = 0;
 };
 
 /// The problems of a list of those that are solved fast, with their views in any order, for which

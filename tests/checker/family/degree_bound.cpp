@@ -1,10 +1,10 @@
 // Theorem 16 of proofs/families.md: each item at its border, and all degrees that monodromy found.
 #include "checker/family/degree_bound.h"
 
-#include "checker/problem/notation.h"
 #include "checker/general_bounds/hilbert.h"
 #include "checker/general_bounds/proved_degrees.h"
 #include "checker/general_bounds/three_views.h"
+#include "checker/problem/notation.h"
 #include "tests/checker/general_bounds/degrees_on_file.h"
 
 #include <doctest/doctest.h>
@@ -63,9 +63,10 @@ TEST_CASE("the theorem is for projective cameras that all see everything") {
     CHECK(bound_of("projective: PLM/PLM/PLM + 2*PL/PL/PL + 2*PM/PM/PM + P/P/-") == std::nullopt);
 }
 
-TEST_CASE("no degree that monodromy found is above its bound; the file says `by theorem` where a "
-          "theorem bounds it and as many solutions are certified; and the bound is one wherever the "
-          "degree is") {
+TEST_CASE(
+    "no degree that monodromy found is above its bound; the file says `by theorem` where a "
+    "theorem bounds it and as many solutions are certified; and the bound is one wherever the "
+    "degree is") {
     std::size_t ones = 0, certified = 0, all_certified = 0;
     for (const OnFile& row : family_degrees_on_file()) {
         CAPTURE(row.problem);

@@ -53,11 +53,10 @@ TEST_CASE("solutions of this problem alone are certified of it, in whatever name
 TEST_CASE("only more solutions than claimed confirm a claim, and only a bound refutes it") {
     paper::FamilyDegree degree;
     degree.claimed_above = 10;
-    for (const auto& [at_least, at_most, verdict] :
-         {std::tuple{11, 0, "confirmed"},
-          {10, 0, "differs by evidence"},
-          {0, 11, "differs by evidence"},
-          {0, 10, "differs, certified"}}) {
+    for (const auto& [at_least, at_most, verdict] : {std::tuple{11, 0, "confirmed"},
+                                                     {10, 0, "differs by evidence"},
+                                                     {0, 11, "differs by evidence"},
+                                                     {0, 10, "differs, certified"}}) {
         set_certified(degree, std::size_t(at_least), std::size_t(at_most));
         CHECK(degree.verdict == verdict);
     }
