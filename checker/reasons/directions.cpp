@@ -99,17 +99,22 @@ int excess_of_directions(const Problem& part, const Motion& motion) {
     return excess + excess_of_scene(part, motion.core) - (3 * std::popcount(core_views) - 4);
 }
 
-/// What is left over when the lines from a point are counted, and what each view makes of them: a
-/// pencil of image lines, by a map that has five numbers.
+/// What is left over when the lines from a point are counted, three in a plane if their points are
+/// on a line, and what each view makes of them: a pencil, by a map that has five numbers.
 int excess_of_pencils(const Problem& part, std::size_t centre) {
     if (!part.cameras->all_matrices)
         throw Refused(part.cameras->name, " cameras have no `pencils`");
     if (part.points[centre].seen_by != part.views)
         throw Refused("a view of the part does not see the point of the pencils");
     int excess = 8 - 5 * part.view_count();
+    const auto is_shared = [&](std::size_t p) {
+        return std::popcount(part.points[p].seen_by) >= 2;
+    };
     for (const Line& line : part.lines) {
-        if (line.points != Indices{centre}) throw Refused("a line of the part is in no pencil");
-        excess += conditions_in(line.seen_by);
+        const bool apart = !contains(line.points, centre);
+        if (!apart && line.points.size() > 1) throw Refused("a line joins the point and another");
+        const auto shared = std::ranges::count_if(line.points, is_shared);
+        excess += apart ? std::max(0, static_cast<int>(shared) - 2) : conditions_in(line.seen_by);
     }
     for (std::size_t p = 0; p < part.points.size(); ++p)
         if (p != centre) excess += conditions_in(part.points[p].seen_by);

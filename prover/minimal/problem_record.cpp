@@ -1,5 +1,6 @@
 #include "prover/minimal/problem_record.h"
 
+#include "prover/minimal/dependent_part.h"
 #include "prover/minimal/random_instance.h"
 #include "prover/problem/notation.h"
 
@@ -123,12 +124,21 @@ std::string explanation(const ProblemRecord& certificate) {
     return std::visit(Explain{certificate.problem}, certificate.claim);
 }
 
+/// A reason why the problem is not minimal: of any part; then of small ones that ranks show.
+static std::optional<Reason> reason_against(const Problem& problem) {
+    std::optional<Reason> reason = find_reason(problem);
+    if (reason) return reason;
+    for (const Subproblem& part : dependent_parts(problem))
+        if ((reason = find_reason_in(problem, part))) return reason;
+    return std::nullopt;
+}
+
 std::variant<ProblemRecord, Undecided> try_to_certify(const Problem& problem) {
     ProblemRecord certificate{parse_problem(notation(problem)), Unbalanced{}};
     if (!is_balanced(certificate.problem)) return certificate;
     if (std::optional<Minor> full_rank = find_full_rank(certificate.problem))
         certificate.claim = *std::move(full_rank);
-    else if (const std::optional<Reason> reason = find_reason(certificate.problem))
+    else if (const std::optional<Reason> reason = reason_against(certificate.problem))
         std::visit([&](const auto& found) { certificate.claim = found; }, *reason);
     else
         return look_at(certificate.problem);

@@ -104,9 +104,16 @@ std::optional<int> excess_of_pencils(const Problem& problem, const Subproblem& p
     int result = 8 - 5 * std::popcount(part.views);
     for (const int number : part.lines) {
         const Line& line = problem.lines[static_cast<std::size_t>(number)];
-        for (const int point : part.points)
-            if (contains(line, point) != (point == motion.centre)) return std::nullopt;
-        result += conditions_in(line.seen & part.views);
+        std::vector<int> points = line.points;
+        std::erase_if(points, [&](int point) { return !is_in(part.points, point); });
+        if (contains(line, motion.centre)) {
+            if (points.size() > 1) return std::nullopt;
+            result += conditions_in(line.seen & part.views);
+            continue;
+        }
+        const auto shared = std::ranges::count_if(
+            points, [&](int point) { return std::popcount(seen(point)) >= 2; });
+        result += std::max(0, static_cast<int>(shared) - 2);
     }
     for (const int point : part.points)
         if (point != motion.centre) result += conditions_in(seen(point));

@@ -12,8 +12,9 @@ std::optional<int> excess_of_directions(const Problem& problem, const Subproblem
                                         const CameraMotion& motion);
 
 /// What the images say of the lines through a point that all views of the part see, and of its
-/// joins with the other points, less the parameters of these and of their maps to pencils. Nothing
-/// if the point is not as FORMAT.md requires.
+/// joins with the other points, less the parameters of these and of their maps to pencils. The
+/// joins with three points of a line are in a plane. Nothing if the point is not as FORMAT.md
+/// requires.
 std::optional<int> excess_of_pencils(const Problem& problem, const Subproblem& part,
                                      const CameraMotion& motion);
 

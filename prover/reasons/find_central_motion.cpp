@@ -2,8 +2,6 @@
 
 #include "prover/reasons/reason.h"
 
-#include <bit>
-
 namespace plprove {
 
 namespace {
@@ -32,6 +30,22 @@ public:
         while (add_one(motion)) {
         }
         return motion;
+    }
+
+    /// The best choice of the elements about a point; then others, as long as the parameters grow.
+    CameraMotion best_choice_about(int point) const {
+        const std::vector<CentralElement> all =
+            elements_about(problem_, part_, motion_, CentralElement::Centre::point, point);
+        CameraMotion best = motion_;
+        for (std::size_t chosen = 1; chosen < std::size_t{1} << all.size(); ++chosen) {
+            CameraMotion motion = motion_;
+            for (std::size_t i = 0; i < all.size(); ++i)
+                if ((chosen >> i & 1) != 0) motion.elements.push_back(all[i]);
+            if (motions(problem_, part_, motion) > motions(problem_, part_, best)) best = motion;
+        }
+        while (add_one(best)) {
+        }
+        return best;
     }
 
 private:
@@ -68,14 +82,16 @@ private:
     std::vector<CentralElement> candidates_;
 };
 
-/// Generators of a few points and lines; of cameras that are not projective, none.
-std::vector<CameraMotion> generators_of_central(const Problem& problem, const Subproblem& part) {
-    std::vector<CameraMotion> all{{.kind = MotionKind::central}};
+} // namespace
+
+std::vector<CameraMotion> generators_of(const Problem& problem, const Subproblem& part,
+                                        MotionKind kind) {
+    std::vector<CameraMotion> all{{.kind = kind}};
     if (!problem.cameras->all_matrices) return all;
-    constexpr std::size_t most_points = 3;
+    constexpr std::size_t most = 3;
     for (std::size_t i = 0; i < all.size(); ++i) { // grows
         const CameraMotion before = all[i];
-        if (!before.lines.empty() || before.points.size() == most_points) continue;
+        if (!before.lines.empty() || before.points.size() == most) continue;
         for (const int point : part.points) {
             if (!before.points.empty() && point <= before.points.back()) continue;
             all.push_back(before);
@@ -89,21 +105,26 @@ std::vector<CameraMotion> generators_of_central(const Problem& problem, const Su
     return all;
 }
 
-} // namespace
-
 std::optional<CameraMotion> find_central_motion(const Problem& problem, const Subproblem& part) {
-    // The generators of projective cameras make many choices: small parts of many views are left
-    // out.
-    constexpr int most_left_out = 3;
-    const int left_out = problem.views - std::popcount(part.views);
-    if (problem.cameras->all_matrices && left_out > most_left_out) return std::nullopt;
-    for (const CameraMotion& generators : generators_of_central(problem, part)) {
+    for (const CameraMotion& generators : generators_of(problem, part, MotionKind::central)) {
         const Elements elements(problem, part, generators);
         std::vector<std::vector<int>> centres{{}};
         for (const int point : part.points)
             centres.push_back({point});
         for (const std::vector<int>& about : centres) {
             CameraMotion motion = elements.best_about(about);
+            if (excess(problem, part, motion) > 0) return motion;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<CameraMotion> find_any_central_motion(const Problem& problem,
+                                                    const Subproblem& part) {
+    for (const CameraMotion& generators : generators_of(problem, part, MotionKind::central)) {
+        const Elements elements(problem, part, generators);
+        for (const int about : part.points) {
+            CameraMotion motion = elements.best_choice_about(about);
             if (excess(problem, part, motion) > 0) return motion;
         }
     }

@@ -291,8 +291,8 @@ private:
     Subproblem part_;
 };
 
-/// The lines through each point that all these views see, and its joins with all others that are on
-/// none of these lines.
+/// The lines through each point that all these views see, its joins with all others that are on
+/// none of these lines, and lines of three of these or more.
 void consider_pencils(Search& search, const Problem& problem, ViewSet views) {
     for (int centre = 0; centre < static_cast<int>(problem.points.size()); ++centre) {
         if ((problem.points[static_cast<std::size_t>(centre)] & views) != views) continue;
@@ -302,6 +302,12 @@ void consider_pencils(Search& search, const Problem& problem, ViewSet views) {
                     return contains(problem.lines[static_cast<std::size_t>(line)], point);
                 }))
                 part.points.push_back(point);
+        for (int line = 0; line < static_cast<int>(problem.lines.size()); ++line)
+            if (!is_in(part.lines, line) &&
+                std::ranges::count_if(problem.lines[static_cast<std::size_t>(line)].points,
+                                      [&](int p) { return is_in(part.points, p); }) > 2)
+                part.lines.push_back(line);
+        std::ranges::sort(part.lines);
         if (is_part(problem, part))
             search.consider(part, {.kind = MotionKind::pencils, .centre = centre});
     }
@@ -358,6 +364,44 @@ void consider_motions_of_less(Search& search, const Problem& problem, const Subp
     }
 }
 
+void consider_central_motions(Search& search, const Problem& problem, const Subproblem& part) {
+    if (const std::optional<CameraMotion> central = find_central_motion(problem, part))
+        search.consider(part, *central);
+}
+
+/// Motions of the cameras that see nothing of the part but points in a plane, whatever plane
+/// through some points and lines; of all these cameras or some.
+void consider_planes(Search& search, const Problem& problem, const Subproblem& part) {
+    for (CameraMotion motion : generators_of(problem, part, MotionKind::plane)) {
+        motion.moving = part.views;
+        const Subproblem kept = kept_part(problem, part, motion);
+        ViewSet free = part.views;
+        for (const int point : part.points)
+            if (!is_in(kept.points, point))
+                free &= ~problem.points[static_cast<std::size_t>(point)];
+        for (ViewSet moving = free; moving > 0; moving = (moving - 1) & free) {
+            motion.moving = moving;
+            search.consider(part, motion);
+        }
+    }
+}
+
+/// The motions of just this part.
+std::optional<OverconstrainedPart> motion_of(const Problem& problem, const Subproblem& part) {
+    Search search(problem);
+    search.consider(part, {});
+    search.consider_loose(part);
+    consider_cameras(search, problem, part);
+    consider_motions_of_some(search, part);
+    consider_motions_of_less(search, problem, part);
+    consider_planes(search, problem, part);
+    if (!search.found()) consider_central_motions(search, problem, part);
+    if (search.found()) return search.take();
+    if (const std::optional<CameraMotion> central = find_any_central_motion(problem, part))
+        search.consider(part, *central);
+    return search.take();
+}
+
 std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) {
     Search search(problem);
     const ViewSet all = all_views(problem.views);
@@ -387,8 +431,11 @@ std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) 
         consider_cameras(search, problem, part);
         consider_motions_of_some(search, part);
         consider_motions_of_less(search, problem, part);
-        if (const std::optional<CameraMotion> central = find_central_motion(problem, part))
-            search.consider(part, *central);
+        // The generators of projective cameras make many choices: small parts of many views are
+        // left out.
+        constexpr int most_left_out = 3;
+        if (!problem.cameras->all_matrices || problem.views - std::popcount(views) <= most_left_out)
+            consider_central_motions(search, problem, part);
         consider_directions(search, problem, views);
         consider_pencils(search, problem, views);
     }
@@ -397,17 +444,27 @@ std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) 
 
 } // namespace
 
-std::optional<Reason> find_reason(const Problem& problem) {
-    if (const std::optional<FourCollinear> four = four_collinear(problem)) return *four;
-    if (std::optional<OverconstrainedPart> found = overconstrained_part(problem))
-        return *std::move(found);
+/// What the search finds: of the problem, or of its cameras taken as projective ones.
+template <class Find>
+static std::optional<Reason> also_projective(const Problem& problem, const Find& find) {
+    if (std::optional<OverconstrainedPart> found = find(problem)) return *std::move(found);
     if (problem.cameras->all_matrices) return std::nullopt;
     Problem projective = problem;
     projective.cameras = &projective_cameras;
-    std::optional<OverconstrainedPart> found = overconstrained_part(projective);
+    std::optional<OverconstrainedPart> found = find(projective);
     if (!found) return std::nullopt;
     found->motion.projective = true;
     return *std::move(found);
+}
+
+std::optional<Reason> find_reason(const Problem& problem) {
+    if (const std::optional<FourCollinear> four = four_collinear(problem)) return *four;
+    return also_projective(problem, overconstrained_part);
+}
+
+std::optional<Reason> find_reason_in(const Problem& problem, const Subproblem& part) {
+    return also_projective(problem,
+                           [&](const Problem& cameras) { return motion_of(cameras, part); });
 }
 
 } // namespace plprove

@@ -39,4 +39,8 @@ std::optional<int> excess(const Problem& problem, const Subproblem& part,
 /// A reason why the problem is not minimal; nothing if the search finds none.
 std::optional<Reason> find_reason(const Problem& problem);
 
+/// A motion by which the images of just this part satisfy a condition. The part should be small:
+/// the search tries more than that of all parts.
+std::optional<Reason> find_reason_in(const Problem& problem, const Subproblem& part);
+
 } // namespace plprove

@@ -99,9 +99,12 @@ def by_directions(problem, part, words, joins, core):
 
 def by_pencils(problem, part, words, centre):
     cameras, (views, points, lines) = cameras_of(problem, part, words), part
+    on_part = {j: points & set(problem.on[j]) for j in lines}
     require(cameras == "projective" and centre in points and views <= problem.points[centre] and
-            all(points & set(problem.on[j]) == {centre} for j in lines), "no pencils")
-    return beyond_two([problem.lines[j] & views for j in lines] +
+            all(on == {centre} or centre not in on for on in on_part.values()), "no pencils")
+    shared = {i for i in points if len(problem.points[i] & views) > 1}
+    flat = sum(max(0, len(on & shared) - 2) for on in on_part.values() if centre not in on)
+    return flat + beyond_two([problem.lines[j] & views for j in lines if centre in on_part[j]] +
                       [problem.points[i] & views for i in points - {centre}]) - \
         (5 * len(views) - 8)
 
