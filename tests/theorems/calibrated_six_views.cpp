@@ -508,6 +508,14 @@ void subtract(Series& x, const Series& f, const Series& y) {
                 x[i + k] = x[i + k] - f[i] * y[k];
 }
 
+/// x y plus a general series of this order.
+Series near_product(const Series& x, const Series& y, unsigned order) {
+    Series minus_x{}, result = series(order);
+    subtract(minus_x, {Number(1)}, x);
+    subtract(result, minus_x, y);
+    return result;
+}
+
 Series quotient(const Series& x, const Series& y, unsigned order) {
     Series result{};
     for (unsigned k = 0; k + order < terms; ++k) {
@@ -692,10 +700,22 @@ TEST_CASE("resultants vanish twice for each exceptional divisor, for images at r
     CHECK(order({general(2, 1), general(1), general(1)}, general(), general()) == 4);  // A, R
     CHECK(order({general(zero), general(), general(1)}, general(1, 1), general(2, zero)) ==
           4); // G, S
+    CHECK(order({general(zero), general(1), general()}, general(2, zero), general(1, 1)) ==
+          4); // G_2, S_2
     CHECK(order({general(2, 1), general(), general(zero)}, general(), general(1, zero)) ==
           4); // G_1, S_10
+    CHECK(order({general(2, 1), general(zero), general()}, general(1, zero), general()) ==
+          4); // G_2, S_20
     CHECK(order({general(4, 2), general(1), general(zero)}, general(), general(1, zero)) ==
           8); // and A, R
     CHECK(order({general(zero), general(), general(2, 1)}, general(), general(1, 0, zero)) ==
           4); // G_1, S_12
+    CHECK(order({general(4, 2), general(zero), general(1)}, general(1, zero), general()) ==
+          8); // and A, R
+    // S_12 after S_1, whose equations are nu and x, y with m_2 = t v' + nu x, s = nu y; and G_1,
+    // where s = 0, contains both.
+    const Series s = series(2), t = series(0), ratio = series(1);
+    const Vector d2{near_product(s, ratio, zero), near_product(t, ratio, 2), series(0)};
+    CHECK(order({Vector{series(zero), series(0), series(zero)}, general(), d2}, general(1, 1),
+                {s, t, series(zero)}) == 8);
 }
