@@ -3,6 +3,7 @@
 #include "prover/cli/sections.h"
 #include "prover/format/certificate_text.h"
 #include "prover/model/certificate.h"
+#include "prover/scripts/equation_scripts.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
 #include "prover/system/words.h"
@@ -21,6 +22,7 @@ struct ModelRequest {
     std::string file;
     std::string output;
     bool json = false;
+    bool macaulay2 = false, julia = false;
 };
 
 /// The text of a model, and the comments before its first statement.
@@ -54,13 +56,17 @@ Source read_source(const std::string& path) {
     return source;
 }
 
+std::string place_of(const std::string& path) {
+    return path == "-" ? "standard input" : path;
+}
+
 model::Study studied(const std::string& path, const std::string& text) {
     ProgressLine line("looking for solutions, then for all", 0);
     line.show(0);
     try {
         return model::study(text);
     } catch (const model::ModelError& error) {
-        throw BadInput((path == "-" ? "standard input" : path) + ", " + error.what());
+        throw BadInput(place_of(path) + ", " + error.what());
     }
 }
 
@@ -125,7 +131,22 @@ std::string json_report(const model::Study& study, const Source& source) {
     return report.dump(2) + '\n';
 }
 
+/// Prints a script, and looks for nothing.
+int write_script(const ModelRequest& request, const Deliver& deliver) {
+    const Source source = read_source(request.file);
+    try {
+        const model::Model model = model::read_model(source.text);
+        const model::Program program = model::compile(model);
+        deliver(request.output.empty() ? "-" : request.output,
+                request.julia ? julia_script(model, program) : macaulay2_script(model, program));
+    } catch (const model::ModelError& error) {
+        throw BadInput(place_of(request.file) + ", " + error.what());
+    }
+    return 0;
+}
+
 int prove_model(const ModelRequest& request, const Deliver& deliver) {
+    if (request.macaulay2 || request.julia) return write_script(request, deliver);
     const Source source = read_source(request.file);
     const model::Study study = studied(request.file, source.text);
     const bool nothing = !study.fibre && !study.elimination;
@@ -151,14 +172,22 @@ Command add_model_command(CLI::App& program, Deliver deliver) {
     app->add_option("-o,--output", request->output,
                     "write a certificate to this file, - for standard output")
         ->type_name("FILE");
-    app->add_flag("--json", request->json, "print the report as JSON");
+    CLI::Option* json = app->add_flag("--json", request->json, "print the report as JSON");
+    CLI::Option* macaulay2 =
+        app->add_flag("--macaulay2", request->macaulay2,
+                      "print a Macaulay2 script with the equations, and nothing else")
+            ->excludes(json);
+    app->add_flag("--julia", request->julia, "print a script for HomotopyContinuation.jl")
+        ->excludes(json)
+        ->excludes(macaulay2);
     app->footer(
         "A model is a text with data, unknowns and equations: docs/models.md explains it, and "
         "models/ has\nproblems of the literature.\n\n"
         "Examples:\n"
         "  plprove model models/p3p.model              how many solutions?\n"
         "  plprove model models/p3p.model -o p3p.plc   write a certificate ...\n"
-        "  plcheck p3p.plc                             ... and replay it");
+        "  plcheck p3p.plc                             ... and replay it\n"
+        "  plprove model models/p3p.model --macaulay2  another program counts the solutions");
     return {app,
             [request, deliver = std::move(deliver)] { return prove_model(*request, deliver); }};
 }

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 
 namespace {
@@ -32,6 +33,44 @@ TEST_CASE("plprove model reports to people and to machines") {
     CHECK(json["minimal"] == true);
     CHECK(json["at_least"] == 8);
     CHECK(json["at_most"] == 8);
+}
+
+TEST_CASE("plprove model writes scripts with all data, unknowns, equations and conditions") {
+    const std::string file = models + "rolling_shutter.model";
+    for (const std::string language : {"--macaulay2", "--julia"}) {
+        CAPTURE(language);
+        const std::string mark = language == "--julia" ? "_" : "'";
+        const Outcome outcome = run(plprove + " model " + file + " " + language);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.err.empty());
+        CHECK(outcome.out == run(plprove + " model - " + language + " < " + file).out);
+        // x[6][3], t[3], and what is computed: its name is no other's.
+        for (const std::string& name :
+             {"x" + mark + "6" + mark + "3", "t" + mark + "3", "t" + mark + mark + "3"})
+            CHECK(outcome.out.find(name) != std::string::npos);
+        CHECK(run(plprove + " model " + file + " --json " + language).status == 3);
+    }
+    CHECK(run(plprove + " model " + models + "p3p.model --macaulay2 --julia").status == 3);
+}
+
+TEST_CASE("Macaulay2 counts as many zeros as plprove, or some for each solution that counts once") {
+    if (run("command -v M2").status != 0) {
+        MESSAGE("skipped: there is no program M2 on the PATH");
+        return;
+    }
+    const TemporaryFolder folder;
+    const std::string script = (folder / "model.m2").string();
+    const std::map<std::string, int> zeros{{"p3p", 8},          {"apollonius", 8},
+                                           {"transversals", 2}, {"rolling_shutter", 20},
+                                           {"two_circles", 8},  {"six_points_focal", 4 * 15}};
+    for (const auto& [name, count] : zeros) {
+        CAPTURE(name);
+        const std::string file = models + name + ".model";
+        REQUIRE(run(plprove + " model " + file + " --macaulay2 -o " + script).status == 0);
+        const Outcome outcome = run("M2 --script " + script);
+        CHECK(outcome.err.empty());
+        CHECK(outcome.out == "dimension  0\nsolutions  " + std::to_string(count) + '\n');
+    }
 }
 
 TEST_CASE("plprove model refuses what is no model, and writes nothing") {

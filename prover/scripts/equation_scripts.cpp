@@ -1,0 +1,214 @@
+#include "prover/scripts/equation_scripts.h"
+
+#include "prover/model/random_residues.h"
+#include "prover/scripts/model.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace plprove {
+
+namespace {
+
+using model::Model;
+using model::Named;
+using model::Operation;
+using model::Program;
+using model::ScalarIndex;
+using Kind = Operation::Kind;
+
+/// `x_1_3` of x[1..6] : vector 3; `f` of a scalar. Each name ends with `mark`, so that none is a
+/// word of the language.
+std::vector<std::string> names_of(const std::vector<Named>& arrays, const std::string& mark) {
+    std::vector<std::string> names;
+    for (const Named& array : arrays)
+        for (std::size_t i = 0; i < array.value.scalars.size(); ++i) {
+            std::string indices;
+            std::size_t rest = i;
+            for (auto n = array.value.shape.rbegin(); n != array.value.shape.rend(); ++n) {
+                const auto size = static_cast<std::size_t>(*n);
+                indices.insert(0, mark + std::to_string(rest % size + 1));
+                rest /= size;
+            }
+            names.push_back(array.name + (indices.empty() ? mark : indices));
+        }
+    return names;
+}
+
+/// Writes the scalars that equations and conditions need as assignments: each of an operation that
+/// is used more than once. The others become parts of these.
+class Assignments {
+public:
+    using Ratio = std::function<std::string(const std::string&, const std::string&)>;
+
+    /// `mark` joins the parts of a name; `ratio` is how to write a quotient of integers.
+    Assignments(const Program& program, std::string mark, Ratio ratio)
+        : program_(program), mark_(std::move(mark)), ratio_(std::move(ratio)),
+          data_(names_of(program.data_names, mark_)),
+          unknowns_(names_of(program.unknown_names, mark_)), uses_(program.operations.size(), 0),
+          texts_(program.operations.size()) {
+        for (const auto& equation : program.equations)
+            count(equation.scalar);
+        for (const auto& condition : program.conditions)
+            count(condition.scalar);
+        for (ScalarIndex i = 0; i < program.operations.size(); ++i)
+            if (uses_[i] > 0) write(i);
+    }
+
+    const std::vector<std::string>& data() const { return data_; }
+    const std::vector<std::string>& unknowns() const { return unknowns_; }
+    /// The assignments, a line each.
+    const std::string& text() const { return text_; }
+    /// What has the value of the scalar.
+    const std::string& of(ScalarIndex scalar) const { return texts_[scalar]; }
+    /// The divisors with data or unknowns, each once.
+    const std::vector<std::string>& divisors() const { return divisors_; }
+
+private:
+    static bool is_leaf(const Operation& operation) {
+        return operation.kind == Kind::constant || operation.kind == Kind::zero ||
+               operation.kind == Kind::datum || operation.kind == Kind::unknown;
+    }
+
+    bool is_constant(ScalarIndex i) const { return program_.operations[i].kind == Kind::constant; }
+
+    void count(ScalarIndex scalar) {
+        std::vector<ScalarIndex> open{scalar};
+        while (!open.empty()) {
+            const ScalarIndex i = open.back();
+            open.pop_back();
+            const Operation& operation = program_.operations[i];
+            if (++uses_[i] > 1 || is_leaf(operation)) continue;
+            open.push_back(operation.left);
+            if (operation.kind != Kind::copy) open.push_back(operation.right);
+        }
+    }
+
+    /// Leaves out what adds 0 or multiplies by 1.
+    std::string expression(const Operation& operation) {
+        const std::string &a = texts_[operation.left], &b = texts_[operation.right];
+        switch (operation.kind) {
+        case Kind::constant:
+            return std::to_string(operation.left);
+        case Kind::zero:
+            return "0";
+        case Kind::datum:
+            return data_[operation.left];
+        case Kind::unknown:
+            return unknowns_[operation.left];
+        case Kind::copy:
+            return a;
+        case Kind::sum:
+            return a == "0" ? b : b == "0" ? a : "(" + a + " + " + b + ")";
+        case Kind::difference:
+            return b == "0" ? a : a == "0" ? "(-" + b + ")" : "(" + a + " - " + b + ")";
+        case Kind::product:
+            if (a == "0" || b == "0") return "0";
+            return a == "1" ? b : b == "1" ? a : a + "*" + b;
+        case Kind::quotient:
+            if (is_constant(operation.left) && is_constant(operation.right)) return ratio_(a, b);
+            return "(" + a + "/(" + b + "))";
+        }
+        return {};
+    }
+
+    void write(ScalarIndex i) {
+        const Operation& operation = program_.operations[i];
+        texts_[i] = expression(operation);
+        if (operation.kind == Kind::quotient && operation.by_variable) {
+            const std::string& divisor = texts_[operation.right];
+            if (std::ranges::find(divisors_, divisor) == divisors_.end())
+                divisors_.push_back(divisor);
+        }
+        constexpr std::size_t longest = 60;
+        const bool is_name = texts_[i].find_first_of("+-*/") == std::string::npos;
+        if (is_name || (uses_[i] == 1 && texts_[i].size() <= longest)) return;
+        // Twice the mark: no array has such a name.
+        const std::string name = "t" + mark_ + mark_ + std::to_string(++named_);
+        text_ += name + " = " + texts_[i] + ";\n";
+        texts_[i] = name;
+    }
+
+    const Program& program_;
+    std::string mark_;
+    Ratio ratio_;
+    std::vector<std::string> data_, unknowns_;
+    std::vector<int> uses_;
+    std::vector<std::string> texts_;
+    std::vector<std::string> divisors_;
+    std::string text_;
+    int named_ = 0;
+};
+
+std::vector<std::string> texts_of(const Assignments& values,
+                                  const std::vector<model::Located>& scalars) {
+    std::vector<std::string> texts;
+    for (const model::Located& scalar : scalars)
+        texts.push_back(values.of(scalar.scalar));
+    return texts;
+}
+
+std::string opening(const Model& model, const std::string& sign, const std::string& what) {
+    return comment(sign, "The model " + model.name) + sign + "\n" + comment(sign, what) + sign +
+           "\n";
+}
+
+} // namespace
+
+std::string macaulay2_script(const Model& model, const Program& program) {
+    constexpr std::uint64_t prime = 32003;
+    const Assignments values(program, "'", [](const std::string& a, const std::string& b) {
+        return "(" + a + "_F/" + b + ")";
+    });
+    std::string text =
+        opening(
+            model, "--",
+            "This script sets up the equations over a finite field, for random data, and counts "
+            "their zeros, where no condition and no denominator is 0. For other data there may "
+            "be more or fewer zeros, if the random numbers are very unlucky. What a model "
+            "counts only once, by a `count` statement, is counted as often as it is a zero.") +
+        "-- Run it with:  M2 --script FILE\n\nFF = ZZ/" + std::to_string(prime) + ";\nR = FF[\n" +
+        list(values.unknowns(), "    ") + "];\nF = frac R;\n\n-- the data\n";
+    model::RandomResidues random(model, 0);
+    for (const std::string& datum : values.data())
+        text += datum + " = " + std::to_string(random.bits() % prime) + "_F;\n";
+    std::vector<std::string> conditions = texts_of(values, program.conditions);
+    conditions.insert(conditions.end(), values.divisors().begin(), values.divisors().end());
+    return text + "\n" + values.text() +
+           "\npolynomial = f -> numerator promote(f, F);\nI = ideal apply({\n" +
+           list(texts_of(values, program.equations), "    ") +
+           "}, polynomial);\n-- what is not 0\nscan({\n" + list(conditions, "    ") +
+           "}, c -> I = saturate(I, ideal polynomial c));\n" +
+           "<< \"dimension  \" << dim I << endl;\n<< \"solutions  \" << degree I << endl;\n";
+}
+
+std::string julia_script(const Model& model, const Program& program) {
+    const Assignments values(program, "_", [](const std::string& a, const std::string& b) {
+        return "(" + a + "//" + b + ")";
+    });
+    const auto variables = [](const std::vector<std::string>& names) {
+        std::string text = "@var";
+        for (const std::string& name : names)
+            text += " " + name;
+        return text + "\n";
+    };
+    std::string text =
+        opening(model, "#",
+                "This script sets up the equations with the data as parameters, and finds their "
+                "zeros for random data by monodromy. It may take long, and it may stop too early. "
+                "Zeros at which a condition is 0 do not count.") +
+        "using HomotopyContinuation\n\n" + variables(values.unknowns()) + variables(values.data()) +
+        "\n" + values.text() + "\nequations = [\n" +
+        list(texts_of(values, program.equations), "    ") + "]\nunknowns = [\n" +
+        list(values.unknowns(), "    ") + "]\ndata = [\n" + list(values.data(), "    ") +
+        "]\nsystem = System(equations; variables = unknowns, parameters = data)\n" +
+        "result = monodromy_solve(system)\n";
+    const std::vector<std::string> conditions = texts_of(values, program.conditions);
+    if (conditions.empty()) return text + "println(nsolutions(result))\n";
+    return text + "# what is not 0\nconditions = System([\n" + list(conditions, "    ") +
+           "]; variables = unknowns, parameters = data)\n" +
+           "counts(z) = minimum(abs, conditions(z, parameters(result))) > 1e-8\n" +
+           "println(count(counts, solutions(result)))\n";
+}
+
+} // namespace plprove
