@@ -712,6 +712,9 @@ TEST_CASE("resultants vanish twice for each exceptional divisor, for images at r
           4); // G_1, S_12
     CHECK(order({general(4, 2), general(zero), general(1)}, general(1, zero), general()) ==
           8); // and A, R
+    // On G_2 but not on S_2, and twice as near to S_2.
+    CHECK(order({general(zero), general(1), general()}, general(2, zero), general(1)) == 2);
+    CHECK(order({general(zero), general(2), general()}, general(4, zero), general(2, 2)) == 8);
     // S_12 after S_1, whose equations are nu and x, y with m_2 = t v' + nu x, s = nu y; and G_1,
     // where s = 0, contains both.
     const Series s = series(2), t = series(0), ratio = series(1);
