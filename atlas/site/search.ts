@@ -2,6 +2,7 @@
 import { Board } from "./board.js";
 import { afterPause, byId, make, withCommas } from "./elements.js";
 import { generalFacts, generalVerdictView } from "./general_problem.js";
+import { allModels, withWords } from "./model.js";
 import { card, line, problemLink } from "./problem_links.js";
 import { photos } from "./photos.js";
 import { Complaint, type GeneralAnswer, type ProblemAnswer, Prover } from "./prover.js";
@@ -42,8 +43,25 @@ async function decide(text: string): Promise<void> {
         if ("general" in answer) showGeneralAnswer(answer);
         else await showAnswer(answer, question);
     } catch (error) {
-        if (question === current) showComplaint(error);
+        if (question !== current) return;
+        showComplaint(error);
+        await showModels(text, question);
     }
+}
+
+/** What is no problem may be what a model is called. */
+async function showModels(text: string, question: number): Promise<void> {
+    const fewest = 3;
+    if (text.trim().length < fewest) return;
+    const found = withWords(await allModels().catch(() => []), text);
+    if (question !== current || found.length === 0) return;
+    const links = found.map(({ name, title }) =>
+        make("li", {}, make("a", { href: `models.html#${name}` }, title)),
+    );
+    answerPlace.replaceChildren(
+        make("p", {}, "Models with these words, which are given by equations:"),
+        make("ul", { class: "plain" }, ...links),
+    );
 }
 
 function showComplaint(error: unknown): void {

@@ -19,6 +19,8 @@ const pages = {
     "paper.html": "#degrees tbody tr",
     "families.html": "#problems li",
     "families.html?family=projective&views=9": "#problems li",
+    "models.html": "#models li",
+    "models.html#p3p": "details[open]",
     "check.html": "#files",
     "how.html": ".matrix",
     "cite.html": "#citation pre",
