@@ -2,8 +2,7 @@
 
     The degree of a minimal problem is the number of solutions of generic images over an algebraic
     closure, which is the dimension of K over F(y). The camera-degree counts their cameras: it is
-    the dimension over F(y) of the field that y and the 11 parameters of the cameras generate.
-    Lemma 1
+    the dimension over F(y) of the field that y and the 11 parameters of the cameras generate. Lemma 1
     of the paper says that they are equal (Lemma1.v).
 
     Below: sums, products, quotients of quotients of polynomials are such quotients, and so is the
@@ -28,8 +27,7 @@ Definition rational (y : seq K) (u : K) := exists p q, at_y y q != 0 /\ u * at_y
 Definition dimension (y : seq K) (E : K -> Prop) (d : nat) := exists b : 'I_d -> K,
   [/\ forall i, E (b i),
       forall u, E u -> exists2 a : 'I_d -> K, forall i, rational y (a i) & u = \sum_i a i * b i &
-      forall a : 'I_d -> K, (forall i, rational y (a i)) -> \sum_i a i * b i = 0 -> forall i, a i
-        = 0].
+      forall a : 'I_d -> K, (forall i, rational y (a i)) -> \sum_i a i * b i = 0 -> forall i, a i = 0].
 (** The images, and the parameters of the cameras. *)
 Definition with_cameras (A : problem) : seq K := images F n A ++ mkseq (generic F n) 11.
 End Definitions.
@@ -70,11 +68,9 @@ case=> p [q [q0 e]]; have [->|u0] := eqVneq u 0; first by rewrite invr0; exact: 
 by exists q, p; rewrite -e mulf_neq0 // mulKf.
 Qed.
 Lemma frMn u k : fraction u -> fraction (u *+ k).
-Proof. by move=> hu; rewrite -mulr_natr; apply: frM => //; rewrite -(rmorph_nat ev);
-  exact: fr_of. Qed.
+Proof. by move=> hu; rewrite -mulr_natr; apply: frM => //; rewrite -(rmorph_nat ev); exact: fr_of. Qed.
 Lemma frX u k : fraction u -> fraction (u ^+ k).
-Proof. by move=> hu; elim: k => [|k IH]; [rewrite expr0; exact: fr1 | rewrite exprS;
-  exact: frM]. Qed.
+Proof. by move=> hu; elim: k => [|k IH]; [rewrite expr0; exact: fr1 | rewrite exprS; exact: frM]. Qed.
 
 (** A system of linear equations with one solution only. *)
 Lemma fr_det m (B : 'M[K]_m) : (forall i j, fraction (B i j)) -> fraction (\det B).
@@ -95,8 +91,7 @@ Lemma fr_solve k m (M : 'M[K]_(k, m)) (b : 'cV_k) (x : 'cV_m) : (forall i j, fra
   forall i, fraction (x i 0).
 Proof.
 move=> hM hb e ker; have full : row_full M.
-  rewrite /row_full -mxrank_tr -/(row_free M^T) -kermx_eq0;
-    apply: contraT => /rowV0Pn[v /sub_kermxP vM v0].
+  rewrite /row_full -mxrank_tr -/(row_free M^T) -kermx_eq0; apply: contraT => /rowV0Pn[v /sub_kermxP vM v0].
   case/eqP: v0; apply: trmx_inj; rewrite trmx0; apply: ker; apply: trmx_inj.
   by rewrite trmx_mul trmxK vM trmx0.
 set g := fullrankfun full; have u := fullrowsub_unit full.
@@ -160,12 +155,10 @@ have <- : ev_of 'X_(Ordinal lt) = a; last exact: fr_of.
 by rewrite /= mmapX mmap1U nth_index.
 Qed.
 (** With all parameters it is K. *)
-Lemma fr_all : (forall k, (k < n)%N -> fraction ev_of (generic F n k)) -> forall u, fraction ev_of
-  u.
+Lemma fr_all : (forall k, (k < n)%N -> fraction ev_of (generic F n k)) -> forall u, fraction ev_of u.
 Proof.
 move=> g; have p0 p : fraction ev_of (to F n p).
-  rewrite (mpolyE p) rmorph_sum; apply: (big_ind (fraction ev_of)) => [||M _];
-    [exact: fr0 | exact: frD |].
+  rewrite (mpolyE p) rmorph_sum; apply: (big_ind (fraction ev_of)) => [||M _]; [exact: fr0 | exact: frD |].
   rewrite -mul_mpolyC rmorphM /=; apply: frM.
     by have := fr_of ev_of (p@_M)%:MP; rewrite /= mmapC.
   rewrite mpolyXE_id -[FracField.tofrac _]/(to F n _) rmorph_prod.

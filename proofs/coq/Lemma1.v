@@ -1,7 +1,6 @@
 (** * Lemma 1 of the paper: the degree of a minimal problem is its camera-degree
 
-    Given the cameras, the images determine the directions of pins and free lines by linear
-    equations,
+    Given the cameras, the images determine the directions of pins and free lines by linear equations,
     and then the points. If such a system had two solutions, something could move, and all images
     stay; then the problem would not be minimal. So all parameters are quotients of polynomials in
     images and cameras. *)
@@ -111,8 +110,7 @@ exists D; split=> // [k out||i ip].
 have lt := pin_own ip; rewrite /dvec /dir_at -/off /= in lt *.
 have lo l : (off + l < off)%N = false by rewrite ltnNge leq_addr.
 rewrite own ?(ltnW lt) // own // (der1 hD) /ow lo -addnS lo !addKn.
-rewrite mul2n /= odd_double uphalf_double doubleK;
-  transitivity (@Vec K (x1 (w i)) (x2 (w i)) (x3 (w i))).
+rewrite mul2n /= odd_double uphalf_double doubleK; transitivity (@Vec K (x1 (w i)) (x2 (w i)) (x3 (w i))).
   by rewrite w0.
 by case: (w i).
 Qed.
@@ -131,8 +129,7 @@ have hC w : dead_camera D (C w) by case: w; split=> //; try split; rewrite ?[in 
 have ki v : killed D (image (f, at_ o) (C v) (looks f v)).
   have add0 (u w : vec K) : add u (scale 0 w) = u.
     by case: u => u1 u2 u3; rewrite /add /scale /= !mul0r !addr0.
-  rewrite /image killed_cat killed_flatten -/(sees_point f v) -/(sees_pins f v) [(_, _).1]/= [(_,
-    _).2]/=.
+  rewrite /image killed_cat killed_flatten -/(sees_point f v) -/(sees_pins f v) [(_, _).1]/= [(_, _).2]/=.
   have ep := dvec_project hD X (hC v); have ed i := turn_still hD (d i) (hC v).
   pose x := project (C v) X.
   have two : sees_point f v -> (dot (@Vec K 0 (x3 x) (- x2 x)) (add (dvec D x) (scale 0 x)) == 0) &&
@@ -145,14 +142,12 @@ have ki v : killed D (image (f, at_ o) (C v) (looks f v)).
     by rewrite /killed /= h1 h2.
   apply/allP => i iv; have ip := pin_lt iv; have [h1 h2] := hl v i iv.
   have lk := @line_killed _ _ _ _ hD (project (C v) X) (turn (C v) (d i)) 0 0.
-  rewrite !add0 ep ed -/(normal (C v) X (d i)) h1 h2 eqxx in lk;
-    have /andP[k1 k2] := lk (line3 v ip).
+  rewrite !add0 ep ed -/(normal (C v) X (d i)) h1 h2 eqxx in lk; have /andP[k1 k2] := lk (line3 v ip).
   case pv: (sees_point f v); last by rewrite /killed /= k1 k2.
   have sk := @slope_killed _ _ _ _ hD (project (C v) X) (turn (C v) (d i)) 0 0 (point3 pv).
   by rewrite /killed /= andbT (sk (line2 pv ip) (two pv)) add0 ed -/(normal (C v) X (d i)) h2.
 have cat r t : killed D r -> killed D t -> killed D (r ++ t) by rewrite /killed all_cat => -> ->.
-have other A0 o0 : is_problem A0 -> (o0 + sumn [seq dim3 g | g <- A0] <= o)%N \/ (o + dim3 f <=
-  o0)%N ->
+have other A0 o0 : is_problem A0 -> (o0 + sumn [seq dim3 g | g <- A0] <= o)%N \/ (o + dim3 f <= o0)%N ->
     killed D (seen C (scene gx o0 A0)).
   move=> pA0 h; rewrite killed_flatten; apply: scene_all => // g o' pg le le'.
   have sg k : (k < dim3 g)%N -> D (gx (o' + k)%N) = 0.
@@ -172,8 +167,7 @@ have kA : killed D (images F n A).
   have [p1 _ p3] := parts; apply: (cat); first by apply: other => //; left.
   apply: (cat); last by apply: other => //; right.
   by rewrite /views_of killed_flatten; apply: all_views => w; exact: ki.
-have [_ un] := (minimalP char0 A).1 mA; move=> k; rewrite /generic; case: insubP => [i _ _|_];
-  last exact: D0.
+have [_ un] := (minimalP char0 A).1 mA; move=> k; rewrite /generic; case: insubP => [i _ _|_]; last exact: D0.
 exact: un.
 Qed.
 
@@ -184,10 +178,8 @@ Let fr_camera k : (k < 11)%N -> fraction ev (gx k).
 Proof. by move=> k11; apply: fr_mem; rewrite mem_cat map_f ?orbT // mem_iota. Qed.
 Lemma fr_image a v : a \in image (f, at_ o) (C v) (looks f v) -> fraction ev a.
 Proof.
-move=> av; apply: fr_mem;
-  rewrite mem_cat images_atE /images_at scene_cat map_cat flatten_cat mem_cat.
-rewrite [map _ (scene gx _ (f :: post))]/= mem_cat; apply/orP; left; apply/orP; right; apply/orP;
-  left.
+move=> av; apply: fr_mem; rewrite mem_cat images_atE /images_at scene_cat map_cat flatten_cat mem_cat.
+rewrite [map _ (scene gx _ (f :: post))]/= mem_cat; apply/orP; left; apply/orP; right; apply/orP; left.
 by rewrite /views_of /= !mem_cat; case: v av => ->; rewrite ?orbT.
 Qed.
 Let cam v : [/\ fraction ev (qa (quat_of (C v))), fraction ev (qb (quat_of (C v))),
@@ -202,12 +194,10 @@ Proof. by case: unit3 => u1 u2 u3 hm; split; apply: fr_dot => //; exact: fr_turn
 Lemma fr_point v : sees_point f v -> let x := project (C v) X in
   fraction ev (x1 x / x3 x) /\ fraction ev (x2 x / x3 x).
 Proof.
-by move=> pv x; split; apply: (@fr_image _ v);
-  rewrite /image mem_cat -/(sees_point f v) pv !inE eqxx ?orbT.
+by move=> pv x; split; apply: (@fr_image _ v); rewrite /image mem_cat -/(sees_point f v) pv !inE eqxx ?orbT.
 Qed.
 (** The image of a pin, up to a factor. *)
-Definition nu v i := if sees_point f v then (x2 (normal (C v) X (d i)))^-1 else (x3 (normal (C v)
-  X (d i)))^-1.
+Definition nu v i := if sees_point f v then (x2 (normal (C v) X (d i)))^-1 else (x3 (normal (C v) X (d i)))^-1.
 Definition nn v i := scale (nu v i) (normal (C v) X (d i)).
 Lemma nu0 v i : i \in sees_pins f v -> nu v i != 0.
 Proof.
@@ -215,15 +205,13 @@ by move=> /pin_lt ip; rewrite /nu; case: ifP => pv; rewrite invr_eq0; [exact: li
 Qed.
 Lemma fr_nn v i : i \in sees_pins f v -> fr3 ev (nn v i).
 Proof.
-move=> iv; have ip := pin_lt iv;
-  have inl a : a \in line_image (sees_point f v) (normal (C v) X (d i)) ->
+move=> iv; have ip := pin_lt iv; have inl a : a \in line_image (sees_point f v) (normal (C v) X (d i)) ->
     fraction ev a.
   move=> al; apply: (@fr_image _ v); rewrite /image mem_cat; apply/orP; right.
   by apply/flatten_mapP; exists i.
 rewrite /nn /nu; case pv: (sees_point f v) inl => inl.
   have l2 := line2 pv ip; have [e1 e2] := fr_point pv; have q3 := point3 pv.
-  have g : fraction ev (x1 (normal (C v) X (d i)) / x2 (normal (C v) X (d i))) by apply: inl;
-    rewrite inE.
+  have g : fraction ev (x1 (normal (C v) X (d i)) / x2 (normal (C v) X (d i))) by apply: inl; rewrite inE.
   have := normal_dot (C v) X (d i); move: (normal _ _ _) (project _ _) l2 q3 e1 e2 g.
   move=> [l1 l2 l3] [q1 q2 q3] /= h2 h3 e1 e2 g; rewrite /dot /= => e.
   have h : l2^-1 * l3 = - (l1 / l2 * (q1 / q3) + q2 / q3).
@@ -257,8 +245,7 @@ have turn0 v : turn (C v) (vec0 K) = vec0 K.
   by case: (C v) => -[q1 q2 q3 q4] t; rewrite /turn /rot /dot /vec0 /=; congr Vec; ring.
 have {}st : forall k, D (gx k) = 0.
   apply: st => [v _|v j jv]; first by rewrite eX turn0 !dot0.
-  rewrite eX turn0 dot0 ed ?(pin_lt jv) //; split=> //; case: eqP => [e|_];
-    last by rewrite turn0 dot0.
+  rewrite eX turn0 dot0 ed ?(pin_lt jv) //; split=> //; case: eqP => [e|_]; last by rewrite turn0 dot0.
   have := hu v 0%N isT; rewrite /= -e jv pullE /nn dot_scale => /eqP.
   by rewrite mulf_eq0 (negbTE (nu0 jv)) => /eqP.
 by rewrite /dvec /dir_at /= !st (der1 hD).
@@ -271,20 +258,17 @@ Lemma mvE v k : dot (mv v k) (project (C v) X) = 0.
 Proof.
 rewrite /mv; case: ifP => _; case: ifP => h; rewrite ?dot0v //.
   by rewrite /nn dot_scale normal_dot mulr0.
-have := point3 h; case: ifP => _; move: (project _ _) => [q1 q2 q3] /= q0; rewrite /dot /=;
-  field; exact: q0.
+have := point3 h; case: ifP => _; move: (project _ _) => [q1 q2 q3] /= q0; rewrite /dot /=; field; exact: q0.
 Qed.
 Lemma fr_mv v k : fr3 ev (mv v k).
 Proof.
 rewrite /mv; case: ifP => _; case: ifP => h //; first exact: fr_nn.
-have [e1 e2] := fr_point h; case: ifP => _; split; rewrite /=;
-  first [exact: fr0 | exact: fr1 | exact: frN].
+have [e1 e2] := fr_point h; case: ifP => _; split; rewrite /=; first [exact: fr0 | exact: fr1 | exact: frN].
 Qed.
 Lemma fr_X : fr3 ev X.
 Proof.
 pose last_ := @Vec K 0 0 (free f)%:R.
-apply: (@fr_vec _ _ ev (pins f).+3 (fun v k => if (k < (pins f).+2)%N then pull (C v) (mv v k)
-  else last_)
+apply: (@fr_vec _ _ ev (pins f).+3 (fun v k => if (k < (pins f).+2)%N then pull (C v) (mv v k) else last_)
   (fun v k => if (k < (pins f).+2)%N then - dot (mv v k) (trans (C v)) else 0)) => [v k _|u hu].
   case: ifP => _; split.
   - by apply: fr_pull; exact: fr_mv.
@@ -330,8 +314,7 @@ elim: A k => // f A IH k /=; case: (ltnP k (dim3 f)) => [lt _|le].
   by exists [::], f, A, k; rewrite addn0.
 rewrite -{1}(subnKC le) ltn_add2l => /IH[pre [g [post [i [-> e lt]]]]].
 exists (f :: pre), g, post, i; split=> //=; have e' := subnKC le.
-by rewrite -e' -addnA; congr (_ + _)%N; rewrite -addnA; congr (_ + _)%N; apply: (@addnI 11);
-  rewrite e -addnA.
+by rewrite -e' -addnA; congr (_ + _)%N; rewrite -addnA; congr (_ + _)%N; apply: (@addnI 11); rewrite e -addnA.
 Qed.
 
 Theorem lemma1_theorem : lemma1.
