@@ -57,7 +57,7 @@ std::vector<Subproblem> dependent_parts(const Problem& problem) {
     std::vector<Item> items = items_of(problem);
     for (std::ptrdiff_t i = 0; i < most; ++i) {
         // What comes first in the order is left out rather.
-        std::ranges::rotate(items, items.begin() + std::ssize(items) / most);
+        std::rotate(items.begin(), items.begin() + std::ssize(items) / most, items.end());
         std::ranges::reverse(items);
         Subproblem part = whole(problem);
         for (bool changed = true; changed;) {
