@@ -37,7 +37,8 @@ def model_of(file, folder):
 def main(plcheck, folder, *certificates):
     report = subprocess.run([plcheck, "--json", *certificates], check=True, capture_output=True)
     files = json.loads(report.stdout)["files"]
-    json.dump([model_of(file, pathlib.Path(folder)) for file in files], sys.stdout)
+    models = [model_of(file, pathlib.Path(folder)) for file in files]
+    json.dump(sorted(models, key=lambda model: model["name"]), sys.stdout)
 
 
 main(*sys.argv[1:])

@@ -27,6 +27,14 @@ export function byId<Kind extends HTMLElement>(id: string, kind: new () => Kind)
     return element;
 }
 
+/** Opens what the item with this id folds away, and shows it; false if there is no such item. */
+export function openItem(id: string): boolean {
+    const item = document.getElementById(id);
+    item?.querySelector("details")?.setAttribute("open", "");
+    item?.scrollIntoView();
+    return item !== null;
+}
+
 /** 143494 as 143,494. */
 export function withCommas(value: number): string {
     return value.toLocaleString("en-US");

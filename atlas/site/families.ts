@@ -4,7 +4,7 @@
 import { checkOnClick } from "./check_view.js";
 import { atlasFile } from "./checker.js";
 import { builtCaption, countsTable, ownCaption, type Claim } from "./claims.js";
-import { byId, withCommas } from "./elements.js";
+import { byId, openItem, withCommas } from "./elements.js";
 import { families, type Family, isFamily, type Member, membersOf } from "./family.js";
 import { memberView } from "./member_view.js";
 
@@ -110,13 +110,7 @@ async function openNamed(): Promise<void> {
         setFilters((name, standard) => (name === "family" ? family : standard));
         await showList();
     }
-    const item = document.getElementById(id);
-    if (!item) {
-        total.textContent += `; none of them is ${id}`;
-        return;
-    }
-    item.querySelector("details")?.setAttribute("open", "");
-    item.scrollIntoView();
+    if (!openItem(id)) total.textContent += `; none of them is ${id}`;
 }
 
 for (const family of families) connectCheck(family);

@@ -1,6 +1,7 @@
 // The problems of a family (docs/notation.md, Families): what the program lists, and the records of
-// the archive. Each file is loaded once, when it is wanted.
+// the archive.
 import type { GeneralDegree } from "./prover.js";
+import { textAt } from "./texts.js";
 
 export const families = [
     "plmp",
@@ -29,21 +30,6 @@ export interface Member {
     /** Why it is not minimal. */
     reason: string;
     degree: Pick<GeneralDegree, "value" | "bound" | "status"> | null;
-}
-
-const texts = new Map<string, Promise<string>>();
-
-async function load(address: string): Promise<string> {
-    const response = await fetch(address);
-    if (!response.ok) throw new Error(`${address} cannot be loaded (${response.status})`);
-    return response.text();
-}
-
-function textAt(address: string): Promise<string> {
-    const text = texts.get(address) ?? load(address);
-    texts.set(address, text);
-    text.catch(() => texts.delete(address)); // so that the next call tries again
-    return text;
 }
 
 /** All balanced problems of the family, in the order of the archive. */

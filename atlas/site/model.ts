@@ -1,4 +1,5 @@
 // The models: problems that are given by equations (docs/models.md).
+import { textAt } from "./texts.js";
 
 /** A model, and what plcheck certified of it when the atlas was built (atlas/models.py). */
 export interface Model {
@@ -13,19 +14,9 @@ export interface Model {
     at_most: number | null;
 }
 
-let loaded: Promise<Model[]> | undefined;
-
-async function load(): Promise<Model[]> {
-    const response = await fetch("data/models.json");
-    if (!response.ok) throw new Error(`data/models.json cannot be loaded (${response.status})`);
-    return (await response.json()) as Model[];
-}
-
-/** All of them; the file is loaded once. */
-export function allModels(): Promise<Model[]> {
-    loaded ??= load();
-    loaded.catch(() => (loaded = undefined)); // so that the next call tries again
-    return loaded;
+/** All models, in the order of their names. */
+export async function allModels(): Promise<Model[]> {
+    return JSON.parse(await textAt("data/models.json")) as Model[];
 }
 
 /** Those that have all the words in their name, title or source. */

@@ -2,7 +2,7 @@
 // its # the model that is open.
 import { checkOnClick } from "./check_view.js";
 import { atlasFile } from "./checker.js";
-import { afterPause, byId, make } from "./elements.js";
+import { afterPause, byId, make, openItem } from "./elements.js";
 import { allModels, solutionsOf, withWords, type Model } from "./model.js";
 import { statusMark } from "./problem_links.js";
 
@@ -72,13 +72,7 @@ async function openNamed(): Promise<void> {
         words.value = "";
         await showList();
     }
-    const item = document.getElementById(name);
-    if (!item) {
-        total.textContent += `; none of them is ${name}`;
-        return;
-    }
-    item.querySelector("details")?.setAttribute("open", "");
-    item.scrollIntoView();
+    if (!openItem(name)) total.textContent += `; none of them is ${name}`;
 }
 
 function keepInAddress(): void {

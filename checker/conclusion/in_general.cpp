@@ -5,9 +5,9 @@
 #include "checker/degrees/constraint_class.h"
 #include "checker/family/degree_bound.h"
 #include "checker/general_bounds/hilbert.h"
-#include "checker/general_bounds/multiples.h"
 #include "checker/general_bounds/proved_degrees.h"
 #include "checker/general_bounds/three_views.h"
+#include "checker/general_degrees/multiples.h"
 #include "checker/problem/notation.h"
 
 namespace checker {

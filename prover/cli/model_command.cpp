@@ -56,18 +56,20 @@ Source read_source(const std::string& path) {
     return source;
 }
 
-std::string place_of(const std::string& path) {
-    return path == "-" ? "standard input" : path;
+/// What `work` does with the text of this file; says in which file a model is not well-formed.
+template <class Work>
+auto in_file(const std::string& path, const Work& work) {
+    try {
+        return work();
+    } catch (const model::ModelError& error) {
+        throw BadInput((path == "-" ? "standard input" : path) + ", " + error.what());
+    }
 }
 
-model::Study studied(const std::string& path, const std::string& text) {
+model::Study studied(const std::string& text) {
     ProgressLine line("looking for solutions, then for all", 0);
     line.show(0);
-    try {
-        return model::study(text);
-    } catch (const model::ModelError& error) {
-        throw BadInput(place_of(path) + ", " + error.what());
-    }
+    return model::study(text);
 }
 
 /// How many solutions there are at most; 0 if that is not known.
@@ -134,21 +136,19 @@ std::string json_report(const model::Study& study, const Source& source) {
 /// Prints a script, and looks for nothing.
 int write_script(const ModelRequest& request, const Deliver& deliver) {
     const Source source = read_source(request.file);
-    try {
+    const std::string script = in_file(request.file, [&] {
         const model::Model model = model::read_model(source.text);
         const model::Program program = model::compile(model);
-        deliver(request.output.empty() ? "-" : request.output,
-                request.julia ? julia_script(model, program) : macaulay2_script(model, program));
-    } catch (const model::ModelError& error) {
-        throw BadInput(place_of(request.file) + ", " + error.what());
-    }
+        return request.julia ? julia_script(model, program) : macaulay2_script(model, program);
+    });
+    deliver(request.output.empty() ? "-" : request.output, script);
     return 0;
 }
 
 int prove_model(const ModelRequest& request, const Deliver& deliver) {
     if (request.macaulay2 || request.julia) return write_script(request, deliver);
     const Source source = read_source(request.file);
-    const model::Study study = studied(request.file, source.text);
+    const model::Study study = in_file(request.file, [&] { return studied(source.text); });
     const bool nothing = !study.fibre && !study.elimination;
     if (!request.output.empty()) {
         if (nothing)

@@ -1,12 +1,11 @@
 #include "prover/cli/recommend_command.h"
 
+#include "prover/cli/input_file.h"
 #include "prover/estimator/choices.h"
 #include "prover/problem/notation.h"
 #include "prover/system/exit.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,14 +18,16 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* recommend_examples =
-    "MATCHES is what photos share, in the notation of problems, or a file for `plprove solve`, of\n"
-    "which only counts who sees what. It may have more features than any minimal problem.\n"
+    "MATCHES is what photos share, in the notation of problems; it may have more features than "
+    "any\n"
+    "minimal problem. Or it is a file for `plprove solve`: only what each photo sees counts, not "
+    "where.\n"
     "The columns: how many solutions the problem has; the time of one sample, on one core; the\n"
     "time until a sample without wrong matches may be expected, where 30 % are wrong; and how far\n"
     "off the rotations of the best solution are (median), if half a pixel of noise is on images\n"
     "with a focal length of 800 pixels.\n\n"
     "Examples:\n"
-    "  plprove recommend '9*Pa/Pa/Pa + 4*P/P/-'     thirteen points; nine lie on a line\n"
+    "  plprove recommend '9*Pa/Pa/Pa + 4*P/P/-'     13 points, nine with a line each\n"
     "  plprove recommend images.json --json         for machines\n";
 
 /// What a view sees of a feature, as notation has it.
@@ -41,10 +42,10 @@ std::string sight_of(const Json& view) {
 
 /// The notation of what the features of a file show. Throws BadInput if that is no file of images.
 std::string features_in_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
+    const std::string text = content_of(path);
     try {
         std::string sum;
-        const Json images = Json::parse(file);
+        const Json images = Json::parse(text);
         for (const Json& feature : images.at("features")) {
             std::string sights;
             for (const Json& view : feature.at("views"))
@@ -58,7 +59,7 @@ std::string features_in_file(const std::string& path) {
     }
 }
 
-/// Matches that show what the features say. Where does not count here.
+/// Matches that show what the features say, all at the same place: places do not count here.
 Matches matches_of(const Features& features) {
     const auto views = static_cast<std::size_t>(features.front().views());
     Matches matches;
@@ -131,10 +132,9 @@ Command add_recommend_command(CLI::App& program, const Deliver& deliver) {
     app->add_flag("--json", request->json, "print JSON");
     app->footer(recommend_examples);
     return {app, [request, deliver] {
-                std::error_code none; // a text may be too long for a name of a file
-                const bool is_file = std::filesystem::is_regular_file(request->matches, none);
+                const std::string& matches = request->matches;
                 const Features features =
-                    parse_features(is_file ? features_in_file(request->matches) : request->matches);
+                    parse_features(names_file(matches) ? features_in_file(matches) : matches);
                 const std::vector<Choice> found = choices(matches_of(features));
                 deliver(request->path, request->json ? json_report(features, found)
                                                      : text_report(features, found));

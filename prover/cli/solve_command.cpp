@@ -1,5 +1,6 @@
 #include "prover/cli/solve_command.h"
 
+#include "prover/cli/input_file.h"
 #include "prover/cli/solve_report.h"
 #include "prover/many_views/certificate.h"
 #include "prover/problem/notation.h"
@@ -14,10 +15,7 @@
 #include "prover/three_views/degree_text.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <thread>
 
 namespace plprove {
@@ -37,13 +35,6 @@ constexpr const char* solve_examples =
     "                                       that are not real\n"
     "  plprove solve Chicago images.json --certify mine.plc\n"
     "  plcheck mine.plc                     proves that each solution exists";
-
-std::string content_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(file), {});
-    if (!file) throw BadInput("cannot read " + path + ": does it exist?");
-    return text;
-}
 
 /// Throws BadInput where it is one of those that cannot be solved.
 ImagedProblem solvable_problem(const std::string& spec) {
@@ -200,8 +191,7 @@ int run_solve(const SolveRequest& request, const Deliver& deliver) {
         deliver(request.path, images_file(synthetic_scene(problem, 1)));
         return 0;
     }
-    std::error_code none; // a problem may be too long for a name of a file
-    if (request.images.empty() && std::filesystem::is_regular_file(request.spec, none)) {
+    if (request.images.empty() && names_file(request.spec)) {
         SolveRequest named = request;
         std::swap(named.spec, named.images);
         return solve_images(named, deliver);

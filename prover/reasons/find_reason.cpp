@@ -364,6 +364,13 @@ void consider_motions_of_less(Search& search, const Problem& problem, const Subp
     }
 }
 
+/// Motions of one camera, of some, and of all; the part may lose what they do not keep.
+void consider_camera_motions(Search& search, const Problem& problem, const Subproblem& part) {
+    consider_cameras(search, problem, part);
+    consider_motions_of_some(search, part);
+    consider_motions_of_less(search, problem, part);
+}
+
 void consider_central_motions(Search& search, const Problem& problem, const Subproblem& part) {
     if (const std::optional<CameraMotion> central = find_central_motion(problem, part))
         search.consider(part, *central);
@@ -391,9 +398,7 @@ std::optional<OverconstrainedPart> motion_of(const Problem& problem, const Subpr
     Search search(problem);
     search.consider(part, {});
     search.consider_loose(part);
-    consider_cameras(search, problem, part);
-    consider_motions_of_some(search, part);
-    consider_motions_of_less(search, problem, part);
+    consider_camera_motions(search, problem, part);
     consider_planes(search, problem, part);
     if (!search.found()) consider_central_motions(search, problem, part);
     if (search.found()) return search.take();
@@ -428,9 +433,7 @@ std::optional<OverconstrainedPart> overconstrained_part(const Problem& problem) 
         part.views = views;
         search.consider_loose(part);
         search.consider_loose(densest(problem, part));
-        consider_cameras(search, problem, part);
-        consider_motions_of_some(search, part);
-        consider_motions_of_less(search, problem, part);
+        consider_camera_motions(search, problem, part);
         // The generators of projective cameras make many choices: small parts of many views are
         // left out.
         constexpr int most_left_out = 3;

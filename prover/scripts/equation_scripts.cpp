@@ -17,8 +17,8 @@ using model::Program;
 using model::ScalarIndex;
 using Kind = Operation::Kind;
 
-/// `x_1_3` of x[1..6] : vector 3; `f` of a scalar. Each name ends with `mark`, so that none is a
-/// word of the language.
+/// If the mark is `_`: `x_1_3` of x[1..6] : vector 3, and `f_` of a scalar. With its mark, no name
+/// is a word of the language.
 std::vector<std::string> names_of(const std::vector<Named>& arrays, const std::string& mark) {
     std::vector<std::string> names;
     for (const Named& array : arrays)

@@ -1,4 +1,4 @@
-#include "checker/general_bounds/multiples.h"
+#include "checker/general_degrees/multiples.h"
 
 #include "checker/cameras/camera_model.h"
 
