@@ -1,6 +1,6 @@
 (** Prints the axioms of each theorem; the Makefile compares them with those expected. *)
 From PL1P Require Import Main Reduction GenericImages ProblemClasses OneReduction Reader Verdict CameraMinimal Dangling
-  TerminalClasses.
+  TerminalClasses Lemma1.
 Print Assumptions main_theorem.
 Print Assumptions rigidity_theorem.
 Print Assumptions reduction_theorem.
@@ -12,3 +12,4 @@ Print Assumptions replacements_theorem.
 Print Assumptions terminal_theorem.
 Print Assumptions reader_theorem.
 Print Assumptions verdicts_theorem.
+Print Assumptions lemma1_theorem.

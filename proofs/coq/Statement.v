@@ -174,7 +174,7 @@ Definition minimal F A :=
 (** ** The claim
 
     It is about signatures; Problems.v says the same of problems, CameraMinimal.v defines
-    *camera-minimal*, Terminal.v *terminal*. *Degree* is not defined, so nothing is claimed of it. The
+    *camera-minimal*, Terminal.v *terminal*, Degree.v *degree*. Nothing is claimed of degrees here. The
     paper's 74,575 is the number of terminal problems, here of minimal signatures modulo swap. *)
 Definition shared s u v := total s (fun i => sees_point (ft i) u && sees_point (ft i) v).
 (** On balanced signatures, E is an equivalence relation. *)
