@@ -49,7 +49,8 @@ Lemma turning_own : (turning.+1 < o + dim3 f)%N.
 Proof. by rewrite /turning -addnS ltn_add2l; have := pin_own jp; rewrite nf. Qed.
 Let small k : (k < 11)%N -> k != turning /\ k != turning.+1.
 Proof.
-move=> k11; rewrite !neq_ltn; have lt : (k < turning)%N by rewrite (leq_trans k11) // (leq_trans o11) ?leq_addr.
+move=> k11; rewrite !neq_ltn;
+  have lt : (k < turning)%N by rewrite (leq_trans k11) // (leq_trans o11) ?leq_addr.
 by rewrite lt ltnS (ltnW lt).
 Qed.
 
@@ -123,7 +124,8 @@ have plane w : D (slope w) = 0 -> D (x1 (d j)) * dot (normal (C w) X (d j)) (tur
     D (x2 (d j)) * dot (normal (C w) X (d j)) (turn (C w) (@Vec K 0 1 0)) = 0.
   move=> zw; rewrite -plane_sum; have -> : @Vec K (D (x1 (d j))) (D (x2 (d j))) 0 = dvec D (d j).
     by rewrite /dvec /dir_at /= (der1 hD).
-  apply: (plane_still hD) zw; [exact: spared_camera | exact: spared_point | exact: (generic_point F o11 room nf w) |].
+  apply: (plane_still hD) zw;
+    [exact: spared_camera | exact: spared_point | exact: (generic_point F o11 room nf w) |].
   by case: (generic_line char0 o11 room nf w jp).
 have [e1 e2] := two_planes (generic_meeting char0 o11 room nf uv jp) (plane u k2) (plane v z).
 move: Di; have -> : to F n 'X_i = gx i by rewrite /generic valK.
@@ -154,7 +156,8 @@ Lemma scene_all (G : feature * (nat -> R) -> bool) o A : is_problem A ->
   (forall g o', proper g -> (o <= o')%N -> (o' + dim3 g <= o + sumn [seq dim3 f | f <- A])%N ->
     G (g, fun k => x (o' + k)%N)) -> all G (scene x o A).
 Proof.
-elim: A o => //= f A IH o /andP[pf pA] h; apply/andP; split; first by apply: h => //; rewrite leq_add2l leq_addr.
+elim: A o => //= f A IH o /andP[pf pA] h; apply/andP; split.
+  by apply: h => //; rewrite leq_add2l leq_addr.
 apply: IH => // g o' pg le le'; apply: h => //; last by rewrite addnA.
 by apply: leq_trans le; exact: leq_addr.
 Qed.
@@ -197,7 +200,10 @@ Let pv : sees_point f v. Proof. by case/and4P: hj. Qed.
 Let jv : j \notin sees_pins f v. Proof. by case/and5P: hj. Qed.
 Let uv : u <> v. Proof. by case/and5P: hj => _ _ _ _ /andP[/same_viewP]. Qed.
 Let only w : j \in sees_pins f w -> w = u.
-Proof. by case/and5P: hj => _ _ _ _ /andP[_ /and4P[h1 h2 h3 _]] jw; apply/same_viewP; case: w jw; exact/implyP. Qed.
+Proof.
+case/and5P: hj => _ _ _ _ /andP[_ /and4P[h1 h2 h3 _]] jw.
+by apply/same_viewP; case: w jw; exact/implyP.
+Qed.
 Let parts : [/\ is_problem pre, proper f & is_problem post].
 Proof. by move: pA; rewrite /is_problem all_cat => /and3P[]. Qed.
 Let room : (o + dim3 f <= n)%N.
@@ -229,7 +235,8 @@ Lemma turning_images : killed D (images F n A).
 Proof.
 have [p1 p2 p3] := parts.
 have cat s t : killed D s -> killed D t -> killed D (s ++ t) by rewrite /killed all_cat => -> ->.
-have -> : images F n A = seen C (scene gx 11 pre) ++ views_of C (f, at_ o) ++ seen C (scene gx (o + dim3 f) post).
+have -> : images F n A = seen C (scene gx 11 pre) ++ views_of C (f, at_ o) ++
+    seen C (scene gx (o + dim3 f) post).
   by rewrite images_atE /images_at sceneE // map_cat flatten_cat.
 have out A0 o0 : is_problem A0 -> (o0 + sumn [seq dim3 g | g <- A0] <= o)%N \/ (o + dim3 f <= o0)%N ->
     killed D (seen C (scene gx o0 A0)).

@@ -3,7 +3,8 @@
     The degree of a minimal problem is the number of solutions of generic images over an algebraic
     closure, which is the dimension of K over F(y). The camera-degree counts their cameras: it is
     the dimension over F(y) of the field that y and the 11 parameters of the cameras generate.
-    Lemma 1 of the paper says that they are equal (Lemma1.v).
+    Lemma 1 of the paper says that they are equal (Lemma1.v). What else is proved of them is below
+    ([degrees]; DegreeKept.v).
 
     Below: sums, products, quotients of quotients of polynomials are such quotients, and so is the
     solution of a system of linear equations with one solution only. *)
@@ -11,7 +12,7 @@ From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From SsrMultinomials Require Import mpoly.
 From PL1P Require Import Statement Reducible Derivations RationalFunctions Independence.
-From PL1P Require Import Generic Reduction.
+From PL1P Require Import Generic Reduction CameraMinimal Replacements.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -40,6 +41,19 @@ Definition camera_degree (F : fieldType) A d :=
 Definition lemma1 : Prop := forall F : fieldType, [char F] =i pred0 -> forall A, is_problem A ->
   minimal F A -> (forall u, rational (with_cameras F (parameters A) A) u) /\
   forall d, degree F A d <-> camera_degree F A d.
+(** A problem has at most one degree, and a minimal one has a degree: the proof refutes that there
+    is none, without finding it. One more view of a dangling pin keeps the camera-degree (Lemma 11).
+    So which of two views sees the pin does not matter (Corollary 1). *)
+Definition degrees : Prop := forall F : fieldType, [char F] =i pred0 ->
+  [/\ forall A d d', degree F A d -> degree F A d' -> d = d',
+      forall A d d', camera_degree F A d -> camera_degree F A d' -> d = d',
+      forall A, minimal F A -> ~ ~ exists2 d, (0 < d)%N & degree F A d &
+      forall A, camera_minimal F A -> ~ ~ exists2 d, (0 < d)%N & camera_degree F A d] /\
+  forall A f B j u, is_problem (A ++ f :: B) ->
+  (forall v d, dangles f j u v ->
+     camera_degree F (A ++ f :: B) d <-> camera_degree F (A ++ reveal f j v :: B) d) /\
+  (forall v w d, dangles f j u v -> dangles f j u w -> minimal F (A ++ reveal f j v :: B) ->
+     degree F (A ++ reveal f j v :: B) d <-> degree F (A ++ reveal f j w :: B) d).
 
 (** ** The fractions of a ring of elements of K *)
 Section Fractions.

@@ -44,6 +44,48 @@ Lemma mem_views (T : eqType) (g : view -> seq T) v a :
   a \in g v -> a \in flatten [seq g w | w <- views].
 Proof. by rewrite /= !mem_cat; case: v => ->; rewrite ?orbT. Qed.
 
+(** ** A feature among others *)
+Section Among.
+Variables (F K : fieldType) (c : {rmorphism F -> K}) (pre post : problem) (f : feature).
+Variables (x : nat -> K) (C : view -> camera K).
+Notation o := (11 + sumn [seq dim3 g | g <- pre])%N.
+Notation at_ := (fun k => x (o + k)%N).
+Notation all_seen := (seen C (scene x 11 (pre ++ f :: post))).
+Lemma all_seenE : all_seen =
+  seen C (scene x 11 pre) ++ views_of C (f, at_) ++ seen C (scene x (o + dim3 f) post).
+Proof. by rewrite /seen scene_cat map_cat flatten_cat. Qed.
+Lemma mem_seen v a : a \in image (f, at_) (C v) (looks f v) -> a \in all_seen.
+Proof.
+move=> av; have h : a \in views_of C (f, at_) by exact: mem_views av.
+by rewrite all_seenE 2!mem_cat h orbT.
+Qed.
+Definition outside (D : K -> K) := forall k, (k < o)%N || (o + dim3 f <= k)%N -> D (x k) = 0.
+Lemma seen_killed D : derivation c D -> (forall v, dead_camera D (C v)) -> is_problem pre ->
+  is_problem post -> outside D -> (forall v, killed D (image (f, at_) (C v) (looks f v))) ->
+  killed D all_seen.
+Proof.
+move=> hD hC p1 p2 out ki.
+have cat r t : killed D r -> killed D t -> killed D (r ++ t) by rewrite /killed all_cat => -> ->.
+have other A0 o0 : is_problem A0 ->
+    (o0 + sumn [seq dim3 g | g <- A0] <= o)%N \/ (o + dim3 f <= o0)%N ->
+    killed D (seen C (scene x o0 A0)).
+  move=> pA0 h; rewrite killed_flatten; apply: scene_all => // g o' pg le le'.
+  have sg k : (k < dim3 g)%N -> D (x (o' + k)%N) = 0.
+    move=> kd; apply: out; case: h => h; apply/orP; [left | right].
+      by apply: leq_trans h; apply: leq_trans le'; rewrite ltn_add2l.
+    by apply: leq_trans h _; apply: leq_trans le _; exact: leq_addr.
+  have k1 : (1 < dim3 g)%N by rewrite /dim3; case: (free g).
+  rewrite /views_of killed_flatten; apply: all_views => u; apply: (dead_image hD) => //.
+    split; rewrite [LHS]/=; [exact: sg (ltnW k1) | exact: sg k1 |].
+    by case fr: (free g); [exact: (der0 hD) | apply: sg; rewrite /dim3 fr].
+  move=> i il; have [_ /allP le0 _] := properP u pg; have lt := pin_own (le0 i il).
+  by split; rewrite [LHS]/=; [exact: sg (ltnW lt) | exact: sg lt | exact: (der1 hD)].
+rewrite all_seenE; apply: (cat); first by apply: other => //; left.
+apply: (cat); last by apply: other => //; right.
+by rewrite /views_of killed_flatten; apply: all_views => u; exact: ki.
+Qed.
+End Among.
+
 (** ** A feature with given cameras, over any field
 
     Derivations are given by what they do to the point, v, and to the directions, w. *)
@@ -94,6 +136,11 @@ rewrite mul2n /= odd_double uphalf_double doubleK;
   transitivity (@Vec K (x1 (w i)) (x2 (w i)) (x3 (w i))).
   by rewrite w0.
 by case: (w i).
+Qed.
+Lemma at_rest : (forall k, D (x k) = 0) -> dvec D X = vec0 K /\ forall i, dvec D (d i) = vec0 K.
+Proof.
+move=> dead; split=> [|i]; last by rewrite /dvec /dir_at /= !dead (der1 hD).
+by rewrite /dvec /point_at /= !dead; case: (free f); rewrite ?(der0 hD) ?dead.
 Qed.
 Lemma image_still v : (forall u, dead_camera D (C u)) -> still (dvec D X) (fun i => dvec D (d i)) ->
   killed D (image (f, x) (C v) (looks f v)).
@@ -295,7 +342,6 @@ move=> k kn; have := extension_param (@den_neq0 _) (@fractionE _) (@to0 F n) (fu
   (Ordinal kn).
 by rewrite /generic insubT.
 Qed.
-Definition outside (D : K -> K) := forall k, (k < o)%N || (o + dim3 f <= k)%N -> D (gx k) = 0.
 Lemma feature_rigid v w : allowed f v w -> still f at_ C v w ->
   v = vec0 K /\ forall i, (i < pins f)%N -> w i = vec0 K.
 Proof.
@@ -304,7 +350,7 @@ move=> vw st; have [D hD e] := derive (fun k => if (o <= k < o + dim3 f)%N then
 have own k : (k < dim3 f)%N -> D (at_ k) = change f v w k.
   move=> lt; rewrite e; last by apply: leq_trans room; rewrite ltn_add2l.
   by rewrite leq_addr ltn_add2l lt /= addKn.
-have out : outside D.
+have out : outside pre f gx D.
   move=> k out; case: (ltnP k n) => kn; last first.
     by rewrite /generic insubF ?(der0 hD) // ltnNge kn.
   rewrite e //; have -> // : (o <= k < o + dim3 f)%N = false.
@@ -318,32 +364,12 @@ have ki u : killed D (image (f, at_) (C u) (looks f u)).
   apply: (image_still pf point3 line3 line2 hD) => //; rewrite eX.
   case: st => sp sl; split=> // u' i iu; have [h1 h2] := sl u' i iu.
   by rewrite ed // (pin_lt pf iu).
-have cat r t : killed D r -> killed D t -> killed D (r ++ t) by rewrite /killed all_cat => -> ->.
-have other A0 o0 : is_problem A0 ->
-    (o0 + sumn [seq dim3 g | g <- A0] <= o)%N \/ (o + dim3 f <= o0)%N ->
-    killed D (seen C (scene gx o0 A0)).
-  move=> pA0 h; rewrite killed_flatten; apply: scene_all => // g o' pg le le'.
-  have sg k : (k < dim3 g)%N -> D (gx (o' + k)%N) = 0.
-    move=> kd; apply: out; case: h => h; apply/orP; [left | right].
-      by apply: leq_trans h; apply: leq_trans le'; rewrite ltn_add2l.
-    by apply: leq_trans h _; apply: leq_trans le _; exact: leq_addr.
-  have k1 : (1 < dim3 g)%N by rewrite /dim3; case: (free g).
-  rewrite /views_of killed_flatten; apply: all_views => u; apply: (dead_image hD) => //.
-    split; rewrite [LHS]/=; [exact: sg (ltnW k1) | exact: sg k1 |].
-    by case fr: (free g); [exact: D0 | apply: sg; rewrite /dim3 fr].
-  move=> i il; have [_ /allP le0 _] := properP u pg; have lt := pin_own (le0 i il).
-  by split; rewrite [LHS]/=; [exact: sg (ltnW lt) | exact: sg lt | exact: D1].
-have kA : killed D (images F n A).
-  have -> : images F n A = seen C (scene gx 11 pre) ++ views_of C (f, at_) ++
-      seen C (scene gx (o + dim3 f) post).
-    by rewrite images_atE /images_at scene_cat map_cat flatten_cat.
-  have [p1 _ p3] := parts; apply: (cat); first by apply: other => //; left.
-  apply: (cat); last by apply: other => //; right.
-  by rewrite /views_of killed_flatten; apply: all_views => u; exact: ki.
+have [p1 _ p3] := parts.
+have kA : killed D (images F n A) by rewrite images_atE; exact: (seen_killed hD hC p1 p3 out ki).
 have [_ un] := (minimalP char0 A).1 mA; have {un}dead k : D (gx k) = 0.
   by rewrite /generic; case: insubP => [i _ _|_]; [exact: un | exact: D0].
-split=> [|i ip]; first by rewrite -eX /dvec /point_at /= !dead; case: (free f); rewrite ?D0 ?dead.
-by rewrite -ed // /dvec /dir_at /= !dead D1.
+have [zX zd] := at_rest f hD (x := fun k => gx (o + k)%N) (fun k => dead (o + k)%N).
+by rewrite -eX; split=> // i ip; rewrite -ed.
 Qed.
 
 Notation z := (with_cameras F n A).
@@ -352,11 +378,7 @@ Let fr_camera k : (k < 11)%N -> fraction ev (gx k).
 Proof. by move=> k11; apply: fr_mem; rewrite mem_cat map_f ?orbT // mem_iota. Qed.
 Lemma fr_image v a : a \in image (f, at_) (C v) (looks f v) -> fraction ev a.
 Proof.
-move=> av; apply: fr_mem;
-  rewrite mem_cat images_atE /images_at scene_cat map_cat flatten_cat mem_cat.
-rewrite [map _ (scene gx _ (f :: post))]/= mem_cat; apply/orP; left; apply/orP; right; apply/orP;
-  left.
-exact: mem_views av.
+by move=> av; apply: fr_mem; rewrite mem_cat images_atE; apply/orP; left; exact: mem_seen av.
 Qed.
 Let cam v : [/\ fraction ev (qa (quat_of (C v))), fraction ev (qb (quat_of (C v))),
   fraction ev (qc (quat_of (C v))) & fraction ev (qd (quat_of (C v)))].

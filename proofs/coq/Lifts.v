@@ -4,29 +4,33 @@
     and their images determine them, given the cameras. So it is minimal. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From SsrMultinomials Require Import mpoly.
-From PL1P Require Import Statement Reducible Reductions Forget Derivations RationalFunctions Independence Generic
-  Lifting Reduction Embedding Scenes Keeps Theorem1 Replacements Terminal Dangling Placed CameraMinimal.
+From PL1P Require Import Statement Reducible Reductions Forget Derivations RationalFunctions
+  Independence Generic Lifting Reduction Embedding Scenes Keeps Theorem1 Replacements Terminal
+  Dangling Placed CameraMinimal.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 Import GRing.Theory.
 
 (** ** The lift of a feature *)
-Definition pins_seen f j := count (fun v => j \in sees_pins f v) views.
+(** The 27 features, with P/P/a for both Pa/P/a and P/Pa/a (12 to 17), and P/a/b for Pab/a/b. *)
+Definition terminal_features := take 12 features ++ [::
+  feat 1 a P P; feat 1 a P P; feat 1 P a P; feat 1 P a P; feat 1 P P a; feat 1 P P a;  (* 12 .. 17 *)
+  feat 0 o P P; feat 0 P o P; feat 0 P P o;                                            (* 18 .. 20 *)
+  feat 1 P a a; feat 1 a P a; feat 1 a a P;                                            (* 21 .. 23 *)
+  feat 2 P b a; feat 2 b P a; feat 2 b a P].                                           (* 24 .. 26 *)
+Definition terminal_index f := find (same f) terminal_features.
 Definition points_seen f := count (sees_point f) views.
-Definition last_point f := if sees_point f V3 then V3 else if sees_point f V2 then V2 else V1.
-Definition loose f := [seq j <- iota 0 (pins f) | pins_seen f j == 1].
-Fixpoint reveals f v js := if js is j :: js' then reveals (reveal f j v) v js' else f.
-Fixpoint all_dangle f v js := if js is j :: js' then
-  has (fun u => dangles f j u v) views && all_dangle (reveal f j v) v js' else true.
-Definition lift f := reveals f (last_point f) (loose f).
+Fixpoint all_dangle f (js : seq (nat * view)) := if js is (j, v) :: js' then
+  has (fun u => dangles f j u v) views && all_dangle (reveal f j v) js' else true.
 (** Given the cameras, the images determine the feature. *)
-Definition located f := all (fun j => 2 <= pins_seen f j) (iota 0 (pins f)) && [|| free f, 2 <= points_seen f |
+Definition located f := all (fun j => 2 <= pins_seen f j) (iota 0 (pins f)) && [|| free f,
+  2 <= points_seen f |
   has (fun u => sees_point f u && has (fun w => ~~ same_view u w &&
     ((0 \in sees_pins f w) || (1 \in sees_pins f w))) views) views].
 
 Definition checks f := if proper f then ((index_of f < 27) ==> located f) && ((terminal_index f < 27) ==>
-  [&& all_dangle f (last_point f) (loose f), index_of (lift f) == terminal_index f &
+  [&& all_dangle f (mates f), index_of (lift f) == terminal_index f &
       terminal_index f \notin [:: 13; 15; 17]]) else true.
 Lemma small_checks : all (fun k => all (fun fr => all (fun l1 => all (fun l2 => all (fun l3 =>
   checks (Feature fr k (by_view l1 l2 l3))) (pairs k)) (pairs k)) (pairs k)) [:: true; false]) (iota 0 3).
@@ -39,8 +43,8 @@ by rewrite /views [LHS]/all [RHS]/all !e3.
 Qed.
 Lemma alike_looks g f : free g = free f -> pins g = pins f -> (forall v, looks g v = looks f v) ->
   [/\ index_of g = index_of f, terminal_index g = terminal_index f, located g = located f &
-  [/\ loose g = loose f, last_point g = last_point f & forall v js,
-    all_dangle g v js = all_dangle f v js /\ index_of (reveals g v js) = index_of (reveals f v js)]].
+  mates g = mates f /\ forall js,
+    all_dangle g js = all_dangle f js /\ index_of (reveals g js) = index_of (reveals f js)].
 Proof.
 move=> e1 e2 e3; have e v : sees_point g v = sees_point f v by rewrite /sees_point e3.
 have e' v : sees_pins g v = sees_pins f v by rewrite /sees_pins e3.
@@ -48,15 +52,16 @@ have p j : pins_seen g j = pins_seen f j by rewrite /pins_seen /count /views !e'
 split; [exact: find_ext | exact: find_ext | | split].
 - rewrite /located /points_seen /count /has /views !e !e' e1 e2; congr (_ && _); apply: eq_all => j.
   by rewrite p.
-- by rewrite /loose e2; apply: eq_filter => j; rewrite p.
-- by rewrite /last_point !e.
-move=> v js; elim: js g f e1 e2 e3 {e e' p} => [|j js IH] g f e1 e2 e3 /=; first by split=> //; exact: find_ext.
+- rewrite /mates; have -> : loose g = loose f by rewrite /loose e2; apply: eq_filter => j; rewrite p.
+  by apply: eq_map => j; rewrite /mate !e !e'.
+move=> js; elim: js g f e1 e2 e3 {e e' p} => [|[j v] js IH] g f e1 e2 e3 /=.
+  by split=> //; exact: find_ext.
 have [] := IH (reveal g j v) (reveal f j v) e1 e2 _.
   by move=> w /=; rewrite /sees_point /sees_pins !e3.
 by move=> -> ->; split=> //; rewrite /dangles /sees_point /sees_pins /= !e3 e1 e2.
 Qed.
 Lemma small_check f : proper f -> pins f <= 2 -> (index_of f < 27 -> located f) /\ (terminal_index f < 27 ->
-  [/\ all_dangle f (last_point f) (loose f), index_of (lift f) = terminal_index f &
+  [/\ all_dangle f (mates f), index_of (lift f) = terminal_index f &
       terminal_index f \notin [:: 13; 15; 17]]).
 Proof.
 move=> pf k2; have in_pairs v : looks f v \in pairs (pins f).
@@ -66,8 +71,8 @@ move=> /allP/(_ (free f)); rewrite !inE; have -> : (free f == true) || (free f =
 move=> /(_ isT) /allP/(_ _ (in_pairs V1)) /allP/(_ _ (in_pairs V2)) /allP/(_ _ (in_pairs V3)).
 set g := Feature _ _ _; have e v : looks g v = looks f v by case: v.
 have pg : proper g = true by move: pf; rewrite /proper /=.
-have := alike_looks (erefl : free g = free f) (erefl : pins g = pins f) e; case=> [i1 i2 i3 [i4 i5 i6]].
-rewrite /checks pg i1 i2 i3 /lift i4 i5 (i6 _ _).1 (i6 _ _).2.
+have := alike_looks (erefl : free g = free f) (erefl : pins g = pins f) e; case=> [i1 i2 i3 [i4 i5]].
+rewrite /checks pg i1 i2 i3 /lift i4 (i5 _).1 (i5 _).2.
 case/andP=> /implyP h1 /implyP h2; split; first exact: h1.
 move=> /h2/and3P[a1 /eqP a2 a3]; split; [exact: a1 | exact: a2 | by rewrite !inE in a3].
 Qed.
@@ -79,7 +84,7 @@ move=> pf ff; have s j : j < pins f -> pins_seen f j = 3.
   by rewrite /pins_seen /= !h.
 have l0 : loose f = [::].
   rewrite /loose (@eq_in_filter _ _ pred0) ?filter_pred0 // => j; rewrite mem_iota => /s -> //.
-split=> //; last by rewrite /lift l0.
+split=> //; last by rewrite /lift /mates l0.
 rewrite /located /points_seen /= !full_point // orbT andbT.
 by apply/allP => j; rewrite mem_iota => /s ->.
 Qed.
@@ -91,7 +96,8 @@ Proof.
 move=> k3; have none t : all (fun g => pins g <= 2) t -> ~~ has (same f) t.
   elim: t => //= g t IH /andP[le /IH h]; rewrite negb_or h andbT; apply/negP => /and3P[_ /eqP e _].
   by move: k3; rewrite e ltnNge le.
-apply: (@find_cat_same (same f) (take 5 features) (drop 5 terminal_features) (drop 5 features)) => //; exact: none.
+by apply: (@find_cat_same (same f) (take 5 features) (drop 5 terminal_features) (drop 5 features));
+  first [exact: none | done].
 Qed.
 Lemma known_located f : proper f -> index_of f < 27 -> located f.
 Proof.
@@ -101,7 +107,7 @@ Qed.
 Lemma many_place : all (fun i => (3 <= pins (ft i)) ==> (i \notin [:: 13; 15; 17])) (iota 0 27).
 Proof. by vm_compute. Qed.
 Lemma terminal_lift f : proper f -> terminal_index f < 27 ->
-  [/\ all_dangle f (last_point f) (loose f), index_of (lift f) = terminal_index f &
+  [/\ all_dangle f (mates f), index_of (lift f) = terminal_index f &
       terminal_index f \notin [:: 13; 15; 17]].
 Proof.
 move=> pf kf; case: (leqP (pins f) 2) => [k2|k3]; first exact: (small_check pf k2).2.
@@ -110,28 +116,28 @@ have sf : same f (ft (index_of f)) by apply: (nth_find (feat 0 o o o)); rewrite 
 have n : index_of f \notin [:: 13; 15; 17].
   have h := allP many_place (index_of f); rewrite mem_iota add0n in h; have /implyP := h kf.
   by apply; case/and3P: sf => _ /eqP <- _.
-rewrite l0 lf; split; [exact: isT | exact: erefl | exact: n].
+rewrite /mates l0 lf; split; [exact: isT | exact: erefl | exact: n].
 Qed.
 
 (** ** Problems *)
 Section Over.
 Variable F : fieldType.
 Hypothesis char0 : [char F]%R =i pred0.
-Lemma reveals_minimal A f B v js : is_problem (A ++ f :: B) -> all_dangle f v js ->
-  is_problem (A ++ reveals f v js :: B) /\
-  (camera_minimal F (A ++ f :: B) <-> camera_minimal F (A ++ reveals f v js :: B)).
+Lemma reveals_minimal A f B js : is_problem (A ++ f :: B) -> all_dangle f js ->
+  is_problem (A ++ reveals f js :: B) /\
+  (camera_minimal F (A ++ f :: B) <-> camera_minimal F (A ++ reveals f js :: B)).
 Proof.
-elim: js f => [|j js IH] f pA //= /andP[]; have pp := pA; move: pp; rewrite /is_problem all_cat /= => /and3P[p1 p2 p3].
+elim: js f => [|[j v] js IH] f pA //= /andP[]; have pp := pA; move: pp;
+  rewrite /is_problem all_cat /= => /and3P[p1 p2 p3].
 move=> h ad; have [u du] : exists u, dangles f j u v by case/or4P: h => // d; eexists; exact: d.
 have pr : is_problem (A ++ reveal f j v :: B) by rewrite /is_problem all_cat /= p1 (reveal_proper p2 du) p3.
 have [pl e] := IH _ pr ad; split=> //; exact: iff_trans (reveal_minimal char0 pA du) e.
 Qed.
-Lemma lift_problem A B : is_problem (A ++ B) -> all (fun f => terminal_index f < 27) B ->
+Lemma lift_problem A B : is_problem (A ++ B) -> all (fun f => all_dangle f (mates f)) B ->
   is_problem (A ++ map lift B) /\ (camera_minimal F (A ++ B) <-> camera_minimal F (A ++ map lift B)).
 Proof.
-elim: B A => [|f B IH] A pA //= /andP[kf kB].
-have pf : proper f by move: pA; rewrite /is_problem all_cat => /and3P[].
-have [ad _ _] := terminal_lift pf kf; have [p1 e1] := reveals_minimal pA ad.
+elim: B A => [|f B IH] A pA //= /andP[ad kB].
+have [p1 e1] := reveals_minimal pA ad.
 have := IH (rcons A (lift f)); rewrite !cat_rcons => /(_ p1 kB)[p2 e2]; split=> //; exact: iff_trans e1 e2.
 Qed.
 End Over.

@@ -22,7 +22,8 @@ Definition down : {rmorphism P -> {mpoly F[m]}} :=
   [rmorphism of mmap (@mpolyC m F) (fun i : 'I_m.+1 => if unlift ord_max i is Some j then 'X_j else 0)].
 Lemma last_const (Q : P) : Q^`M(ord_max) = 0 -> up (down Q) = Q.
 Proof.
-move=> dQ; rewrite [RHS]mpolyE [in LHS](mpolyE Q) (rmorph_sum down) (rmorph_sum up); apply: eq_big_seq => M Mq.
+move=> dQ; rewrite [RHS]mpolyE [in LHS](mpolyE Q) (rmorph_sum down) (rmorph_sum up);
+  apply: eq_big_seq => M Mq.
 have M0 : M ord_max = 0%N.
   apply/eqP; rewrite -leqn0 leqNgt; apply/negP => lt; move: Mq; rewrite mcoeff_msupp => /negP; apply.
   have := congr1 (mcoeff (M - U_(ord_max))%MM) dQ; rewrite mcoeff_mderiv mcoeff0 submK; last first.
@@ -30,7 +31,8 @@ have M0 : M ord_max = 0%N.
   by move/eqP; rewrite -mulr_natr mulf_eq0 ((charf0P F).1 char0) orbF.
 rewrite -mul_mpolyC (rmorphM down) (rmorphM up) /= !mmapC; congr (_ * _).
 rewrite -[mmap _ _ _]/(up (down _)) mpolyXE_id (rmorph_prod down) (rmorph_prod up); apply: eq_bigr => i _.
-rewrite (rmorphX down) (rmorphX up) /= !(mmapX, mmap1U); case: unliftP => [j ->|->]; last by rewrite M0 !expr0.
+rewrite (rmorphX down) (rmorphX up) /= !(mmapX, mmap1U); case: unliftP => [j ->|->];
+  last by rewrite M0 !expr0.
 by rewrite mmapX mmap1U.
 Qed.
 End Last.
@@ -51,7 +53,8 @@ Lemma more_lift j : more (lift ord_max j) = nth 0 y j.
 Proof. by rewrite /more nth_rcons lift_max ltn_ord. Qed.
 Lemma value_up R : value c more (up R) = value c yy R.
 Proof.
-apply: (@morphism_eq F _ K [rmorphism of mmap_rmorphism more c \o @up F (size y)] (mmap_rmorphism yy c)) => [a|i] /=.
+apply: (@morphism_eq F _ K [rmorphism of mmap_rmorphism more c \o @up F (size y)]
+  (mmap_rmorphism yy c)) => [a|i] /=.
   by rewrite !mmapC.
 by rewrite !(mmapX, mmap1U) more_lift.
 Qed.
@@ -77,7 +80,8 @@ Qed.
 Theorem moved_alg u : ind c (rcons y w) -> D u = 0 -> alg c (rcons y w) u -> alg c y u.
 Proof.
 move=> /(indE c (size_rcons y w)) iw Du /(algE c u (size_rcons y w))[p].
-have vE k (z : 'I_k -> K) q i : (values c z q)`_i = value c z q`_i by rewrite /values coef_map_id0 // /value mmap0.
+have vE k (z : 'I_k -> K) q i : (values c z q)`_i = value c z q`_i.
+  by rewrite /values coef_map_id0 // /value mmap0.
 have [k] := ubnP (\max_(i < size p) msize p`_i); elim: k p => // k IH p; rewrite ltnS => le p0 rt.
 have small i : (msize p`_i <= k)%N.
   case: (ltnP i (size p)) => [lt|ge]; last by rewrite nth_default // msize0.

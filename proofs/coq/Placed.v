@@ -8,8 +8,8 @@ From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp.algebra_tactics Require Import ring.
 From mathcomp.zify Require Import ssrZ.
 From SsrMultinomials Require Import mpoly.
-From PL1P Require Import Statement Rigid Reducible Forget Derivations RationalFunctions Independence Generic Motion
-  Lifting Reduction Scenes Keeps Determined Dangling.
+From PL1P Require Import Statement Rigid Reducible Forget Derivations RationalFunctions Independence
+  Generic Motion Lifting Reduction Scenes Keeps Determined Dangling.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -31,25 +31,30 @@ Definition integer_at k : Z := if (k < 11)%N then (if k == 9%N then Zpos 1 else 
 Let to_ : {rmorphism P -> K} := [rmorphism of @FracField.tofrac _].
 Let ev : {rmorphism P -> F} := [rmorphism of meval (fun i : 'I_n => integers F (integer_at i))].
 Notation xP := (xP F n).
-Definition integer_own k : Z := nth Z0 [:: Zpos 1; Zpos 3; Zpos 2; Zpos 1; Zneg 1; Zpos 2; Zpos 5; Zneg 3; Zpos 1] k.
+Definition integer_own k : Z := nth Z0 [:: Zpos 1; Zpos 3; Zpos 2; Zpos 1; Zneg 1; Zpos 2; Zpos 5;
+  Zneg 3; Zpos 1] k.
 Variable e : forall R : idomainType, (view -> camera R) -> (nat -> R) -> R.
 Hypothesis natural : forall (R R' : idomainType) (g : {rmorphism R -> R'}) C C' x x',
   (forall v, C' v = gcamera g (C v)) -> (forall k, (k < dim3 f)%N -> x' k = g (x k)) -> e C' x' = g (e C x).
-Lemma not_zero : e (fun v => cameras_at [idomainType of Z] (fun k => if k == 9%N then Zpos 1 else Z0) v) integer_own != 0 ->
+Lemma not_zero : e (fun v => cameras_at [idomainType of Z]
+    (fun k => if k == 9%N then Zpos 1 else Z0) v) integer_own != 0 ->
   e (fun v => cameras_at K (generic F n) v) (fun k => generic F n (o + k)) != 0.
 Proof.
 move=> z0; rewrite (@natural P K to_ (fun v => cameras_at P xP v) _ (fun k => xP (o + k)%N)); first last.
 - by move=> k _; exact: genericE.
 - by move=> v; apply: gcameras; exact: genericE.
-have e1 := @natural P F ev (fun v => cameras_at P xP v) _ (fun k => xP (o + k)%N) _ (fun=> gcameras (fun=> erefl) _)
+have e1 := @natural P F ev (fun v => cameras_at P xP v) _ (fun k => xP (o + k)%N) _
+  (fun=> gcameras (fun=> erefl) _)
   (fun _ _ => erefl).
 have e2 := @natural [idomainType of Z] F (integers F) (fun v => cameras_at [idomainType of Z] integer_at v) _
   integer_own _ (fun=> gcameras (fun=> erefl) _) (fun _ _ => erefl).
 have lt k : (k < 11)%N -> (k < n)%N by move=> h; apply: leq_trans room; rewrite ltn_addr // (leq_trans h).
-have evE k : (k < n)%N -> ev (xP k) = integers F (integer_at k) by move=> kn; rewrite /Generic.xP insubT /= mevalXU.
+have evE k : (k < n)%N -> ev (xP k) = integers F (integer_at k).
+  by move=> kn; rewrite /Generic.xP insubT /= mevalXU.
 have small k : (k < 11)%N -> integer_at k = (if k == 9%N then Zpos 1 else Z0) by rewrite /integer_at => ->.
 rewrite /to_ /= tofrac_eq0; apply: contraNneq z0 => p0; rewrite -(integers0 char0) -e2.
-have same : e (fun v => cameras_at F (fun k => integers F (integer_at k)) v) (fun k => integers F (integer_own k)) =
+have same : e (fun v => cameras_at F (fun k => integers F (integer_at k)) v)
+    (fun k => integers F (integer_own k)) =
     e (fun v => cameras_at F (fun k => ev (xP k)) v) (fun k => ev (xP (o + k)%N)).
   have c k : (k < 11)%N -> integers F (integer_at k) = ev (xP k) by move=> /lt kn; rewrite evE.
   apply: (@natural F F [rmorphism of idfun]) => [v|k kd]; last first.
@@ -93,7 +98,8 @@ Definition plane_of C X d : vec R := let n := normal C X d in
 Definition ray_of C X : vec R := rot (conj (quat_of C)) (project C X).
 Lemma plane_ofE C X d i : dot (normal C X d) (turn C i) = dot (plane_of C X d) i.
 Proof.
-rewrite /plane_of; move: (normal C X d) => l; case: C => -[q1 q2 q3 q4] t; case: i => i1 i2 i3; case: l => l1 l2 l3.
+rewrite /plane_of; move: (normal C X d) => l; case: C => -[q1 q2 q3 q4] t; case: i => i1 i2 i3;
+  case: l => l1 l2 l3.
 by rewrite /turn /rot /dot /=; ring.
 Qed.
 End Planes.
@@ -160,7 +166,8 @@ Proof.
 move=> pf uw ip; case fr: (free f); last exact: (generic_meeting char0 o11 room fr uw ip).
 move: ip; rewrite (free_pins pf fr); case: i => // _.
 pose q R (C : view -> camera R) (x : nat -> R) v := plane_of (C v) (point_at f x) (dir_at f x 0%N).
-apply: (not_zero char0 o11 room (e := fun R C x => x1 (q R C x u) * x2 (q R C x w) - x1 (q R C x w) * x2 (q R C x u))).
+apply: (not_zero char0 o11 room (e :=
+  fun R C x => x1 (q R C x u) * x2 (q R C x w) - x1 (q R C x w) * x2 (q R C x u))).
   move=> R R' g C0 C' x0 x' hC hx; rewrite /q !hC (gpoint hx) (gdir hx) ?(free_pins pf fr) //.
   by rewrite !gplane rmorphB !rmorphM.
 by rewrite /q /point_at /dir_at fr; case: u uw; case: w => // _; vm_compute.
@@ -221,21 +228,24 @@ by move=> -> ->.
 Qed.
 Lemma scale_solve (k : K) v : k != 0 -> scale k v = vec0 K -> v = vec0 K.
 Proof. by case: v => a b c k0 [e1 e2 e3]; congr Vec; apply: (mulfI k0); rewrite ?e1 ?e2 ?e3 mulr0. Qed.
-Lemma ray_solve (m k : K) v r l : m != 0 -> scale m v = scale k r -> dot l v = 0 -> dot l r != 0 -> v = vec0 K.
+Lemma ray_solve (m k : K) v r l : m != 0 -> scale m v = scale k r -> dot l v = 0 -> dot l r != 0 ->
+  v = vec0 K.
 Proof.
 move=> m0 e z l0; apply: (scale_solve m0); rewrite e; have -> : k = 0.
   apply: (mulIf l0); rewrite mul0r; transitivity (dot l (scale k r)); first by rewrite /dot /=; ring.
   by rewrite -e; transitivity (m * dot l v); [rewrite /dot /=; ring | rewrite z mulr0].
 by rewrite /scale /vec0 !mul0r.
 Qed.
-Lemma rays_solve (m m' k k' : K) v r r' : m != 0 -> m' != 0 -> cross r' r <> vec0 K -> scale m v = scale k r ->
+Lemma rays_solve (m m' k k' : K) v r r' : m != 0 -> m' != 0 -> cross r' r <> vec0 K ->
+  scale m v = scale k r ->
   scale m' v = scale k' r' -> v = vec0 K.
 Proof.
 move=> m0 m0' cr e e'; apply: (scale_solve m0); rewrite e; have [->|k0] := eqVneq k 0.
   by rewrite /scale /vec0 !mul0r.
 case: cr; apply: (scale_solve (mulf_neq0 m0' k0)).
 transitivity (scale m' (cross r' (scale k r))); first by rewrite /cross /scale /=; congr Vec; ring.
-rewrite -e; transitivity (scale m (cross r' (scale m' v))); first by rewrite /cross /scale /=; congr Vec; ring.
+rewrite -e; transitivity (scale m (cross r' (scale m' v))).
+  by rewrite /cross /scale /=; congr Vec; ring.
 by rewrite e' /cross /scale /vec0 /=; congr Vec; ring.
 Qed.
 Lemma dvec_dead (D : K -> K) v : dvec D v = vec0 K -> dead D v. Proof. by case. Qed.
@@ -282,7 +292,8 @@ Qed.
 Lemma image_flat w i : killed D (image (f, x) (C w) (looks f w)) -> i \in sees_pins f w -> flat w i.
 Proof.
 have [_ /allP le sp] := properP w pf; rewrite /image killed_cat killed_flatten => /andP[kp /allP kl] iw.
-have ip := le i iw; have := kl i iw; rewrite -/(sees_point f w); case pw: (sees_point f w) => kl'; last exact: line_flat.
+have ip := le i iw; have := kl i iw; rewrite -/(sees_point f w); case pw: (sees_point f w) => kl';
+  last exact: line_flat.
 have nf : free f = false by move: sp; rewrite pw; case: (free f).
 by apply: slope_flat => //; [move: kp; rewrite -/(sees_point f w) pw | move/killed_one: kl'].
 Qed.
@@ -298,8 +309,10 @@ Proof.
 move=> fr uw ip [fu _] [fw _]; apply: dvec_dead; apply: two_solve fu fw; last by rewrite /= fr (der0 hD).
 exact: planes_differ.
 Qed.
-Lemma norm2 u : norm (quat_of (C u)) ^+ 2 != 0. Proof. by rewrite expf_neq0 // (norm_generic char0 o11 room). Qed.
-Lemma plane_stays u w i : free f = false -> u <> w -> (i < pins f)%N -> (i < 3)%N -> rayed u -> flat w i -> dead D X.
+Lemma norm2 u : norm (quat_of (C u)) ^+ 2 != 0.
+Proof. by rewrite expf_neq0 // (norm_generic char0 o11 room). Qed.
+Lemma plane_stays u w i : free f = false -> u <> w -> (i < pins f)%N -> (i < 3)%N -> rayed u ->
+  flat w i -> dead D X.
 Proof.
 move=> nf uw ip i3 [k e] [fw _]; apply: dvec_dead; apply: (ray_solve (norm2 u) e fw).
 exact: ray_off_plane.

@@ -3,8 +3,9 @@
     Given the cameras, the images of the 27 features determine them. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From SsrMultinomials Require Import mpoly.
-From PL1P Require Import Statement Reducible Reductions Forget Derivations RationalFunctions Independence Generic
-  Lifting Reduction Embedding Scenes Keeps Theorem1 Replacements Terminal Dangling Placed CameraMinimal Lifts.
+From PL1P Require Import Statement Reducible Reductions Forget Derivations RationalFunctions
+  Independence Generic Lifting Reduction Embedding Scenes Keeps Theorem1 Replacements Terminal
+  Dangling Placed CameraMinimal Lifts.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -38,17 +39,21 @@ have ry w := image_rayed o11 room pf hD hC (ki w).
 have pair i : (i < pins f)%N -> exists u w, [/\ u <> w, i \in sees_pins f u & i \in sees_pins f w].
   by move=> ip; apply: two_views; apply: (two i); rewrite mem_iota.
 apply: own_stays => //; last first.
-  by move=> i ip; have [u [w [uw iu iw]]] := pair i ip; exact: (pin_stays char0 o11 room pf hD uw ip (fl _ _ iu) (fl _ _ iw)).
+  by move=> i ip; have [u [w [uw iu iw]]] := pair i ip;
+    exact: (pin_stays char0 o11 room pf hD uw ip (fl _ _ iu) (fl _ _ iw)).
 case fr: (free f) lo => lo.
   have ip : (0 < pins f)%N by rewrite (free_pins pf fr).
-  by have [u [w [uw iu iw]]] := pair _ ip; exact: (free_stays char0 o11 room pf hD fr uw ip (fl _ _ iu) (fl _ _ iw)).
-move: lo; rewrite orFb; case/orP=> [/two_views[u [w [uw pu pw]]]|/has_view[u /andP[pu /has_view[w /andP[/same_viewP uw h]]]]].
+  by have [u [w [uw iu iw]]] := pair _ ip;
+    exact: (free_stays char0 o11 room pf hD fr uw ip (fl _ _ iu) (fl _ _ iw)).
+move: lo; rewrite orFb;
+  case/orP=> [/two_views[u [w [uw pu pw]]]|/has_view[u /andP[pu /has_view[w /andP[/same_viewP uw h]]]]].
   exact: (rays_stay char0 o11 room fr uw (ry u pu) (ry w pw)).
 have [i i3 iw] : exists2 i, (i < 3)%N & i \in sees_pins f w by case/orP: h => h; [exists 0%N | exists 1%N].
 have ip : (i < pins f)%N by have [_ /allP le _] := properP w pf; exact: le.
 exact: (plane_stays char0 o11 room fr uw ip i3 (ry u pu) (fl w i iw)).
 Qed.
-Lemma scene_recovered A o : (11 <= o)%N -> (o + sumn [seq dim3 f | f <- A] <= n)%N -> is_problem A -> all located A ->
+Lemma scene_recovered A o : (11 <= o)%N -> (o + sumn [seq dim3 f | f <- A] <= n)%N ->
+  is_problem A -> all located A ->
   killed D (seen C (scene gx o A)) -> killed D (owns (scene gx o A)).
 Proof.
 elim: A o => // f A IH o o11 room /andP[pf pA] /andP[lf lA].
@@ -66,13 +71,10 @@ exact: (feature_recovered o11 room1 pf lf ki).
 Qed.
 End Recovered.
 
-Theorem known_camera_minimal (F : fieldType) A : [char F] =i pred0 -> is_problem A -> known A ->
+Theorem located_minimal (F : fieldType) A : [char F] =i pred0 -> is_problem A -> all located A ->
   camera_minimal F A -> minimal F A.
 Proof.
-move=> char0 pA kA [iy cy]; set n := parameters A in iy cy *; set y := images F n A in iy cy *.
-have lA : all located A.
-  elim: A pA kA {n y iy cy} => //= f A IH /andP[pf pA] /andP[kf kA]; rewrite (IH pA kA) andbT.
-  exact: known_located.
+move=> char0 pA lA [iy cy]; set n := parameters A in iy cy *; set y := images F n A in iy cy *.
 have un : unmoved (to F n) y.
   move=> D hD kD; have g k : (k < 11)%N -> D (generic F n k) = 0.
     by move=> k11; apply: (algebraic_killed char0 hD _ (cy k k11)); exact/(killedP D erefl).
@@ -88,4 +90,8 @@ have un : unmoved (to F n) y.
 apply/(minimalP char0); split=> //; apply/eqP; rewrite eqn_leq.
 rewrite (ind_size (@den_neq0 _) (@fractionE _) (iy : ind (const (to F n)) y)).
 exact: (unmoved_size (@den_neq0 _) (@fractionE _) (@to0 F n) un).
+Qed.
+Lemma all_located A : is_problem A -> known A -> all located A.
+Proof.
+elim: A => //= f A IH /andP[pf pA] /andP[kf kA]; rewrite (IH pA kA) andbT; exact: known_located.
 Qed.
