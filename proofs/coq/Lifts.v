@@ -29,52 +29,82 @@ Definition located f := all (fun j => 2 <= pins_seen f j) (iota 0 (pins f)) && [
   has (fun u => sees_point f u && has (fun w => ~~ same_view u w &&
     ((0 \in sees_pins f w) || (1 \in sees_pins f w))) views) views].
 
-Definition checks f := if proper f then ((index_of f < 27) ==> located f) && ((terminal_index f < 27) ==>
-  [&& all_dangle f (mates f), index_of (lift f) == terminal_index f &
-      terminal_index f \notin [:: 13; 15; 17]]) else true.
-Lemma small_checks : all (fun k => all (fun fr => all (fun l1 => all (fun l2 => all (fun l3 =>
-  checks (Feature fr k (by_view l1 l2 l3))) (pairs k)) (pairs k)) (pairs k)) [:: true; false]) (iota 0 3).
-Proof. by vm_compute. Qed.
-Lemma find_ext g f s : free g = free f -> pins g = pins f -> (forall v, looks g v = looks f v) ->
-  find (same g) s = find (same f) s.
+(** ** A computation for all features with at most two pins *)
+Definition on_small (check : pred feature) := all (fun k => all (fun fr => all (fun l1 =>
+  all (fun l2 => all (fun l3 => let f := Feature fr k (by_view l1 l2 l3) in
+    if proper f then check f else true)
+  (pairs k)) (pairs k)) (pairs k)) [:: true; false]) (iota 0 3).
+(** The same looks. *)
+Definition alike g f := [/\ free g = free f, pins g = pins f & forall v, looks g v = looks f v].
+Section Alike.
+Variables g f : feature.
+Hypothesis gf : alike g f.
+Let same_alike : same g =1 same f.
 Proof.
-move=> e1 e2 e3; apply: eq_find => k; rewrite /same e1 e2; congr [&& _, _ & _]; apply: eq_has => r.
+case: gf => e1 e2 e3 h; rewrite /same e1 e2; congr [&& _, _ & _]; apply: eq_has => r.
 by rewrite /views [LHS]/all [RHS]/all !e3.
 Qed.
-Lemma alike_looks g f : free g = free f -> pins g = pins f -> (forall v, looks g v = looks f v) ->
-  [/\ index_of g = index_of f, terminal_index g = terminal_index f, located g = located f &
-  mates g = mates f /\ forall js,
-    all_dangle g js = all_dangle f js /\ index_of (reveals g js) = index_of (reveals f js)].
+Lemma seen_alike : (forall v, sees_point g v = sees_point f v) /\
+  forall v, sees_pins g v = sees_pins f v.
+Proof. by case: gf => _ _ e; split=> v; rewrite /sees_point /sees_pins e. Qed.
+Lemma reveals_alike js : alike (reveals g js) (reveals f js) /\ all_dangle g js = all_dangle f js.
 Proof.
-move=> e1 e2 e3; have e v : sees_point g v = sees_point f v by rewrite /sees_point e3.
-have e' v : sees_pins g v = sees_pins f v by rewrite /sees_pins e3.
-have p j : pins_seen g j = pins_seen f j by rewrite /pins_seen /count /views !e'.
-split; [exact: find_ext | exact: find_ext | | split].
-- rewrite /located /points_seen /count /has /views !e !e' e1 e2; congr (_ && _); apply: eq_all => j.
-  by rewrite p.
-- rewrite /mates; have -> : loose g = loose f by rewrite /loose e2; apply: eq_filter => j; rewrite p.
-  by apply: eq_map => j; rewrite /mate !e !e'.
-move=> js; elim: js g f e1 e2 e3 {e e' p} => [|[j v] js IH] g f e1 e2 e3 /=.
-  by split=> //; exact: find_ext.
-have [] := IH (reveal g j v) (reveal f j v) e1 e2 _.
-  by move=> w /=; rewrite /sees_point /sees_pins !e3.
-by move=> -> ->; split=> //; rewrite /dangles /sees_point /sees_pins /= !e3 e1 e2.
+elim: js g f gf => [|[j v] js IH] g0 f0 [e1 e2 e3] //=.
+have [] := IH (reveal g0 j v) (reveal f0 j v).
+  by split=> // w /=; rewrite /sees_point /sees_pins !e3.
+by move=> h ->; split=> //; rewrite /dangles /sees_point /sees_pins /= !e3 e1 e2.
 Qed.
-Lemma small_check f : proper f -> pins f <= 2 -> (index_of f < 27 -> located f) /\ (terminal_index f < 27 ->
+Lemma mates_alike : loose g = loose f /\ mates g = mates f.
+Proof.
+have [e e'] := seen_alike; have [_ e2 _] := gf.
+have el : loose g = loose f.
+  by rewrite /loose e2; apply: eq_filter => j; rewrite /pins_seen /count /views !e'.
+by split=> //; rewrite /mates el; apply: eq_map => j; rewrite /mate !e !e'.
+Qed.
+Lemma strict_alike c : strict g c = strict f c.
+Proof.
+have [e1 e2 e3] := gf.
+rewrite /strict /space /nothing /dim3 !dim2E /seen_by /keep /sees_point /sees_pins /=.
+by rewrite /sees_point /sees_pins !e3 e1 e2.
+Qed.
+Lemma listed_alike : [/\ listed g = listed f, replaced g = replaced f, index_of g = index_of f &
+  terminal_index g = terminal_index f].
+Proof. by split; first [exact: (eq_has same_alike) | exact: (eq_find same_alike)]. Qed.
+Lemma located_alike : located g = located f.
+Proof.
+have [e e'] := seen_alike; have [e1 e2 _] := gf.
+rewrite /located /points_seen /count /has /views !e !e' e1 e2; congr (_ && _); apply: eq_all => j.
+by rewrite /pins_seen /count /views !e'.
+Qed.
+End Alike.
+Lemma on_smallP check f : on_small check -> proper f -> pins f <= 2 -> exists2 g, alike g f & check g.
+Proof.
+move=> all_ok pf k2; have in_pairs v : looks f v \in pairs (pins f).
+  by have [u le _] := properP v pf; exact: pairsP.
+move: all_ok => /allP/(_ (pins f)); rewrite mem_iota add0n ltnS => /(_ k2).
+move=> /allP/(_ (free f)); rewrite !inE.
+have -> : (free f == true) || (free f == false) by case: (free f).
+move=> /(_ isT) /allP/(_ _ (in_pairs V1)) /allP/(_ _ (in_pairs V2)) /allP/(_ _ (in_pairs V3)).
+set g := Feature _ _ _; have pg : proper g by move: pf; rewrite /proper /=.
+by move=> ok; exists g; [split=> //; case | move: ok; rewrite /= pg].
+Qed.
+
+(** The 27 features are located; the lifts of terminal ones are known. *)
+Definition checks f := (if index_of f < 27 then located f else true) &&
+  (if terminal_index f < 27 then [&& all_dangle f (mates f),
+     index_of (lift f) == terminal_index f & terminal_index f \notin [:: 13; 15; 17]] else true).
+Lemma small_checks : on_small checks. Proof. vm_cast_no_check (erefl true). Qed.
+Lemma small_check f : proper f -> pins f <= 2 ->
+  (index_of f < 27 -> located f) /\ (terminal_index f < 27 ->
   [/\ all_dangle f (mates f), index_of (lift f) = terminal_index f &
       terminal_index f \notin [:: 13; 15; 17]]).
 Proof.
-move=> pf k2; have in_pairs v : looks f v \in pairs (pins f).
-  by have [u le _] := properP v pf; exact: pairsP.
-have /allP/(_ (pins f)) := small_checks; rewrite mem_iota add0n ltnS => /(_ k2).
-move=> /allP/(_ (free f)); rewrite !inE; have -> : (free f == true) || (free f == false) by case: (free f).
-move=> /(_ isT) /allP/(_ _ (in_pairs V1)) /allP/(_ _ (in_pairs V2)) /allP/(_ _ (in_pairs V3)).
-set g := Feature _ _ _; have e v : looks g v = looks f v by case: v.
-have pg : proper g = true by move: pf; rewrite /proper /=.
-have := alike_looks (erefl : free g = free f) (erefl : pins g = pins f) e; case=> [i1 i2 i3 [i4 i5]].
-rewrite /checks pg i1 i2 i3 /lift i4 (i5 _).1 (i5 _).2.
-case/andP=> /implyP h1 /implyP h2; split; first exact: h1.
-move=> /h2/and3P[a1 /eqP a2 a3]; split; [exact: a1 | exact: a2 | by rewrite !inE in a3].
+move=> pf k2; have [g gf] := on_smallP small_checks pf k2.
+have [_ em] := mates_alike gf; have [er ed] := reveals_alike gf (mates f).
+have [_ _ i1 i2] := listed_alike gf; have [_ _ i3 _] := listed_alike er.
+rewrite /checks i1 i2 (located_alike gf) /lift em ed i3 => /andP[h1 h2].
+split=> h; first by move: h1; rewrite h; exact.
+by move: h2; rewrite h => /and3P[a1 /eqP a2 a3]; split; [exact: a1 | exact: a2 | exact: a3].
 Qed.
 
 Lemma full_seen f : proper f -> full f -> [/\ located f, loose f = [::] & lift f = f].

@@ -17,82 +17,31 @@ Import GRing.Theory.
 (** What can be forgotten after the lift, and could be before. *)
 Definition compatible f c := [&& feasible f c, ~~ whole f c, ~~ strict (lift f) c &
   c.1 || all (fun j => j \notin c.2) (loose f)].
+(** The lift of a listed feature is known. Terminal features are the listed ones that are not
+    replaced. What is not forgettable is located after the lift; then it is listed, or something of
+    it can be forgotten. *)
 Definition judged f := [&&
-  listed f ==> all_dangle f (mates f) && (index_of (lift f) < 27),
+  if listed f then all_dangle f (mates f) && (index_of (lift f) < 27) else true,
   (terminal_index f < 27) == listed f && ~~ replaced f &
-  forgettable f || [&& all_dangle f (mates f), located (lift f) &
+  if forgettable f then true else [&& all_dangle f (mates f), located (lift f) &
     if index_of (lift f) < 27 then listed f else has (compatible f) (pairs (pins f))]].
-Lemma small_judged : all (fun k => all (fun fr => all (fun l1 => all (fun l2 => all (fun l3 =>
-  let f := Feature fr k (by_view l1 l2 l3) in proper f ==> judged f)
-  (pairs k)) (pairs k)) (pairs k)) [:: true; false]) (iota 0 3).
-Proof. vm_cast_no_check (erefl true). Qed.
-
-Definition alike g f := [/\ free g = free f, pins g = pins f & forall v, looks g v = looks f v].
-Section Alike.
-Variables g f : feature.
-Hypothesis gf : alike g f.
-Let same_alike : same g =1 same f.
+Lemma small_judged : on_small judged. Proof. vm_cast_no_check (erefl true). Qed.
+Lemma forgettable_alike g f : alike g f -> forgettable g = forgettable f.
 Proof.
-case: gf => e1 e2 e3 h; rewrite /same e1 e2; congr [&& _, _ & _]; apply: eq_has => r.
-by rewrite /views [LHS]/all [RHS]/all !e3.
-Qed.
-Let seen_alike : (forall v, sees_point g v = sees_point f v) /\
-  forall v, sees_pins g v = sees_pins f v.
-Proof. by case: gf => _ _ e; split=> v; rewrite /sees_point /sees_pins e. Qed.
-Lemma reveals_alike js : alike (reveals g js) (reveals f js) /\ all_dangle g js = all_dangle f js.
-Proof.
-elim: js g f gf => [|[j v] js IH] g0 f0 [e1 e2 e3] //=.
-have [] := IH (reveal g0 j v) (reveal f0 j v).
-  by split=> // w /=; rewrite /sees_point /sees_pins !e3.
-by move=> h ->; split=> //; rewrite /dangles /sees_point /sees_pins /= !e3 e1 e2.
-Qed.
-Lemma mates_alike : loose g = loose f /\ mates g = mates f.
-Proof.
-have [e e'] := seen_alike; have [_ e2 _] := gf.
-have el : loose g = loose f.
-  by rewrite /loose e2; apply: eq_filter => j; rewrite /pins_seen /count /views !e'.
-by split=> //; rewrite /mates el; apply: eq_map => j; rewrite /mate !e !e'.
-Qed.
-Lemma forgettable_alike : forgettable g = forgettable f.
-Proof.
-have [e e'] := seen_alike; have [e1 e2 _] := gf.
+move=> gf; have [e e'] := seen_alike gf; have [e1 e2 _] := gf.
 rewrite /forgettable e1 e2 /points_seen /pins_seen /count /views !e !e'.
 congr (if _ then _ else _ || _).
 by apply: eq_has => j; rewrite /superfluous /pins_seen /count /views /all !e !e'.
 Qed.
-Lemma strict_alike c : strict g c = strict f c.
-Proof.
-have [e1 e2 e3] := gf.
-rewrite /strict /space /nothing /dim3 !dim2E /seen_by /keep /sees_point /sees_pins /=.
-by rewrite /sees_point /sees_pins !e3 e1 e2.
-Qed.
-Lemma listed_alike : [/\ listed g = listed f, replaced g = replaced f, index_of g = index_of f &
-  terminal_index g = terminal_index f].
-Proof. by split; first [exact: eq_has | exact: eq_find]. Qed.
-Lemma located_alike : located g = located f.
-Proof.
-have [e e'] := seen_alike; have [e1 e2 _] := gf.
-rewrite /located /points_seen /count /has /views !e !e' e1 e2; congr (_ && _); apply: eq_all => j.
-by rewrite /pins_seen /count /views !e'.
-Qed.
-End Alike.
-
 Lemma judged_small f : proper f -> pins f <= 2 -> judged f.
 Proof.
-move=> pf k2; have in_pairs v : looks f v \in pairs (pins f).
-  by have [u le _] := properP v pf; exact: pairsP.
-have /allP/(_ (pins f)) := small_judged; rewrite mem_iota add0n ltnS => /(_ k2).
-move=> /allP/(_ (free f)); rewrite !inE.
-have -> : (free f == true) || (free f == false) by case: (free f).
-move=> /(_ isT) /allP/(_ _ (in_pairs V1)) /allP/(_ _ (in_pairs V2)) /allP/(_ _ (in_pairs V3)).
-set g := Feature _ _ _; have gf : alike g f by split=> //; case.
-have pg : proper g by move: pf; rewrite /proper /=.
-move=> /implyP/(_ pg).
-have [el em] := mates_alike gf; have [er ed] := reveals_alike gf (mates f).
+move=> pf k2; have [g gf] := on_smallP small_judged pf k2.
+have [e1 e2 _] := gf; have [el em] := mates_alike gf.
+have [er ed] := reveals_alike gf (mates f).
 have [i1 i2 _ i3] := listed_alike gf; have [_ _ i4 _] := listed_alike er.
 have ec : compatible g =1 compatible f.
-  by move=> c; rewrite /compatible el /lift em (strict_alike er).
-rewrite /judged (forgettable_alike gf) i1 i2 i3 /lift em i4 (located_alike er) ed (eq_has ec).
+  by move=> c; rewrite /compatible /feasible /whole e1 e2 el /lift em (strict_alike er).
+rewrite /judged (forgettable_alike gf) i1 i2 i3 /lift em i4 (located_alike er) ed e2 (eq_has ec).
 exact.
 Qed.
 
@@ -157,7 +106,7 @@ Proof. by move=> pf k3 kf; have [_ l0 e] := full_seen pf (known_full k3 kf); rew
 Lemma listed_lift f : proper f -> listed f -> all_dangle f (mates f) /\ index_of (lift f) < 27.
 Proof.
 move=> pf lf; case: (leqP (pins f) 2) => [k2|k3].
-  by have /and3P[/implyP/(_ lf)/andP[]] := judged_small pf k2.
+  by have /and3P[] := judged_small pf k2; rewrite lf => /andP[].
 by move: lf; rewrite listed_many // => kf; have [ad ->] := lift_known pf k3 kf.
 Qed.
 (** What is not forgettable has its place after the lift. *)

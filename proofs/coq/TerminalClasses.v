@@ -15,7 +15,11 @@ Definition tf i := nth (feat 0 o o o) terminal_features i.
 Definition terminal_of (s : signature) : problem := flatten [seq nseq (nth 0 s i) (tf i) | i <- iota 0 27].
 Lemma relabel_terminal_index (g g' : view -> view) f : g =1 g' ->
   terminal_index (relabel_feature g f) = terminal_index (relabel_feature g' f).
-Proof. by move=> e; apply: find_ext => // v; rewrite /relabel_feature [LHS]/= [RHS]/= e. Qed.
+Proof.
+move=> e; have gf : alike (relabel_feature g f) (relabel_feature g' f).
+  by split=> // v; rewrite /relabel_feature [LHS]/= [RHS]/= e.
+by case: (listed_alike gf).
+Qed.
 Local Opaque index_of terminal_index lift.
 Lemma count_ext (p q b : pred feature) A : (forall f, b f -> p f = q f) -> all b A -> count p A = count q A.
 Proof. by move=> e; elim: A => //= f A IH /andP[/e -> /IH ->]. Qed.
