@@ -47,11 +47,11 @@ Definition turning := (o + (3 + 2 * j))%N.
 Definition spares (D : K -> K) := forall k, k != turning -> k != turning.+1 -> D (gx k) = 0.
 Lemma turning_own : (turning.+1 < o + dim3 f)%N.
 Proof. by rewrite /turning -addnS ltn_add2l; have := pin_own jp; rewrite nf. Qed.
-Let small k : (k < 11)%N -> k != turning /\ k != turning.+1.
+(** The cameras stay. *)
+Lemma spared_first D k : spares D -> (k < 11)%N -> D (gx k) = 0.
 Proof.
-move=> k11; rewrite !neq_ltn;
-  have lt : (k < turning)%N by rewrite (leq_trans k11) // (leq_trans o11) ?leq_addr.
-by rewrite lt ltnS (ltnW lt).
+move=> sD k11; have lt : (k < turning)%N by rewrite (leq_trans k11) // (leq_trans o11) ?leq_addr.
+by apply: sD; rewrite neq_ltn ?ltnS ?lt // (ltnW lt).
 Qed.
 
 Section Spared.
@@ -60,8 +60,7 @@ Hypothesis hD : derivation c D.
 Hypothesis sD : spares D.
 Lemma spared_camera w : dead_camera D (C w).
 Proof.
-have D0 := der0 hD; have D1 := der1 hD; have s k (h : (k < 11)%N) : D (gx k) = 0.
-  by have [h1 h2] := small h; exact: sD.
+have D0 := der0 hD; have D1 := der1 hD; have s k := @spared_first D k sD.
 by case: w; split=> //; try split; rewrite ?[in LHS]/= ?s ?D0 ?D1.
 Qed.
 Lemma spared_other g o' : (o' + dim3 g <= o)%N \/ (o + dim3 f <= o')%N ->
@@ -277,9 +276,7 @@ Theorem reveal_minimal : camera_minimal F A <-> camera_minimal F A'.
 Proof.
 have [D [hD sD uD vD kD]] := turning_derivation; rewrite /camera_minimal reveal_parameters.
 have p := reveal_images F pre post hj; set w := slope _ _ _ _ _ _ in vD p.
-have zD k : (k < 11)%N -> D (generic F n k) = 0.
-  have lt : (11 <= turning o j)%N by rewrite /turning -addnA leq_addr.
-  by move=> k11; apply: sD; rewrite neq_ltn (leq_trans k11) // (leqW lt).
+have zD k : (k < 11)%N -> D (generic F n k) = 0 by exact: (spared_first (leq_addr _ _) sD).
 split=> -[iy cy].
   split; first exact: (ind_perm p (moved_ind char0 hD kD vD iy)).
   move=> k /cy; apply: (@alg_sub _ _ c) => a ay; by rewrite -(perm_mem p) mem_rcons inE ay orbT.

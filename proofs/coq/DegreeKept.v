@@ -128,10 +128,7 @@ Proof.
 have [D [hD sD uD vD kD]] := turning_derivation char0 pA hj.
 rewrite /camera_degree /with_cameras (reveal_parameters pre post f j v).
 have p := reveal_images F pre post hj; set w := slope _ _ _ _ _ _ in vD p.
-have zD k : (k < 11)%N -> D (generic F n k) = 0.
-  have lt : (11 <= turning (11 + sumn [seq dim3 g | g <- pre]) j)%N.
-    by rewrite /turning -addnA leq_addr.
-  by move=> k11; apply: sD; rewrite neq_ltn (leq_trans k11) // (leqW lt).
+have zD k : (k < 11)%N -> D (generic F n k) = 0 by exact: (spared_first (leq_addr _ _) sD).
 set y := images F n A in kD p *; set y' := images F n A' in p *; set cams := mkseq _ _.
 have yy' a : (a \in y') = (a == w) || (a \in y) by rewrite -(perm_mem p) mem_rcons inE.
 have sub z t : {subset z <= t} -> forall u, rational z u -> rational t u.

@@ -121,11 +121,14 @@ Qed.
 Lemma find_cat_same (p : pred feature) s t t' : ~~ has p t -> ~~ has p t' -> size t = size t' ->
   find p (s ++ t) = find p (s ++ t').
 Proof. by move=> h h' e; rewrite !find_cat; case: ifP => // _; rewrite !hasNfind // e. Qed.
+Lemma fewer_pins f s : 3 <= pins f -> all (fun g => pins g <= 2) s -> ~~ has (same f) s.
+Proof.
+move=> k3; elim: s => //= g s IH /andP[le /IH h]; rewrite negb_or h andbT.
+by apply/negP => /and3P[_ /eqP e _]; move: k3; rewrite e ltnNge le.
+Qed.
 Lemma many_pins f : 3 <= pins f -> terminal_index f = index_of f.
 Proof.
-move=> k3; have none t : all (fun g => pins g <= 2) t -> ~~ has (same f) t.
-  elim: t => //= g t IH /andP[le /IH h]; rewrite negb_or h andbT; apply/negP => /and3P[_ /eqP e _].
-  by move: k3; rewrite e ltnNge le.
+move=> k3; have none t : all (fun g => pins g <= 2) t -> ~~ has (same f) t := fewer_pins k3.
 by apply: (@find_cat_same (same f) (take 5 features) (drop 5 terminal_features) (drop 5 features));
   first [exact: none | done].
 Qed.
@@ -150,6 +153,18 @@ rewrite /mates l0 lf; split; [exact: isT | exact: erefl | exact: n].
 Qed.
 
 (** ** Problems *)
+Lemma reveal_problem A f B j v : is_problem (A ++ f :: B) -> has (fun u => dangles f j u v) views ->
+  is_problem (A ++ reveal f j v :: B) /\ exists u, dangles f j u v.
+Proof.
+move=> pA h; have [u du] : exists u, dangles f j u v by case/or4P: h => // d; eexists; exact: d.
+split; last by exists u.
+move: pA; rewrite /is_problem !all_cat /= => /and3P[-> pf ->]; by rewrite (reveal_proper pf du).
+Qed.
+Lemma reveals_problem A f B js : is_problem (A ++ f :: B) -> all_dangle f js ->
+  is_problem (A ++ reveals f js :: B).
+Proof.
+elim: js f => [|[j v] js IH] f pA //= /andP[h ad]; have [pr _] := reveal_problem pA h; exact: IH.
+Qed.
 Section Over.
 Variable F : fieldType.
 Hypothesis char0 : [char F]%R =i pred0.
@@ -157,10 +172,7 @@ Lemma reveals_minimal A f B js : is_problem (A ++ f :: B) -> all_dangle f js ->
   is_problem (A ++ reveals f js :: B) /\
   (camera_minimal F (A ++ f :: B) <-> camera_minimal F (A ++ reveals f js :: B)).
 Proof.
-elim: js f => [|[j v] js IH] f pA //= /andP[]; have pp := pA; move: pp;
-  rewrite /is_problem all_cat /= => /and3P[p1 p2 p3].
-move=> h ad; have [u du] : exists u, dangles f j u v by case/or4P: h => // d; eexists; exact: d.
-have pr : is_problem (A ++ reveal f j v :: B) by rewrite /is_problem all_cat /= p1 (reveal_proper p2 du) p3.
+elim: js f => [|[j v] js IH] f pA //= /andP[h ad]; have [pr [u du]] := reveal_problem pA h.
 have [pl e] := IH _ pr ad; split=> //; exact: iff_trans (reveal_minimal char0 pA du) e.
 Qed.
 Lemma lift_problem A B : is_problem (A ++ B) -> all (fun f => all_dangle f (mates f)) B ->

@@ -90,15 +90,10 @@ by rewrite /= !all_points !one.
 Qed.
 
 (** ** The lift *)
-Lemma few_pins f s : 3 <= pins f -> all (fun g => pins g <= 2) s -> ~~ has (same f) s.
-Proof.
-move=> k3; elim: s => //= g s IH /andP[le /IH h]; rewrite negb_or h andbT.
-by apply/negP => /and3P[_ /eqP e _]; move: k3; rewrite e ltnNge le.
-Qed.
 Lemma listed_many f : 3 <= pins f -> listed f = (index_of f < 27).
 Proof.
 move=> k3; rewrite -[27]/(size features) -has_find /listed has_cat.
-by rewrite (negbTE (few_pins (s := dangling_features) k3 isT)) orbF.
+by rewrite (negbTE (fewer_pins (s := dangling_features) k3 isT)) orbF.
 Qed.
 Lemma lift_known f : proper f -> 3 <= pins f -> index_of f < 27 ->
   all_dangle f (mates f) /\ lift f = f.
@@ -138,7 +133,7 @@ Definition terminal_known (A : problem) := all (fun f => terminal_index f < 27) 
 Lemma terminal_listed f : proper f -> (terminal_index f < 27) = listed f && ~~ replaced f.
 Proof.
 move=> pf; case: (leqP (pins f) 2) => [k2|k3]; first by have /and3P[_ /eqP] := judged_small pf k2.
-by rewrite many_pins // listed_many // /replaced (negbTE (few_pins _ _)) // andbT.
+by rewrite many_pins // listed_many // /replaced (negbTE (fewer_pins _ _)) // andbT.
 Qed.
 
 Section Over.
@@ -146,18 +141,6 @@ Variable F : fieldType.
 Hypothesis char0 : [char F]%R =i pred0.
 Notation lifts A cs := (lifting F (parameters A) A cs).
 
-Lemma reveal_problem A f B j v : is_problem (A ++ f :: B) -> has (fun u => dangles f j u v) views ->
-  is_problem (A ++ reveal f j v :: B) /\ exists u, dangles f j u v.
-Proof.
-move=> pA h; have [u du] : exists u, dangles f j u v by case/or4P: h => // d; eexists; exact: d.
-split; last by exists u.
-move: pA; rewrite /is_problem !all_cat /= => /and3P[-> pf ->]; by rewrite (reveal_proper pf du).
-Qed.
-Lemma reveals_problem A f B js : is_problem (A ++ f :: B) -> all_dangle f js ->
-  is_problem (A ++ reveals f js :: B).
-Proof.
-elim: js f => [|[j v] js IH] f pA //= /andP[h ad]; have [pr _] := reveal_problem pA h; exact: IH.
-Qed.
 Lemma reveals_reduced A f B js : is_problem (A ++ f :: B) -> all_dangle f js ->
   reduced F (A ++ reveals f js :: B) -> reduced F (A ++ f :: B).
 Proof.

@@ -178,9 +178,7 @@ move=> pA fs hD sD kD jc; have room : (o + dim3 f <= n)%N.
   by rewrite /parameters map_cat sumn_cat /= -addnA !leq_add2l leq_addr.
 have o11 : (11 <= o)%N by exact: leq_addr.
 have /and5P[/negbTE nf jp _ _ _] := hj.
-have zD k : (k < 11)%N -> D (gx k) = 0.
-  have lt : (11 <= turning o j)%N by rewrite /turning -addnA leq_addr.
-  by move=> k11; apply: sD; rewrite neq_ltn (leq_trans k11) // (leqW lt).
+have zD k : (k < 11)%N -> D (gx k) = 0 by exact: (spared_first o11 sD).
 move: pA fs; rewrite /is_problem all_cat zip_cat // all_cat => /and3P[p1 _ p3] /and3P[f1 _ f3].
 rewrite /lifted !killed_cat; apply/and3P; split.
 - by apply/(all_nthP 0) => k; rewrite size_mkseq => k11; rewrite nth_mkseq // zD.
@@ -246,25 +244,17 @@ Lemma reveal_forgets cs : forgets A' cs = forgets A cs.
 Proof. by rewrite /forgets reveal_allows (@reveal_zip whole) // !size_cat. Qed.
 
 (** The same for a whole selection, with the parameters of the other problem. *)
-Notation chosen cs := (nth (true, [::] : seq nat) cs (size pre)).
-Let split_cs cs : size cs = size A -> exists cs1 c cs2,
-  [/\ cs = cs1 ++ c :: cs2, size cs1 = size pre & c = chosen cs].
+Let split_cs (cs : seq selection) : size cs = size A ->
+  exists cs1 c cs2, cs = cs1 ++ c :: cs2 /\ size cs1 = size pre.
 Proof.
 move=> sz; have lt : (size pre < size cs)%N by rewrite sz size_cat /= addnS ltnS leq_addr.
-exists (take (size pre) cs), (chosen cs), (drop (size pre).+1 cs).
+exists (take (size pre) cs), (nth (true, [::]) cs (size pre)), (drop (size pre).+1 cs).
 by rewrite -drop_nth // cat_take_drop size_take lt.
 Qed.
 Lemma reveal_lifts cs : size cs = size A -> allows cs ->
   lifting F n A cs -> lifting F (parameters A') A' cs.
 Proof.
-rewrite reveal_parameters => /split_cs[cs1 [c [cs2 [-> sz _]]]]; exact: reveal_lifting_up.
-Qed.
-Lemma reveal_lowers cs : size cs = size A -> allows cs ->
-  (chosen cs).1 || (j \notin (chosen cs).2) ->
-  lifting F (parameters A') A' cs -> lifting F n A cs.
-Proof.
-by rewrite reveal_parameters => /split_cs[cs1 [c [cs2 [e sz <-]]]]; rewrite e;
-  exact: reveal_lifting_down.
+rewrite reveal_parameters => /split_cs[cs1 [c [cs2 [-> sz]]]]; exact: reveal_lifting_up.
 Qed.
 Lemma reveal_reducible cs : reducible F A cs -> reducible F A' cs.
 Proof.

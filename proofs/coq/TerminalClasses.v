@@ -242,7 +242,6 @@ have [pL /= e] := @lift_problem F char0 [::] _ pA (terminal_dangles pA kA).
 exact: (minimal_signature char0 pL (located_minimal char0 pL (all_located pL kL) (e.1 cA)) kL).
 Qed.
 Notation sig A := (signature_of (map lift A)).
-Lemma balanced_size s : balanced s -> size s = 27. Proof. by case/andP=> /eqP. Qed.
 Lemma swap_merge s : good F s -> swap_equiv s (merge s).
 Proof.
 move=> gs; have [bs _] := gs; have [bm _] := good_merge gs.
@@ -273,7 +272,7 @@ split=> [[g ig same_AB]|sw].
   apply/(swap_equivE gA gB) => w; rewrite eT sR er (merge_orbit_merge (act _ pi)).
   exact/esym/merge_orbit_act.
 have : merge (sig B) \in merge_orbit (sig A).
-  rewrite ((swap_equivE gA gB).1 sw) /merge_orbit -{1}(act_id (balanced_size gB)).
+  rewrite ((swap_equivE gA gB).1 sw) /merge_orbit -{1}(act_id (size_balanced gB)).
   by apply: (map_f (fun pi => merge (act (sig B) pi))); rewrite -perms_id perms_head.
 rewrite (lifted_merged pB kB) => /mapP[pi pin et].
 have /label_equiv_perm[i i6 ei] : label_equiv (sig A) (act (sig A) pi).
@@ -308,29 +307,7 @@ Qed.
 Lemma same_sig B s : is_problem B -> balanced s -> same_problem B (problem_of s) -> signature_of B = s.
 Proof.
 move=> pB bs e; rewrite (same_signature pB (problem_of_proper s) e).
-exact: signature_problem_of (balanced_size bs).
-Qed.
-Theorem corresponds :
-  [/\ forall A, terminal F A -> minimal_and_reduced F (map lift A) /\
-        forall d, camera_degree F A d <-> degree F (map lift A) d,
-      forall A B, terminal F A -> terminal F B ->
-        label_same A B <-> swap_same (map lift A) (map lift B) &
-      forall B, minimal_and_reduced F B -> exists2 A, terminal F A & swap_same (map lift A) B].
-Proof.
-split=> [A tA|A B tA tB|B [pB mB rB]].
-- have [mr _ pL] := lift_minimal tA; split=> // d; have [pA cA kA] := (terminalP char0 A).1 tA.
-  have [_ mL _] := mr; have [_ e] := lemma1_theorem char0 pL mL.
-  have := @lift_camera_degree [::] A d pA (terminal_dangles pA kA); have := e d; rewrite /=; tauto.
-- have [_ sA pA] := lift_minimal tA; have [_ sB pB] := lift_minimal tB.
-  have [bA _] := terminal_signature tA; have [bB _] := terminal_signature tB.
-  apply: iff_trans (terminal_label tA tB) _; split=> [sw|[s [t [[bs bt] es et sw]]]].
-    by exists (sig A), (sig B).
-  by rewrite (same_sig pA bs es) (same_sig pB bt et).
-have [s [bs os e]] := (minimal_reduced_iff char0 pB).1 (Logic.conj mB rB).
-have gs : good F s by split=> //; exact/(minimal_iff char0 bs).
-have [tT sw] := terminal_sig gs; exists (terminal_of (merge s)) => //.
-have [_ eT _] := lift_minimal tT; have [bT _] := terminal_signature tT.
-by exists (sig (terminal_of (merge s))), s; split=> //; exact: sw_sym.
+exact: signature_problem_of (size_balanced bs).
 Qed.
 
 Lemma classes_of_terminals (Q : signature -> Prop) (R : problem -> Prop) m :
@@ -396,4 +373,19 @@ apply: (classes_of_terminals char0 c2) => [s _|A /(terminalP char0)[pA _ kA]];
   [exact: one_pin_of | exact: one_pin_signature].
 Qed.
 Theorem correspondence_theorem : correspondence.
-Proof. by move=> F char0; exact: corresponds. Qed.
+Proof.
+move=> F char0; split=> [A tA|A B tA tB|B [pB mB rB]].
+- have [mr _ pL] := lift_minimal char0 tA; split=> // d; have [pA cA kA] := (terminalP char0 A).1 tA.
+  have [_ mL _] := mr; have [_ e] := lemma1_theorem char0 pL mL.
+  have := @lift_camera_degree F char0 [::] A d pA (terminal_dangles pA kA); have := e d; rewrite /=; tauto.
+- have [_ sA pA] := lift_minimal char0 tA; have [_ sB pB] := lift_minimal char0 tB.
+  have [bA _] := terminal_signature char0 tA; have [bB _] := terminal_signature char0 tB.
+  apply: iff_trans (terminal_label char0 tA tB) _; split=> [sw|[s [t [[bs bt] es et sw]]]].
+    by exists (signature_of (map lift A)), (signature_of (map lift B)).
+  by rewrite (same_sig pA bs es) (same_sig pB bt et).
+have [s [bs os e]] := (minimal_reduced_iff char0 pB).1 (Logic.conj mB rB).
+have gs : good F s by split=> //; exact/(minimal_iff char0 bs).
+have [tT sw] := terminal_sig char0 gs; exists (terminal_of (merge s)) => //.
+have [_ eT _] := lift_minimal char0 tT; have [bT _] := terminal_signature char0 tT.
+by exists (signature_of (map lift (terminal_of (merge s)))), s; split=> //; exact: sw_sym.
+Qed.
