@@ -12,8 +12,9 @@ Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 Import GRing.Theory.
 
-(** ** The lift of a feature *)
-(** The 27 features, with P/P/a for both Pa/P/a and P/Pa/a (12 to 17), and P/a/b for Pab/a/b. *)
+(** ** The lift of a feature
+
+    The 27 features, with P/P/a for both Pa/P/a and P/Pa/a (12 to 17), and P/a/b for Pab/a/b. *)
 Definition terminal_features := take 12 features ++ [::
   feat 1 a P P; feat 1 a P P; feat 1 P a P; feat 1 P a P; feat 1 P P a; feat 1 P P a;  (* 12 .. 17 *)
   feat 0 o P P; feat 0 P o P; feat 0 P P o;                                            (* 18 .. 20 *)

@@ -13,8 +13,9 @@ Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 Import GRing.Theory.
 
-(** ** Small features: a computation *)
-(** What can be forgotten after the lift, and could be before. *)
+(** ** Small features: a computation
+
+    [compatible]: what can be forgotten after the lift, and could be before. *)
 Definition compatible f c := [&& feasible f c, ~~ whole f c, ~~ strict (lift f) c &
   c.1 || all (fun j => j \notin c.2) (loose f)].
 (** The lift of a listed feature is known. Terminal features are the listed ones that are not

@@ -1,7 +1,7 @@
 (** * One more view of a dangling pin: what can be lifted
 
-    A pin dangles, and one more view is let see it, as in Dangling.v. What could be forgotten and
-    lifted before, can be after ([reveal_lifting_up]). So if the problem with that view is reduced,
+    A pin dangles. Let one more view see it, as in Dangling.v. What could be forgotten and lifted
+    before, can be after ([reveal_lifting_up]). So if the problem with that view is reduced,
     the problem without it is ([reveal_reduced]). Conversely, what can be lifted after, could be
     before, unless the point is forgotten and the pin kept ([reveal_lifting_down]). *)
 From mathcomp Require Import all_ssreflect all_algebra.
