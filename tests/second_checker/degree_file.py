@@ -145,7 +145,7 @@ class File:
             due, (fibre,) = number, record["degree-fibre"]
             lines, count = fibre["fibre-lines"][0], fibre["COUNT"][0]
             residues = lines["polynomial"] + lines["unknown"]
-            if len(lines["unknown"]) != 11 or len(lines["INT"]) != 11 or \
+            if count > 10000 or len(lines["unknown"]) != 11 or len(lines["INT"]) != 11 or \
                     any(len(line["RESIDUE"]) != count for line in residues):
                 raise Fault("the lines of a fibre")
             for factor in fibre["factor"]:

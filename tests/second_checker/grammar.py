@@ -16,10 +16,12 @@ LIMITS = {"INT": (-999999, 999999), "ENTRY": (1 - 10**1000, 10**1000 - 1), "MINO
           "NUMBER": COUNTED, "POOL": COUNTED, "RANK": COUNTED, "EXCESS": COUNTED, "STAR": COUNTED,
           "ROW": NUMBERED, "COLUMN": (1, 11), "OWN": NUMBERED, "POSITION": (1, 1000), "K": NUMBERED,
           "DEGREE": (1, 6), "EQUATION": NUMBERED, "MONOMIAL": NUMBERED, "CONDITIONS": NUMBERED,
-          "RESIDUE": (0, Q - 1), "COUNT": (1, 10000), "LONG": (1 - 10**18, 10**18 - 1),
+          "RESIDUE": (0, Q - 1), "COUNT": NUMBERED, "CONSTANT": COUNTED, "SIZE": (1, 100),
+          "POWER": (1, 20), "LONG": (1 - 10**18, 10**18 - 1),
           "BITS": (0, 200), "EDGES": (0, 99), "EXPONENT": (-99, -1),
           "POINT": NUMBERED, "JOINED": NUMBERED, "LINE": NUMBERED, "VIEW": NUMBERED}
 ASCENDING = ("ROW", "COLUMN", "OWN", "MONOMIAL", "POINT", "LINE", "VIEW")
+NAME = re.compile("[A-Za-z][A-Za-z0-9_]{0,39}")
 CLOSING = {"{": "}", "[": "]", "(": ")"}
 
 
@@ -104,7 +106,8 @@ class Node(dict):
 
 
 class Parser:
-    """A place in the words of a file. The first word tells the alternatives of a rule apart."""
+    """A place in the words of a file. The first word tells the alternatives of a rule apart, or the
+    first two."""
 
     def __init__(self, data):
         self.words, self.at = words_of(data), 0
@@ -114,15 +117,27 @@ class Parser:
         if kind == "word":
             return self.words[self.at:self.at + len(content)] == content
         if kind in CLOSING or kind in RULES:
-            return any(self.starts(*choice[0]) for choice in RULES.get(kind, content))
+            return any(self.begins(choice) for choice in RULES.get(kind, content))
         if self.at == len(self.words) or self.words[self.at] == END:
             return False
+        if kind == "NAME":
+            return bool(NAME.fullmatch(self.words[self.at]))
         return kind not in LIMITS or bool(INTEGER.fullmatch(self.words[self.at])) or \
             kind == "NUMBER" and self.words[self.at] == "-"
 
+    def begins(self, choice):
+        """Whether this alternative comes next."""
+        for (kind, content), after in zip(choice, [*choice[1:], ("", None)]):
+            if self.starts(kind, content):
+                due = after[1] if kind == "NAME" and after[0] == "word" else []
+                return self.words[self.at + 1:self.at + 1 + len(due)] == due
+            if kind not in "[{":
+                return False
+        return False
+
     def choose(self, choices, node):
         for choice in choices:
-            if self.starts(*choice[0]):
+            if self.begins(choice):
                 for item in choice:
                     self.take(node, *item)
                 return node

@@ -3,11 +3,12 @@
 import classification
 import degree_file
 import general_file
+import model_file
 import problem_file
 from grammar import Fault, Parser, Refused, parse
 
 KINDS = {"classification": classification, "problem": problem_file, "problems": general_file,
-         "degrees": degree_file}
+         "degrees": degree_file, "model": model_file}
 
 
 class OtherKind(Exception):
@@ -19,8 +20,7 @@ def verdict(data, every=1):
     records. None for the file if it does not conform: then nothing holds, and one reason says why."""
     try:
         parser = Parser(data)
-        if parser.words[:2] == ["plcert", "2"] and parser.words[2] in (
-                "solutions", "at-most", "model"):
+        if parser.words[:2] == ["plcert", "2"] and parser.words[2] in ("solutions", "at-most"):
             raise OtherKind(parser.words[2])
         node = parse(parser)
         if any(record["solution"] for record in node["degree"]):
