@@ -6,6 +6,7 @@
 #include "checker/model/program.h"
 
 #include <cstdlib>
+#include <functional>
 #include <utility>
 
 namespace checker {
@@ -93,10 +94,14 @@ private:
         }
     }
 
+    /// Another number of elements than the shape has belongs to another statement of the name.
     Value given(const std::string& name, const std::vector<std::size_t>& shape) const {
         Value value{.shape = shape};
         for (const auto& element : given_.at(name))
             value.items.push_back({.numerator = element});
+        const auto size =
+            std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+        if (value.items.size() != size) throw Senseless{say("`", name, "` has a meaning already")};
         return value;
     }
 

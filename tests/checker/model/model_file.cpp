@@ -169,6 +169,10 @@ TEST_CASE("a model that makes no sense is malformed, and the line is said") {
     CHECK(model("x [ 1 + 0 ]", "x [ 1 + 0 ]") == "10: a scalar has no items");
     CHECK(model("y / m = x [ 1 + 0 ]", "z / m = x") == "10: `z` has no meaning here");
     CHECK(model("let zero", "let u") == "5: `u` has a meaning already");
+    // Of another shape, so that there are too few scalars for the first statement.
+    CHECK(model("modulus", "data c\nmodulus") == "2: `c` has a meaning already");
+    CHECK(fault("model early\ndata a\nlet x = [ a , a ]\nequation x [ 2 ] = a\nunknown x\n") ==
+          "3: `x` has a meaning already");
     CHECK(model("let zero", "let det") == "5: found `det`, expected a name");
     CHECK(model("norm2 ( u ) - x ^ 2", "norm2 ( u , u ) - x ^ 2") ==
           "5: there is no function `norm2` of 2 values");
