@@ -7,9 +7,11 @@
 using namespace checker;
 
 namespace {
-/// x + y = 0 and x y = c, with the condition that x is not 0. So x² = -c.
+/// x + y = 0 and x y = c, with the condition that x is not 0. So x² = -c. Or the first equation
+/// twice, which any fibre solves whose x is -y.
 struct Toy {
     int c = 0;
+    bool twice = false;
 };
 
 template <class T>
@@ -22,8 +24,9 @@ public:
     T equation(std::size_t e, std::vector<T>& row) const {
         const T& x = z_[0];
         const T& y = z_[1];
-        row = e == 0 ? std::vector<T>{T(1), T(1)} : std::vector<T>{y, x};
-        return e == 0 ? x + y : x * y - T(toy_.c);
+        const bool first = e == 0 || toy_.twice;
+        row = first ? std::vector<T>{T(1), T(1)} : std::vector<T>{y, x};
+        return first ? x + y : x * y - T(toy_.c);
     }
 
     std::string_view degeneracy() const { return nonzero(z_[0]) ? "" : "x is 0"; }
@@ -44,9 +47,9 @@ Fibre two_and_minus_two() {
             .separated_by = {1, 0}};
 }
 
-std::string refusal_of(const Fibre& fibre, int c) {
+std::string refusal_of(const Fibre& fibre, int c, bool twice = false) {
     try {
-        prove_fibre<ToyAt>(Toy{c}, fibre);
+        prove_fibre<ToyAt>(Toy{c, twice}, fibre);
         return "";
     } catch (const Refused& refused) {
         return refused.reason;
@@ -72,6 +75,7 @@ TEST_CASE("a fibre is refused for each of its flaws") {
     // x = 0 is a solution of x y = 0, and a singular one; the condition is tried first.
     const Fibre zero{.lower = {of(0)}, .unknowns = {{of(0)}, {of(0)}}, .separated_by = {1, 0}};
     CHECK(refusal_of(zero, 0) == "x is 0");
+    CHECK(refusal_of(two_and_minus_two(), -4, true) == "the Jacobian has no inverse");
 }
 
 TEST_CASE("a condition has to hold at each root, not at one") {
