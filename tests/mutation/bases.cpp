@@ -151,14 +151,22 @@ std::vector<Base> degree_bases() {
     return bases;
 }
 
-std::vector<Base> model_bases() {
-    constexpr std::size_t files = 24;
+/// The smallest files of a folder of certificates.
+static std::vector<Base> smallest_of(const std::string& folder, std::size_t files) {
     std::vector<Base> bases;
-    for (const auto& entry : std::filesystem::directory_iterator(CERTS_DIR "/models/registrations"))
-        bases.push_back({committed("models/registrations/" + entry.path().filename().string())});
+    for (const auto& entry : std::filesystem::directory_iterator(CERTS_DIR "/" + folder))
+        if (entry.is_regular_file())
+            bases.push_back({committed(folder + "/" + entry.path().filename().string())});
     std::ranges::sort(bases, {},
                       [](const Base& base) { return std::pair(base.text.size(), base.text); });
-    bases.resize(files);
+    bases.resize(std::min(files, bases.size()));
+    return bases;
+}
+
+std::vector<Base> model_bases() {
+    std::vector<Base> bases = smallest_of("models", 40);
+    const std::vector<Base> bounds = smallest_of("models/registrations", 10);
+    bases.insert(bases.end(), bounds.begin(), bounds.end());
     return bases;
 }
 

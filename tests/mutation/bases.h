@@ -18,7 +18,7 @@ std::vector<Base> classification_bases(); ///< three classes each
 std::vector<Base> problem_bases(); ///< every verdict, in two and three views, with reductions
 std::vector<Base> general_bases(); ///< each record of both families, without the family
 std::vector<Base> degree_bases();  ///< one to three classes, few solutions of each
-std::vector<Base> model_bases();   ///< the smallest models of registrations
+std::vector<Base> model_bases();   ///< the smallest files of models, some of registrations
 
 /// The records of a degree file, without what precedes.
 std::vector<File> records(const File& file);

@@ -1,13 +1,14 @@
 // Writes mutants of certificate files, and what the checker makes of each: for mutation/judge,
 // which asks the second checker.
-//   mutation_tests [MUTANTS [SEED]]
+//   mutation_tests [MUTANTS [SEED [KIND]]]
 // MUTANTS mutants of classification and problem files, a quarter of this number of files of
-// problems in general, and a tenth each of degree files and of files of models. Before the
-// mutants come the files as they are. For each file a line of JSON, then its bytes:
+// problems in general, and of files of models, and a tenth of degree files. With KIND, MUTANTS of
+// this kind alone. Before the mutants come the files as they are. For each file a line of JSON,
+// then its bytes:
 //   kind, mutator ("none" for a file as it is), bytes, classes (of a classification: those that it
 //   numbers 0, 1, ...), conforms, refusal (the first; null if all holds), claims (what holds, as
-//   the judge spells it), and objection of the referee of degree files or models, which the second
-//   checker does not read.
+//   the judge spells it), objection of the referee of degree files or models (null if none), and
+//   undecided: whether the checker refuses the file for its effort alone.
 // At last spoils records of the whole archive, and expects that just these are refused: else
 // status 1.
 #include "checker/report/report.h"
@@ -50,26 +51,34 @@ Claims claims_of(const checker::ProblemsFile& file) {
 }
 
 Claims claims_of(const checker::ModelFile& file) {
-    if (!file.at_most) return {};
-    return {checker::say("at most ", *file.at_most)};
+    if (file.records == 0) return {};
+    Claims claims{checker::say(checker::counted(file.records, "record"))};
+    if (file.at_least > 0) claims.push_back(checker::say("at least ", file.at_least));
+    if (file.at_most) claims.push_back(checker::say("at most ", *file.at_most));
+    return claims;
 }
 
-/// Why a bound of a committed model cannot be true: it is smaller than the committed one, which
-/// solutions attain. Nothing if it can be.
+/// Why a claim about a committed model is not true: its number of solutions is another one. That is
+/// what the committed file proves; of registrations the upper bound, which solutions attain.
 class ModelReferee {
 public:
     ModelReferee() {
         for (const Base& base : model_bases()) {
             const checker::ReplayedFile file = checker::replay({}, "model", base.text);
-            if (const auto* model = model_in(file)) known_[model->text] = *model->at_most;
+            if (const auto* model = model_in(file))
+                known_[model->text] = model->at_most.value_or(model->at_least);
         }
     }
 
     std::optional<std::string> objection(const checker::ReplayedFile& file) const {
         const auto* model = model_in(file);
         const auto known = model ? known_.find(model->text) : known_.end();
-        if (known == known_.end() || !model->at_most || *model->at_most >= known->second) return {};
-        return checker::say("at most ", *model->at_most, " of ", known->second, " solutions");
+        if (known == known_.end()) return {};
+        if (model->at_least > known->second)
+            return checker::say("at least ", model->at_least, " of ", known->second, " solutions");
+        if (model->at_most && *model->at_most < known->second)
+            return checker::say("at most ", *model->at_most, " of ", known->second, " solutions");
+        return {};
     }
 
 private:
@@ -134,6 +143,8 @@ public:
     void run(const std::string& kind, const std::vector<Base>& bases, std::size_t mutants,
              std::uint64_t seed) {
         Random random(seed);
+        // Many times what the models take that are mutated, and little for the second checker.
+        effort_ = kind == "model" ? 1'000 : checker::usual_effort;
         for (const Base& base : bases)
             try_one(kind, base, "none", base.text);
         for (std::size_t done = 0, tried = 0; done < mutants; ++tried) {
@@ -151,7 +162,7 @@ public:
 
 private:
     checker::ReplayedFile replay(const Base& base, const std::string& text) const {
-        if (base.classes.empty()) return checker::replay(all_, "mutant", text);
+        if (base.classes.empty()) return checker::replay(all_, "mutant", text, {.effort = effort_});
         return checker::replay(classification_of(all_, base.classes), "mutant", text);
     }
 
@@ -179,7 +190,8 @@ private:
             {"refusal", nullptr},
             {"claims",
              std::visit([](const auto& content) { return claims_of(content); }, file.content)},
-            {"objection", nullptr}};
+            {"objection", nullptr},
+            {"undecided", refusal && refusal->reason.find("more effort") != std::string::npos}};
         if (refusal) row["refusal"] = refusal->reason;
         if (const auto* degrees = std::get_if<checker::DegreeFile>(&file.content))
             if (const auto objection = referee_.objection(text, degrees->bounds))
@@ -190,6 +202,7 @@ private:
     }
 
     const checker::Classification& all_;
+    std::uint64_t effort_ = checker::usual_effort; // that a file may take
     DegreeReferee referee_;
     ModelReferee models_;
 };
@@ -250,10 +263,15 @@ int main(int count, char** values) {
     const std::uint64_t seed = count > 2 ? std::stoul(values[2]) : 1;
     const checker::Classification all = checker::classify();
     Trial trial(all);
-    trial.run("classification", classification_bases(), mutants / 2, seed);
-    trial.run("problem", problem_bases(), mutants - mutants / 2, seed);
-    trial.run("problems", general_bases(), mutants / 4, seed);
-    trial.run("degrees", degree_bases(), mutants / 10, seed);
-    trial.run("model", model_bases(), mutants / 10, seed);
+    const std::string_view only = count > 3 ? values[3] : "";
+    const auto run = [&](std::string_view kind, const auto& bases_of, std::size_t share) {
+        if (only.empty() || kind == only)
+            trial.run(std::string(kind), bases_of(), only.empty() ? share : mutants, seed);
+    };
+    run("classification", classification_bases, mutants / 2);
+    run("problem", problem_bases, mutants - mutants / 2);
+    run("problems", general_bases, mutants / 4);
+    run("degrees", degree_bases, mutants / 10);
+    run("model", model_bases, mutants / 4);
     return spoil_archive(all, 1 + mutants / 10'000, seed) ? 0 : 1;
 }

@@ -299,7 +299,8 @@ std::optional<Mutant> mutant(const std::string& base, const std::string& other, 
                              Random& random) {
     static const std::vector<Mutator> all = [] {
         std::vector<Mutator> list(of_any_file.begin(), of_any_file.end());
-        for (const auto& more : {problem_mutators(), general_mutators(), degree_mutators()})
+        for (const auto& more :
+             {problem_mutators(), general_mutators(), degree_mutators(), model_mutators()})
             list.insert(list.end(), more.begin(), more.end());
         return list;
     }();

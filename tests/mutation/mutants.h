@@ -35,10 +35,11 @@ struct Mutator {
 };
 
 /// Those of what only some kinds of file have: problems with steps and verdicts; problems in
-/// general; records of solutions, and eliminations.
+/// general; records of solutions, and eliminations; the text of a model, and fibres.
 std::span<const Mutator> problem_mutators();
 std::span<const Mutator> general_mutators();
 std::span<const Mutator> degree_mutators();
+std::span<const Mutator> model_mutators();
 
 struct Mutant {
     std::string_view mutator;

@@ -137,7 +137,7 @@ class Parser:
 
     def choose(self, choices, node):
         for choice in choices:
-            if self.begins(choice):
+            if len(choices) == 1 or self.begins(choice):
                 for item in choice:
                     self.take(node, *item)
                 return node
