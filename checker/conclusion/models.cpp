@@ -45,6 +45,8 @@ std::string_view verdict_on(const ProvedModel& model) {
 std::string in_words(const ProvedModel& model) {
     const auto solutions = [](std::size_t n) { return counted(n, "solution"); };
     if (model.exact()) return say(model.name, " has exactly ", solutions(model.at_least));
+    if (model.excluded())
+        return say(model.name, " is not minimal: for generic data it has no solution");
     if (!model.minimal()) return say(model.name, " has at most ", solutions(*model.at_most));
     std::string text = say(model.name, " is minimal, with at least ", solutions(model.at_least));
     return model.at_most ? say(text, " and at most ", *model.at_most) : text;
@@ -52,6 +54,7 @@ std::string in_words(const ProvedModel& model) {
 
 /// What the files miss of what is expected; empty if nothing.
 static std::string missing(const ProvedModel& model, const ExpectedModel& expected) {
+    if (model.excluded()) return "it is proved not minimal";
     if (!model.minimal()) return "no fibre holds, so it is not proved minimal";
     if (!expected.degree) return {};
     const auto& [exactly, solutions] = *expected.degree;

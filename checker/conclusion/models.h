@@ -13,6 +13,7 @@ struct ProvedModel {
     std::vector<std::string> files{};
 
     bool minimal() const { return at_least > 0; }
+    bool excluded() const { return at_most == std::size_t{0}; } // not minimal
     bool exact() const { return minimal() && at_most == at_least; }
 };
 

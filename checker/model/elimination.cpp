@@ -63,7 +63,7 @@ Elimination read_elimination(Reader& reader, const Layout& layout) {
     reader.end_line();
     result.groups = read_groups(reader, layout);
     reader.take("basis");
-    result.basis = read_ascending(reader, 999'999);
+    if (!reader.at_end()) result.basis = read_ascending(reader, 999'999);
     reader.end_line();
     int last = 0; // equation
     while (result.rows.empty() || reader.comes("rows")) {

@@ -56,9 +56,6 @@ Layout layout_of(const Program& program) {
     const std::size_t line = program.statements.back().line;
     if (layout.unknowns.scalars == 0) throw Malformed{{line, "the model has no unknown"}};
     if (layout.equations > 1000) throw Malformed{{line, "the model has more than 1,000 equations"}};
-    if (layout.equations < layout.unknowns.scalars)
-        throw Malformed{{line, say("the model has ", layout.equations, " equations for ",
-                                   layout.unknowns.scalars, " unknowns: it needs one for each")}};
     return layout;
 }
 } // namespace checker

@@ -14,7 +14,7 @@ struct ModelFile {
     std::size_t claimed = 0;              // by the model's source; 0 if nothing is claimed
     std::size_t at_least = 0;             // solutions, for generic data
     std::optional<std::size_t> at_most{}; // none: no elimination holds
-    std::size_t records = 0;              // fibres and eliminations that hold
+    std::size_t records = 0;              // fibres and eliminations that hold, and the dimension count
     Refusals refusals{};
 };
 

@@ -202,7 +202,7 @@ static std::string table_of_models(const Report& report) {
     const auto number = [](std::size_t n) { return n == 0 ? "-" : say(n); };
     for (const auto& [text, model] : models_of(report.findings))
         rows.push_back({model.name, number(model.claimed), number(model.at_least),
-                        number(model.at_most.value_or(0)),
+                        model.at_most ? say(*model.at_most) : "-",
                         report.findings.status > 0 ? "withheld: a file is refused"
                                                    : std::string(verdict_on(model))});
     return rows.size() > 1 ? '\n' + aligned(rows) : "";

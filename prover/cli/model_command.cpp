@@ -72,25 +72,34 @@ model::Study studied(const std::string& text) {
     return model::study(text);
 }
 
-/// How many solutions there are at most; 0 if that is not known.
-std::size_t at_most(const model::Study& study) {
-    return study.elimination ? study.elimination->basis.size() : 0;
-}
-
-std::size_t at_least(const model::Study& study) {
-    return study.fibre ? study.fibre->count() : 0;
-}
-
 std::string claim_report(const model::Study& study) {
-    const auto known = [](std::size_t count) {
-        return count == 0 ? std::string("unknown") : std::to_string(count);
-    };
-    std::string text = study.model.claimed == 0 ? "none" : std::to_string(study.model.claimed);
-    text = "claimed " + text + ", at least " + known(at_least(study)) + ", at most " +
-           known(at_most(study));
-    if (at_least(study) > 0 && at_least(study) == at_most(study))
-        text += ": exactly " + std::to_string(at_most(study));
-    return text;
+    const std::size_t claimed = static_cast<std::size_t>(study.model.claimed);
+    std::string text = "claimed " + (claimed == 0 ? "none" : std::to_string(claimed));
+    if (study.at_most() == std::size_t{0}) return text + ", at most 0";
+    const std::string least = study.fibre ? std::to_string(study.at_least()) : "unknown";
+    const std::string most = study.at_most() ? std::to_string(*study.at_most()) : "unknown";
+    text += ", at least " + least + ", at most " + most;
+    return least == most && study.fibre ? text + ": exactly " + most : text;
+}
+
+std::string verdict(const model::Study& study) {
+    if (study.fibre) return "minimal";
+    if (study.is_underdetermined()) return "not minimal: " + study.no_fibre;
+    if (study.at_most() == std::size_t{0})
+        return "not minimal: for generic data the equations have no solution";
+    if (study.ranks.solutions > 0)
+        return "conjectured not minimal, by the evidence of random ranks";
+    return "not shown to be minimal: " + study.no_fibre;
+}
+
+/// What random solutions say; empty if nothing.
+std::string rank_report(const model::Study& study) {
+    const model::RanksSeen& seen = study.ranks;
+    if (seen.solutions == 0 || study.at_most() == std::size_t{0}) return {};
+    return "at " + counted(seen.solutions, "random solution") +
+           " the Jacobian by the unknowns has rank " + std::to_string(seen.rank) + ", " +
+           std::to_string(study.program.unknowns) + " is regular: by chance with probability 1e-" +
+           std::to_string(seen.digits) + " at most";
 }
 
 std::string text_report(const model::Study& study, const Source& source,
@@ -99,10 +108,12 @@ std::string text_report(const model::Study& study, const Source& source,
     section(out, "model") << study.model.name << '\n';
     for (const std::string& comment : source.comments)
         section(out, "") << comment << '\n';
-    section(out, "size") << study.program.data << " data, " << study.program.unknowns
-                         << " unknowns, " << study.program.equations.size() << " equations\n";
-    section(out, "verdict") << (study.fibre ? "minimal" : "not shown to be minimal: ")
-                            << study.no_fibre << '\n';
+    section(out, "size") << study.program.data << " data, "
+                         << counted(study.program.unknowns, "unknown") << ", "
+                         << counted(study.program.equations.size(), "equation") << '\n';
+    section(out, "verdict") << verdict(study) << '\n';
+    if (const std::string ranks = rank_report(study); !ranks.empty())
+        section(out, "evidence") << ranks << '\n';
     section(out, "solutions") << claim_report(study) << '\n';
     if (!study.no_elimination.empty())
         section(out, "upper bound") << "none: " << study.no_elimination << '\n';
@@ -124,10 +135,17 @@ std::string json_report(const model::Study& study, const Source& source) {
         {"data", study.program.data},
         {"unknowns", study.program.unknowns},
         {"equations", study.program.equations.size()},
-        {"minimal", study.fibre ? nlohmann::ordered_json(true) : nlohmann::ordered_json()},
+        {"minimal", study.fibre                         ? nlohmann::ordered_json(true)
+                    : study.at_most() == std::size_t{0} ? nlohmann::ordered_json(false)
+                                                        : nlohmann::ordered_json()},
         {"claimed", number(static_cast<std::size_t>(study.model.claimed))},
-        {"at_least", number(at_least(study))},
-        {"at_most", number(at_most(study))}};
+        {"at_least", number(study.at_least())},
+        {"at_most", study.at_most() ? nlohmann::ordered_json(*study.at_most()) : nullptr}};
+    if (study.ranks.solutions > 0)
+        report["evidence"] = {{"solutions", study.ranks.solutions},
+                              {"rank", study.ranks.rank},
+                              {"regular_rank", study.program.unknowns},
+                              {"error_probability_digits", study.ranks.digits}};
     if (!study.no_fibre.empty()) report["no_fibre"] = study.no_fibre;
     if (!study.no_elimination.empty()) report["no_elimination"] = study.no_elimination;
     return report.dump(2) + '\n';
@@ -149,7 +167,7 @@ int prove_model(const ModelRequest& request, const Deliver& deliver) {
     if (request.macaulay2 || request.julia) return write_script(request, deliver);
     const Source source = read_source(request.file);
     const model::Study study = in_file(request.file, [&] { return studied(source.text); });
-    const bool nothing = !study.fibre && !study.elimination;
+    const bool nothing = !study.fibre && !study.at_most();
     if (!request.output.empty()) {
         if (nothing)
             throw BadInput("nothing was found to certify: " + study.no_fibre + "; " +

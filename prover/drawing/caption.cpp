@@ -1,14 +1,8 @@
 #include "prover/drawing/caption.h"
 
+#include "prover/system/words.h"
+
 namespace plprove {
-
-namespace {
-
-std::string counted(int count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-} // namespace
 
 std::vector<std::string> caption(const Features& problem, std::size_t columns) {
     const std::string text = notation(problem);

@@ -1,6 +1,7 @@
 #include "prover/minimal/decision.h"
 
 #include "prover/minimal/block.h"
+#include "prover/system/words.h"
 
 #include <algorithm>
 #include <numeric>
@@ -29,10 +30,6 @@ Verdict verdict_of(const Decision& decision) {
 
 std::string view_name(int view) {
     return std::to_string(view + 1);
-}
-
-std::string count_of(int count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 const Feature& star_of(const Features& problem) {
@@ -111,7 +108,7 @@ Decision decide(const Features& problem) {
 std::vector<std::string> reasons(const Decision& decision) {
     std::vector<std::string> result;
     const int missing = decision.camera_dimension - decision.constraints;
-    const std::string given = "the images put " + count_of(decision.constraints, "constraint") +
+    const std::string given = "the images put " + counted(decision.constraints, "constraint") +
                               " on the " + std::to_string(decision.camera_dimension) +
                               " camera parameters";
     switch (decision.verdict) {
@@ -120,11 +117,11 @@ std::vector<std::string> reasons(const Decision& decision) {
         break;
     case Verdict::camera_minimal:
         result.push_back(given + ", independent at generic images");
-        result.push_back("not minimal, since it is unbalanced: the images leave " +
-                         count_of(decision.space_dimension + decision.camera_dimension -
-                                      decision.image_dimension,
-                                  "degree") +
-                         " of freedom of the scene open");
+        result.push_back(
+            "not minimal, since it is unbalanced: the images leave " +
+            counted(decision.space_dimension + decision.camera_dimension - decision.image_dimension,
+                    "degree") +
+            " of freedom of the scene open");
         break;
     case Verdict::under_constrained:
         result.push_back(given + ": under-constrained by " + std::to_string(missing));

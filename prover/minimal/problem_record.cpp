@@ -3,6 +3,7 @@
 #include "prover/minimal/dependent_part.h"
 #include "prover/minimal/random_instance.h"
 #include "prover/problem/notation.h"
+#include "prover/system/words.h"
 
 #include <algorithm>
 #include <bit>
@@ -30,10 +31,6 @@ std::optional<Minor> find_full_rank(const Problem& problem) {
     return std::nullopt;
 }
 
-std::string plural(int count, const std::string& noun) {
-    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
-
 struct Explain {
     const Problem& problem;
 
@@ -45,7 +42,7 @@ struct Explain {
         const int parameters =
             dimension_in_space(problem) + problem.cameras->dimension(problem.views);
         const int images = dimension_in_views(problem);
-        return "cameras and scene have " + plural(parameters, "parameter") + ", the images " +
+        return "cameras and scene have " + counted(parameters, "parameter") + ", the images " +
                std::to_string(images);
     }
     std::string operator()(const FourCollinear& four) const {
@@ -57,7 +54,7 @@ struct Explain {
     }
     std::string operator()(const OverconstrainedPart& reason) const {
         const std::string conditions =
-            ", so its images satisfy at least " + plural(reason.excess, "condition");
+            ", so its images satisfy at least " + counted(reason.excess, "condition");
         return subject(reason.part) + ' ' + what_happens(reason.motion) + conditions;
     }
 

@@ -5,7 +5,7 @@
 #include "prover/model/fields.h"
 #include "prover/model/gradient_ring.h"
 #include "prover/model/monomial.h"
-#include "prover/model/solution_point.h"
+#include "prover/system/words.h"
 
 #include <algorithm>
 
@@ -31,8 +31,38 @@ void check_relations(const Model& model, const Program& program) {
 
 std::string why_no_fibre(const Program& program) {
     if (program.equations.size() == program.unknowns) return {};
-    return "there are " + std::to_string(program.equations.size()) + " equations and " +
-           std::to_string(program.unknowns) + " unknowns";
+    return counted(program.equations.size(), "equation") + " for " +
+           counted(program.unknowns, "unknown");
+}
+
+/// Sets the fibre: all solutions, or, where these are too many, one, which shows that the model is
+/// minimal.
+void look_for_fibre(Study& study) {
+    study.no_fibre = why_no_fibre(study.program);
+    if (!study.no_fibre.empty()) return;
+    FibreSearch search = find_fibre(study.model, study.program);
+    study.fibre = std::move(search.fibre);
+    study.no_fibre = std::move(search.reason);
+    if (study.fibre) return;
+    PointSearch point = find_solution_point(study.model, study.program);
+    study.fibre = std::move(point.fibre);
+    study.ranks = point.seen;
+    if (study.fibre) study.no_fibre.clear();
+}
+
+void look_for_elimination(Study& study) {
+    if (study.is_underdetermined()) {
+        study.no_elimination = "there are none to bound";
+        return;
+    }
+    try {
+        study.elimination = find_elimination(study.model, study.program, study.at_least());
+        if (!study.elimination)
+            study.no_elimination = "no degrees were found that eliminate all but finitely many "
+                                   "monomials";
+    } catch (const TooLarge& error) {
+        study.no_elimination = error.what();
+    }
 }
 
 std::vector<Residue> values(const std::vector<Modular>& residues) {
@@ -63,29 +93,19 @@ void append(CertificateText& text, const Elimination& elimination) {
 
 } // namespace
 
+std::optional<std::size_t> Study::at_most() const {
+    if (is_underdetermined()) return 0;
+    if (!elimination) return std::nullopt;
+    return elimination->basis.size();
+}
+
 Study study(std::string_view text) {
     Study result;
     result.model = read_model(text);
     result.program = compile(result.model);
     check_relations(result.model, result.program);
-    result.no_fibre = why_no_fibre(result.program);
-    if (result.no_fibre.empty()) {
-        FibreSearch search = find_fibre(result.model, result.program);
-        result.fibre = std::move(search.fibre);
-        result.no_fibre = std::move(search.reason);
-        // All solutions were too many: one shows that the model is minimal.
-        if (!result.fibre) result.fibre = find_solution_point(result.model, result.program);
-        if (result.fibre) result.no_fibre.clear();
-    }
-    const std::size_t target = result.fibre ? result.fibre->count() : 0;
-    try {
-        result.elimination = find_elimination(result.model, result.program, target);
-        if (!result.elimination)
-            result.no_elimination = "no degrees were found that eliminate all but finitely many "
-                                    "monomials";
-    } catch (const TooLarge& error) {
-        result.no_elimination = error.what();
-    }
+    look_for_fibre(result);
+    look_for_elimination(result);
     return result;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "prover/model/elimination.h"
-#include "prover/model/fibre.h"
+#include "prover/model/solution_point.h"
 
 #include <optional>
 #include <string>
@@ -15,8 +15,18 @@ struct Study {
     Program program;
     std::optional<Fibre> fibre;
     std::string no_fibre; ///< why there is no fibre, else empty
+    RanksSeen ranks;      ///< if there is no fibre, and as many equations as unknowns
     std::optional<Elimination> elimination;
     std::string no_elimination; ///< why there is no elimination, else empty
+
+    /// Fewer equations than unknowns determine no solution.
+    bool is_underdetermined() const { return program.equations.size() < program.unknowns; }
+
+    /// How many solutions there are at least; 0 if that is not known.
+    std::size_t at_least() const { return fibre ? fibre->count() : 0; }
+
+    /// How many solutions there are at most; nothing if that is not known.
+    std::optional<std::size_t> at_most() const;
 };
 
 /// Reads a model, and looks for a fibre and an elimination. Throws ModelError where the text is not

@@ -3,9 +3,11 @@
 #include "prover/model/fields.h"
 #include "prover/model/gradient_ring.h"
 #include "prover/model/sparse_rows.h"
+#include "prover/model/total_degree.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace plprove::model {
 
@@ -152,21 +154,38 @@ bool solve_one_by_one(const Program& program, Point& point, std::size_t first,
     return true;
 }
 
-/// Whether the equations and conditions hold, and the Jacobian by the unknowns is regular.
-bool is_regular_solution(const Program& program, const Values& values) {
+/// Whether the equations and conditions hold.
+bool is_solution(const Program& program, const Values& values) {
+    const auto vanishes = [&](const Located& located) {
+        return values[located.scalar].value.is_zero();
+    };
+    return std::ranges::all_of(program.equations, vanishes) &&
+           std::ranges::none_of(program.conditions, vanishes);
+}
+
+/// The rank of the Jacobian by the unknowns.
+std::size_t rank_of(const Program& program, const Values& values) {
     SparseRows jacobian(program.unknowns);
+    std::size_t rank = 0;
     for (const Located& equation : program.equations) {
-        if (!values[equation.scalar].value.is_zero()) return false;
         SparseRow row;
         for (const auto& [variable, slope] : values[equation.scalar].gradient) {
             row.columns.push_back(static_cast<std::uint32_t>(variable));
             row.entries.push_back(slope);
         }
-        if (row.empty() || !jacobian.reduce_and_add(row)) return false;
+        if (!row.empty() && jacobian.reduce_and_add(row)) ++rank;
     }
-    return std::ranges::none_of(program.conditions, [&](const Located& condition) {
-        return values[condition.scalar].value.is_zero();
-    });
+    return rank;
+}
+
+/// The points are rational functions of random residues whose numerators and denominators have at
+/// most the sum s of the degrees of the equations (Cramer's rule). So a minor of the Jacobian has a
+/// numerator of degree s (s + 1) at most, and vanishes at a random point with a probability of at
+/// most that over q, unless it is 0 (Schwartz and Zippel).
+std::size_t digits_of_chance(const Program& program, std::size_t solutions) {
+    const auto degrees = static_cast<double>(sum_of_degrees(program));
+    const double digits = std::log10(static_cast<double>(modulus) / (degrees * (degrees + 1)));
+    return static_cast<std::size_t>(std::max(0., static_cast<double>(solutions) * digits));
 }
 
 Fibre fibre_of(const Program& program, const Point& point, RandomResidues& random) {
@@ -189,26 +208,36 @@ Fibre fibre_of(const Program& program, const Point& point, RandomResidues& rando
 
 } // namespace
 
-std::optional<Fibre> find_solution_point(const Model& model, const Program& program) {
+PointSearch find_solution_point(const Model& model, const Program& program) {
     constexpr std::uint64_t stream = 4;
     constexpr int most_trials = 300;
+    constexpr std::size_t most_seen = 10;
     RandomResidues random(model, stream);
+    RanksSeen seen;
     for (int trial = 0; trial < most_trials; ++trial) {
+        const bool linear = trial % 2 == 0;
+        if (linear && seen.solutions == most_seen) continue;
         Point point{random.residues(program.data), random.residues(program.unknowns)};
+        const std::vector<Modular> drawn = point.unknowns;
         try {
             // Equations without data are solved for unknowns.
             if (!solve_one_by_one(program, point, 0, random)) continue;
-            const bool solved = trial % 2 == 0
-                                    ? solve_for_data(program, point, random)
-                                    : solve_one_by_one(program, point, program.unknowns, random);
-            if (!solved) continue;
-            if (is_regular_solution(program, run(program, point, false)))
-                return fibre_of(program, point, random);
+            if (!(linear ? solve_for_data(program, point, random)
+                         : solve_one_by_one(program, point, program.unknowns, random)))
+                continue;
+            const Values values = run(program, point, false);
+            if (!is_solution(program, values)) continue;
+            const std::size_t rank = rank_of(program, values);
+            if (rank == program.unknowns) return {fibre_of(program, point, random), {}};
+            if (!linear || point.unknowns != drawn) continue;
+            ++seen.solutions;
+            seen.rank = std::max(seen.rank, rank);
         } catch (const NotInvertible&) {
             continue;
         }
     }
-    return std::nullopt;
+    seen.digits = digits_of_chance(program, seen.solutions);
+    return {std::nullopt, seen};
 }
 
 } // namespace plprove::model

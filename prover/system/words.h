@@ -1,6 +1,7 @@
 // Words that people type: quoted in messages, and what a misspelled one was meant to be.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,12 @@ namespace plprove {
 
 /// The word in quotes if it is short and fit for a terminal, else `this`.
 std::string in_quotes(std::string_view word);
+
+/// `1 line`, `2 lines`.
+template <std::integral Count>
+std::string counted(Count count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
 
 /// The text in printable ASCII: other bytes become `?`, and after `longest` follow three dots.
 std::string printable(std::string_view text, std::size_t longest);

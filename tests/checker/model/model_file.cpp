@@ -193,9 +193,40 @@ TEST_CASE("a model that makes no sense is malformed, and the line is said") {
     const std::string deep = "let d = " + brackets(200, "( ") + "1" + brackets(200, " )") + "\n";
     CHECK(model("let zero", deep + "let zero") ==
           "5: found `more`, expected at most 100 brackets in each other");
+}
+
+TEST_CASE("equations that contradict each other for generic data are at most 0 solutions") {
+    const std::string contradiction = R"(model contradiction
+data a , b
+unknown x
+equation x = a
+equation x = b
+modulus 2305843009213693951
+elimination
+data 2 3
+degree 1 in x
+basis
+rows 1 1
+rows 2 1
+minor 1
+)";
+    CHECK(outcome(contradiction).at_most == std::size_t{0});
+    CHECK(fault(with(contradiction, "data 2 3", "data 2 4")) ==
+          "7: an elimination: the minor is 2 modulo q");
+    CHECK(fault(with(contradiction, "data 2 3", "data 2 2")) ==
+          "7: an elimination: the minor is 0 modulo q");
+    CHECK(fault(with(contradiction, "rows 2 1\n", "")) ==
+          "7: an elimination: there are fewer rows than columns");
+    CHECK(in_words({.name = "m", .at_most = 0}) ==
+          "m is not minimal: for generic data it has no solution");
+}
+
+TEST_CASE("fewer equations than unknowns have no solution") {
     const std::string fine = with(circle, "x [ 1 + 0 ]", "x");
-    CHECK(fault(with(fine, "unknown x , y", "unknown x , y , w")) ==
-          "10: the model has 2 equations for 3 unknowns: it needs one for each");
+    CHECK(!outcome(fine).at_most);
+    const ModelFile file = outcome(with(fine, "unknown x , y", "unknown x , y , w"));
+    CHECK(file.at_most == std::size_t{0});
+    CHECK(file.records == 1);
 }
 
 TEST_CASE("functions and items refuse what they are not made for") {
@@ -341,5 +372,6 @@ TEST_CASE("what is certified is compared with what is claimed") {
     CHECK(verdict(4, 4, {}) == "open");
     CHECK(verdict(4, 5, {}) == "differs: more are certified");
     CHECK(verdict(4, 0, 3) == "differs: fewer are certified");
+    CHECK(verdict(4, 0, 0) == "differs: fewer are certified");
     CHECK(verdict(0, 4, 4) == "no claim");
 }
