@@ -11,7 +11,8 @@ from model_rings import LARGE, Constants, Large, Polynomial, Tangent, determinan
 
 
 class Record:
-    """A fibre, which proves `at least` so many solutions, or an elimination: `at most`."""
+    """A fibre, which proves `at least` so many solutions; or an elimination, or the count of fewer
+    equations than unknowns: `at most`."""
 
     def __init__(self, kind, node):
         self.kind, self.node, self.number = kind, node, None
@@ -30,10 +31,11 @@ class File:
         place = {name: [Large.Element(dice.randrange(LARGE)) for _ in range(count)]
                  for name, count in {**self.data, **self.unknowns}.items()}
         self.there = Execution(self.model, Large(), place)
-        need(self.unknown_size <= len(self.there.equations) <= 1000, "too few equations, or too many")
+        need(len(self.there.equations) <= 1000, "too many equations")
         self.relations_hold = not any(self.there.relations)
-        self.records = [Record(kind, record) for kind in ("fibre", "elimination")
-                        for record in self.model[kind]]
+        is_small = len(self.there.equations) < self.unknown_size
+        self.records = [Record("count", None)] * is_small + [
+            Record(kind, record) for kind in ("fibre", "elimination") for record in self.model[kind]]
         for record in self.model["fibre"]:
             self.require_conforming_fibre(record)
         for record in self.model["elimination"]:
@@ -64,11 +66,11 @@ class File:
         need(all(a < b for a, b in itertools.pairwise(equations)), "equations do not ascend")
 
     def check(self, record):
-        check = self.bound_below if record.kind == "fibre" else self.bound_above
-        record.number = check(record.node)
+        check = {"fibre": self.bound_below, "elimination": self.bound_above, "count": lambda _: 0}
+        record.number = check[record.kind](record.node)
 
     def bound_below(self, node):
-        require(len(self.there.equations) == self.unknown_size, "more equations than unknowns")
+        require(len(self.there.equations) == self.unknown_size, "not as many equations as unknowns")
         ring, unknowns = read_fibre(node)
         one = ring.number([1])
         values = [Tangent(x, {k: one}) for k, x in enumerate(unknowns)]
@@ -145,7 +147,7 @@ class File:
 def bounds_of(held):
     """What records prove, by what they say: {"at least": the largest number, "at most": the smallest}."""
     at_least = [record.number for record in held if record.kind == "fibre"]
-    at_most = [record.number for record in held if record.kind == "elimination"]
+    at_most = [record.number for record in held if record.kind != "fibre"]
     return ({"at least": max(at_least)} if at_least else {}) | \
         ({"at most": min(at_most)} if at_most else {})
 
