@@ -2,6 +2,7 @@
 // it what users see.
 #include "convert.h"
 
+#include <pointline/model.h>
 #include <pointline/problem.h>
 #include <pointline/solver.h>
 
@@ -128,6 +129,17 @@ Solver make(const std::string& problem, const std::optional<std::string>& start)
     return {value(std::move(described)), value(std::move(solver))};
 }
 
+/// What a function of a model finds, while other threads of Python run.
+template <class T>
+T found_without_lock(const pointline::Model& model,
+                     pointline::Result<T> (pointline::Model::*find)() const noexcept) {
+    auto found = [&] {
+        const py::gil_scoped_release release;
+        return (model.*find)();
+    }();
+    return value(std::move(found));
+}
+
 py::dict solve(const Solver& solver, const Array& points, const Array& lines, const Array& K,
                bool quick, bool conditions, unsigned threads) {
     const pointline::Images images = images_of(solver, points, lines, K);
@@ -153,6 +165,25 @@ PYBIND11_MODULE(_pointline, module) {
     py::class_<Solver>(module, "Solver")
         .def_property_readonly("degree", [](const Solver& s) { return s.solver.degree(); })
         .def("solve", solve);
+    py::class_<pointline::Model>(module, "Model")
+        .def(py::init([](const std::string& text) { return value(pointline::Model::read(text)); }))
+        .def_property_readonly("name", &pointline::Model::name)
+        .def_property_readonly("claimed", &pointline::Model::claimed)
+        .def_property_readonly("data", &pointline::Model::data)
+        .def_property_readonly("unknowns", &pointline::Model::unknowns)
+        .def_property_readonly("equations", &pointline::Model::equations)
+        .def("solutions",
+             [](const pointline::Model& model) {
+                 const auto found = found_without_lock(model, &pointline::Model::solutions);
+                 return std::pair(found.at_least, found.at_most);
+             })
+        .def("certificate",
+             [](const pointline::Model& model) {
+                 return found_without_lock(model, &pointline::Model::certificate);
+             })
+        .def("template", [](const pointline::Model& model) {
+            return found_without_lock(model, &pointline::Model::python_solver);
+        });
     module.def("problem", [](const std::string& text) { return value(pointline::problem(text)); });
     module.def("make", make);
     add_estimator(module);

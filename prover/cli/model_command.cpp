@@ -1,15 +1,12 @@
 #include "prover/cli/model_command.h"
 
+#include "prover/cli/model_source.h"
 #include "prover/cli/sections.h"
 #include "prover/format/certificate_text.h"
 #include "prover/model/certificate.h"
 #include "prover/scripts/equation_scripts.h"
 #include "prover/system/exit.h"
-#include "prover/system/progress.h"
-#include "prover/system/words.h"
 
-#include <fstream>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -24,53 +21,6 @@ struct ModelRequest {
     bool json = false;
     bool macaulay2 = false, julia = false;
 };
-
-/// The text of a model, and the comments before its first statement.
-struct Source {
-    std::string text;
-    std::vector<std::string> comments;
-};
-
-std::string text_of(std::istream& in, const std::string& name) {
-    std::string text;
-    for (std::string line; std::getline(in, line) && text.size() <= model::largest_text;)
-        text += line + '\n';
-    if (in.bad()) throw BadInput("cannot read " + name + ": is it a file?");
-    return text;
-}
-
-Source read_source(const std::string& path) {
-    Source source;
-    if (path == "-") {
-        source.text = text_of(std::cin, "standard input");
-    } else {
-        std::ifstream file(path);
-        if (!file) throw BadInput("cannot read " + path + ": name a file with a model");
-        source.text = text_of(file, path);
-    }
-    std::istringstream lines(source.text);
-    for (std::string line; std::getline(lines, line) && line.starts_with('#');)
-        if (!has_control_character(line))
-            source.comments.push_back(
-                line.substr(std::min(line.find_first_not_of("# "), line.size())));
-    return source;
-}
-
-/// What `work` does with the text of this file; says in which file a model is not well-formed.
-template <class Work>
-auto in_file(const std::string& path, const Work& work) {
-    try {
-        return work();
-    } catch (const model::ModelError& error) {
-        throw BadInput((path == "-" ? "standard input" : path) + ", " + error.what());
-    }
-}
-
-model::Study studied(const std::string& text) {
-    ProgressLine line("looking for solutions, then for all", 0);
-    line.show(0);
-    return model::study(text);
-}
 
 std::string claim_report(const model::Study& study) {
     const std::size_t claimed = static_cast<std::size_t>(study.model.claimed);
@@ -102,7 +52,7 @@ std::string rank_report(const model::Study& study) {
            std::to_string(seen.digits) + " at most";
 }
 
-std::string text_report(const model::Study& study, const Source& source,
+std::string text_report(const model::Study& study, const ModelSource& source,
                         const std::string& output) {
     std::ostringstream out;
     section(out, "model") << study.model.name << '\n';
@@ -125,7 +75,7 @@ std::string text_report(const model::Study& study, const Source& source,
     return out.str();
 }
 
-std::string json_report(const model::Study& study, const Source& source) {
+std::string json_report(const model::Study& study, const ModelSource& source) {
     const auto number = [](std::size_t count) {
         return count == 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(count);
     };
@@ -153,7 +103,7 @@ std::string json_report(const model::Study& study, const Source& source) {
 
 /// Prints a script, and looks for nothing.
 int write_script(const ModelRequest& request, const Deliver& deliver) {
-    const Source source = read_source(request.file);
+    const ModelSource source = read_model_source(request.file);
     const std::string script = in_file(request.file, [&] {
         const model::Model model = model::read_model(source.text);
         const model::Program program = model::compile(model);
@@ -165,15 +115,9 @@ int write_script(const ModelRequest& request, const Deliver& deliver) {
 
 int prove_model(const ModelRequest& request, const Deliver& deliver) {
     if (request.macaulay2 || request.julia) return write_script(request, deliver);
-    const Source source = read_source(request.file);
+    const ModelSource source = read_model_source(request.file);
     const model::Study study = in_file(request.file, [&] { return studied(source.text); });
-    const bool nothing = !study.fibre && !study.at_most();
-    if (!request.output.empty()) {
-        if (nothing)
-            throw BadInput("nothing was found to certify: " + study.no_fibre + "; " +
-                           study.no_elimination);
-        deliver(request.output, model::write(study));
-    }
+    if (!request.output.empty()) deliver(request.output, model::write(study));
     if (request.output != "-")
         deliver("-", request.json ? json_report(study, source)
                                   : text_report(study, source, request.output));

@@ -11,6 +11,7 @@
 #include "prover/cli/problem_commands.h"
 #include "prover/cli/recommend_command.h"
 #include "prover/cli/solve_command.h"
+#include "prover/cli/template_command.h"
 #include "prover/format/version.h"
 #include "prover/minimal/classification_file.h"
 #include "prover/minimal/problem_file.h"
@@ -125,6 +126,7 @@ std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
             add_degrees_command(program, compute),
             add_collect_command(program),
             add_model_command(program, deliver),
+            add_template_command(program, deliver),
             add_solve_command(program, deliver),
             add_start_command(program, deliver),
             add_recommend_command(program, deliver),

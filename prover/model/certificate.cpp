@@ -110,6 +110,9 @@ Study study(std::string_view text) {
 }
 
 std::string write(const Study& study) {
+    if (!study.fibre && !study.elimination)
+        throw BadInput("nothing was found to certify: " + study.no_fibre + "; " +
+                       study.no_elimination);
     CertificateText text;
     for (const std::string& line : study.model.lines)
         text.line(line);

@@ -33,7 +33,8 @@ struct Study {
 /// well-formed, and BadInput if a relation does not hold.
 Study study(std::string_view text);
 
-/// The file with what was found. Throws FormatLimit if it is larger than the format allows.
+/// The file with what was found. Throws BadInput if that is nothing, and FormatLimit if the file is
+/// larger than the format allows.
 std::string write(const Study& study);
 
 } // namespace plprove::model

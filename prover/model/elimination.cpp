@@ -1,11 +1,8 @@
 #include "prover/model/elimination.h"
 
-#include "prover/model/grouped_system.h"
-#include "prover/model/sparse_rows.h"
+#include "prover/model/multiples_matrix.h"
 
 #include <algorithm>
-#include <numeric>
-#include <unordered_map>
 
 namespace plprove::model {
 
@@ -32,14 +29,16 @@ struct EliminationLimits {
 };
 
 /// All degrees that the equations keep within.
-void add_trials(const GroupedSystem& system, std::size_t number, const EliminationLimits& limits,
-                std::vector<Trial>& trials) {
+void add_trials(const GroupedSystem<Modular>& system, std::size_t number,
+                const EliminationLimits& limits, std::vector<Trial>& trials) {
     constexpr int largest_degree = 20;
-    Degrees degrees(system.groups, 1);
+    Degrees degrees(system.variables.groups, 1);
     while (true) {
-        const auto monomials = system.monomials(degrees, limits.columns);
+        const auto monomials = system.variables.monomials(degrees, limits.columns);
         const bool fits = monomials.has_value();
-        const auto within = [&](const GroupedEquation& e) { return at_most(e.degrees, degrees); };
+        const auto within = [&](const GroupedEquation<Modular>& e) {
+            return at_most(e.degrees, degrees);
+        };
         const bool useful = limits.all ? std::ranges::all_of(system.equations, within)
                                        : std::ranges::any_of(system.equations, within);
         if (fits && useful) trials.push_back({number, degrees, monomials->size()});
@@ -58,96 +57,44 @@ void add_trials(const GroupedSystem& system, std::size_t number, const Eliminati
     }
 }
 
-class Matrix {
-public:
-    Matrix(const GroupedSystem& system, const Degrees& degrees)
-        : system_(system), degrees_(degrees), columns_(*system.monomials(degrees, SIZE_MAX >> 8U)) {
-        for (std::size_t i = 0; i < columns_.size(); ++i)
-            places_.emplace(columns_[i], i);
-        order_.resize(columns_.size());
-        std::iota(order_.begin(), order_.end(), std::size_t{0});
-        // Eliminated first: what cannot be in the basis, then what has a larger degree.
-        std::ranges::stable_sort(order_, [&](std::size_t a, std::size_t b) {
-            const bool fits_a = fits_basis(a), fits_b = fits_basis(b);
-            if (fits_a != fits_b) return fits_b;
-            return grevlex_less(columns_[b], columns_[a]);
-        });
-        rank_.resize(columns_.size());
-        for (std::size_t k = 0; k < order_.size(); ++k)
-            rank_[order_[k]] = static_cast<std::uint32_t>(k);
+/// The basis, if it may be one and is smaller than `smaller_than`.
+std::optional<Result> eliminate(const MultiplesMatrix& matrix, std::size_t smaller_than) {
+    SparseRows rows(matrix.columns().size());
+    Result result;
+    for (std::size_t e = 0; e < matrix.system().equations.size(); ++e)
+        for (std::size_t column = 0; column < matrix.columns().size(); ++column)
+            if (matrix.fits(e, column) && rows.reduce_and_add(matrix.row(e, column)))
+                result.rows.emplace_back(e, column);
+    if (matrix.columns().size() - result.rows.size() >= smaller_than) return std::nullopt;
+    for (std::size_t k = 0; k < matrix.columns().size(); ++k) {
+        if (rows.has_pivot(k)) continue;
+        const std::size_t column = matrix.column_eliminated(k);
+        if (!matrix.fits_basis(column)) return std::nullopt;
+        result.basis.push_back(column);
     }
+    std::ranges::sort(result.basis);
+    return result;
+}
 
-    /// The basis, if it may be one and is smaller than `smaller_than`.
-    std::optional<Result> eliminate(std::size_t smaller_than) const {
-        SparseRows rows(columns_.size());
-        Result result;
-        for (std::size_t e = 0; e < system_.equations.size(); ++e)
-            for (std::size_t column = 0; column < columns_.size(); ++column)
-                if (fits(e, column) && rows.reduce_and_add(row(e, column)))
-                    result.rows.emplace_back(e, column);
-        if (columns_.size() - result.rows.size() >= smaller_than) return std::nullopt;
-        for (std::size_t k = 0; k < order_.size(); ++k) {
-            if (rows.has_pivot(k)) continue;
-            if (!fits_basis(order_[k])) return std::nullopt;
-            result.basis.push_back(order_[k]);
+/// The determinant of the rows of a result without the columns of its basis.
+Modular minor(const MultiplesMatrix& matrix, const Result& result) {
+    const auto size = static_cast<int>(result.rows.size());
+    std::vector<int> places(matrix.columns().size(), -1);
+    int next = 0;
+    for (std::size_t column = 0; column < places.size(); ++column)
+        if (!std::ranges::binary_search(result.basis, column)) places[column] = next++;
+    ResidueMatrix square(size, size);
+    for (int i = 0; i < size; ++i) {
+        const auto& [equation, column] = result.rows[static_cast<std::size_t>(i)];
+        for (const Term& term : matrix.system().equations[equation].polynomial.terms()) {
+            const int place = places[matrix.place(term.monomial * matrix.columns()[column])];
+            if (place >= 0) square.at(i, place) = term.coefficient.value();
         }
-        std::ranges::sort(result.basis);
-        return result;
     }
+    return Modular::of(nmod_mat_det(square.get()));
+}
 
-    /// The determinant of the rows of a result without the columns of its basis.
-    Modular minor(const Result& result) const {
-        const auto size = static_cast<int>(result.rows.size());
-        std::vector<int> places(columns_.size(), -1);
-        int next = 0;
-        for (std::size_t column = 0; column < columns_.size(); ++column)
-            if (!std::ranges::binary_search(result.basis, column)) places[column] = next++;
-        ResidueMatrix square(size, size);
-        for (int i = 0; i < size; ++i) {
-            const auto& [equation, column] = result.rows[static_cast<std::size_t>(i)];
-            for (const Term& term : system_.equations[equation].polynomial.terms()) {
-                const int place = places[places_.at(term.monomial * columns_[column])];
-                if (place >= 0) square.at(i, place) = term.coefficient.value();
-            }
-        }
-        return Modular::of(nmod_mat_det(square.get()));
-    }
-
-private:
-    bool fits_basis(std::size_t column) const {
-        return std::ranges::equal(system_.degrees_of(columns_[column]), degrees_, std::less{});
-    }
-
-    bool fits(std::size_t equation, std::size_t column) const {
-        return at_most(
-            sum_of(system_.equations[equation].degrees, system_.degrees_of(columns_[column])),
-            degrees_);
-    }
-
-    /// A multiple of an equation, its columns by the order of elimination.
-    SparseRow row(std::size_t equation, std::size_t column) const {
-        std::vector<std::pair<std::uint32_t, Modular>> entries;
-        for (const Term& term : system_.equations[equation].polynomial.terms())
-            entries.emplace_back(rank_[places_.at(term.monomial * columns_[column])],
-                                 term.coefficient);
-        std::ranges::sort(entries, {}, [](const auto& entry) { return entry.first; });
-        SparseRow result;
-        for (const auto& [place, entry] : entries) {
-            result.columns.push_back(place);
-            result.entries.push_back(entry);
-        }
-        return result;
-    }
-
-    const GroupedSystem& system_;
-    const Degrees& degrees_;
-    std::vector<Monomial> columns_;
-    std::unordered_map<Monomial, std::size_t, HashOfMonomial> places_;
-    std::vector<std::size_t> order_;  // columns as they are eliminated
-    std::vector<std::uint32_t> rank_; // the place of each column in that order
-};
-
-Elimination elimination_of(const GroupedSystem& system, const Grouping& grouping,
+Elimination elimination_of(const GroupedSystem<Modular>& system, const Grouping& grouping,
                            const Degrees& degrees, const Result& result,
                            const std::vector<Modular>& data) {
     Elimination elimination;
@@ -162,7 +109,7 @@ Elimination elimination_of(const GroupedSystem& system, const Grouping& grouping
             elimination.rows.push_back({number, {}});
         elimination.rows.back().second.push_back(column + 1);
     }
-    elimination.minor = Matrix(system, degrees).minor(result);
+    elimination.minor = minor(MultiplesMatrix(system, degrees), result);
     return elimination;
 }
 
@@ -171,10 +118,10 @@ std::optional<Elimination> best_of(const Program& program, const std::vector<Gro
                                    const std::vector<Modular>& data, std::size_t target,
                                    const EliminationLimits& limits) {
     std::vector<Grouping> names;
-    std::vector<GroupedSystem> systems;
+    std::vector<GroupedSystem<Modular>> systems;
     std::vector<Trial> trials;
     for (const Grouping& grouping : groupings) {
-        auto system = grouped_system(program, data, grouping);
+        auto system = grouped_system(program, std::span(data), grouping);
         if (!system) continue;
         add_trials(*system, systems.size(), limits, trials);
         systems.push_back(std::move(*system));
@@ -187,8 +134,8 @@ std::optional<Elimination> best_of(const Program& program, const std::vector<Gro
     std::optional<std::pair<Trial, Result>> best;
     for (const Trial& trial : trials) {
         const std::size_t smaller_than = best ? best->second.basis.size() : SIZE_MAX;
-        const Matrix matrix(systems[trial.system], trial.degrees);
-        if (auto result = matrix.eliminate(smaller_than)) best = {trial, std::move(*result)};
+        const MultiplesMatrix matrix(systems[trial.system], trial.degrees);
+        if (auto result = eliminate(matrix, smaller_than)) best = {trial, std::move(*result)};
         if (best && best->second.basis.size() <= target) break;
     }
     if (!best) return std::nullopt;

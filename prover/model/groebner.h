@@ -3,7 +3,7 @@
 // Möller, 1988.
 #pragma once
 
-#include "prover/model/monomial.h"
+#include "prover/model/polynomial.h"
 
 #include <span>
 #include <vector>

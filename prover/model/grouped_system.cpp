@@ -9,13 +9,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const Array& array_of(const Program& program, const std::string& name) {
-    for (const auto* list : {&program.unknown_names, &program.lets})
-        for (const Named& named : *list)
-            if (named.name == name) return named.value;
-    throw std::logic_error("no unknown and no let has the name " + name);
-}
-
 bool is_group_name(const Program& program, const std::string& name) {
     for (const auto* list : {&program.unknown_names, &program.lets})
         for (const Named& named : *list)
@@ -70,9 +63,29 @@ std::vector<Names> lists_of_names(const Program& program) {
     return all;
 }
 
+GroupedVariables variables_of(const Program& program, const Grouping& grouping) {
+    GroupedVariables variables;
+    variables.groups = grouping.size();
+    for (const std::string& name : variable_names(grouping)) {
+        Degrees unit;
+        for (const Names& group : grouping)
+            unit.push_back(std::ranges::find(group, name) != group.end() ? 1 : 0);
+        variables.units.resize(variables.units.size() + array_of(program, name).scalars.size(),
+                               unit);
+    }
+    return variables;
+}
+
 } // namespace
 
-Degrees GroupedSystem::degrees_of(const Monomial& monomial) const {
+const Array& array_of(const Program& program, const std::string& name) {
+    for (const auto* list : {&program.unknown_names, &program.lets})
+        for (const Named& named : *list)
+            if (named.name == name) return named.value;
+    throw std::logic_error("no unknown and no let has the name " + name);
+}
+
+Degrees GroupedVariables::degrees_of(const Monomial& monomial) const {
     Degrees result(groups);
     for (std::size_t v = 0; v < units.size(); ++v)
         for (std::size_t g = 0; g < groups && monomial.exponents[v] > 0; ++g)
@@ -80,8 +93,8 @@ Degrees GroupedSystem::degrees_of(const Monomial& monomial) const {
     return result;
 }
 
-std::optional<std::vector<Monomial>> GroupedSystem::monomials(const Degrees& degrees,
-                                                              std::size_t most) const {
+std::optional<std::vector<Monomial>> GroupedVariables::monomials(const Degrees& degrees,
+                                                                 std::size_t most) const {
     std::vector<std::pair<Monomial, Degrees>> found{{{}, Degrees(groups)}};
     for (std::size_t v = 0; v < units.size(); ++v) {
         std::vector<std::pair<Monomial, Degrees>> longer;
@@ -148,29 +161,29 @@ std::vector<Grouping> overlapping_groupings(const Program& program) {
     return all;
 }
 
-std::optional<GroupedSystem> grouped_system(const Program& program, std::span<const Modular> data,
-                                            const Grouping& grouping) {
-    GroupedSystem system;
-    system.groups = grouping.size();
-    FractionRing ring(data, grouping.size());
-    std::map<ScalarIndex, Fraction> variables;
-    std::map<std::string, std::size_t> first; // the number of the first variable of a name
-    for (std::size_t group = 0; group < grouping.size(); ++group)
-        for (const std::string& name : grouping[group]) {
-            const std::vector<ScalarIndex>& scalars = array_of(program, name).scalars;
-            const auto [place, is_new] = first.try_emplace(name, system.units.size());
-            if (is_new)
-                system.units.resize(system.units.size() + scalars.size(), Degrees(grouping.size()));
-            for (std::size_t i = 0; i < scalars.size(); ++i)
-                system.units[place->second + i][group] = 1;
+std::vector<std::string> variable_names(const Grouping& grouping) {
+    std::vector<std::string> names;
+    for (const auto& group : grouping)
+        for (const std::string& name : group)
+            if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    return names;
+}
+
+template <class Coefficient>
+std::optional<GroupedSystem<Coefficient>> grouped_system(const Program& program,
+                                                         std::span<const Coefficient> data,
+                                                         const Grouping& grouping) {
+    GroupedSystem<Coefficient> system;
+    system.variables = variables_of(program, grouping);
+    if (system.variables.units.size() > most_variables) return std::nullopt;
+    FractionRing<Coefficient> ring(data, grouping.size());
+    std::map<ScalarIndex, Fraction<Coefficient>> variables;
+    std::size_t next = 0;
+    for (const std::string& name : variable_names(grouping))
+        for (const ScalarIndex scalar : array_of(program, name).scalars) {
+            variables.emplace(scalar, ring.variable(next, system.variables.units[next]));
+            ++next;
         }
-    if (system.units.size() > most_variables) return std::nullopt;
-    for (const auto& [name, place] : first) {
-        const std::vector<ScalarIndex>& scalars = array_of(program, name).scalars;
-        for (std::size_t i = 0; i < scalars.size(); ++i)
-            variables.emplace(scalars[i],
-                              FractionRing::variable(place + i, system.units[place + i]));
-    }
     std::vector<ScalarIndex> equations = scalars_of(program.equations);
     for (const ScalarIndex scalar : scalars_of(program.relations))
         equations.push_back(scalar);
@@ -180,11 +193,16 @@ std::optional<GroupedSystem> grouped_system(const Program& program, std::span<co
     for (const ScalarIndex scalar : counted(program))
         if (values[scalar].foreign) return std::nullopt;
     for (std::size_t i = 0; i < equations.size(); ++i) {
-        const Fraction& value = values[equations[i]];
+        const Fraction<Coefficient>& value = values[equations[i]];
         if (value.foreign || value.numerator.is_zero() || !value.degrees) continue;
         system.equations.push_back({i + 1, value.numerator, *value.degrees});
     }
     return system;
 }
+
+template std::optional<GroupedSystem<Modular>>
+grouped_system(const Program&, std::span<const Modular>, const Grouping&);
+template std::optional<GroupedSystem<DataPolynomial>>
+grouped_system(const Program&, std::span<const DataPolynomial>, const Grouping&);
 
 } // namespace plprove::model

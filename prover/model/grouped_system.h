@@ -1,6 +1,7 @@
 // The equations of a model in the variables of some groups, for eliminations.
 #pragma once
 
+#include "prover/model/data_polynomial.h"
 #include "prover/model/elimination.h"
 #include "prover/model/fraction_ring.h"
 
@@ -9,22 +10,29 @@ namespace plprove::model {
 /// The names of each group. A name may be in several.
 using Grouping = std::vector<std::vector<std::string>>;
 
-/// An equation that speaks of variables alone.
-struct GroupedEquation {
-    std::size_t number = 0; ///< among the equations of the model, from 1
-    Polynomial polynomial;
-    Degrees degrees;
-};
-
-struct GroupedSystem {
+/// The variables of a grouping, by their degrees in its groups.
+struct GroupedVariables {
     std::vector<Degrees> units; ///< of each variable: 1 in the groups that have it, else 0
     std::size_t groups = 0;
-    std::vector<GroupedEquation> equations;
 
     Degrees degrees_of(const Monomial& monomial) const;
     /// All monomials up to these degrees in ascending lexicographic order; nothing if they are more
     /// than `most`.
     std::optional<std::vector<Monomial>> monomials(const Degrees& degrees, std::size_t most) const;
+};
+
+/// An equation that speaks of variables alone.
+template <class Coefficient>
+struct GroupedEquation {
+    std::size_t number = 0; ///< among the equations of the model, from 1
+    PolynomialOver<Coefficient> polynomial;
+    Degrees degrees;
+};
+
+template <class Coefficient>
+struct GroupedSystem {
+    GroupedVariables variables;
+    std::vector<GroupedEquation<Coefficient>> equations;
 };
 
 bool at_most(const Degrees& a, const Degrees& b);
@@ -35,9 +43,21 @@ Degrees sum_of(const Degrees& a, const Degrees& b);
 std::vector<Grouping> groupings(const Program& program);
 std::vector<Grouping> overlapping_groupings(const Program& program);
 
+/// The array of an unknown or of a `let` outside of loops.
+const Array& array_of(const Program& program, const std::string& name);
+
+/// The names whose scalars are the variables, in the order of these.
+std::vector<std::string> variable_names(const Grouping& grouping);
+
 /// The equations of the model with these data. Nothing if a value that counts has unknowns that are
 /// no variables, or if there are too many variables.
-std::optional<GroupedSystem> grouped_system(const Program& program, std::span<const Modular> data,
-                                            const Grouping& grouping);
+template <class Coefficient>
+std::optional<GroupedSystem<Coefficient>>
+grouped_system(const Program& program, std::span<const Coefficient> data, const Grouping& grouping);
+
+extern template std::optional<GroupedSystem<Modular>>
+grouped_system(const Program&, std::span<const Modular>, const Grouping&);
+extern template std::optional<GroupedSystem<DataPolynomial>>
+grouped_system(const Program&, std::span<const DataPolynomial>, const Grouping&);
 
 } // namespace plprove::model

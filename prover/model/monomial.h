@@ -1,7 +1,5 @@
-// Monomials in at most 32 variables, and sparse polynomials modulo q in them.
+// Monomials in at most 32 variables.
 #pragma once
-
-#include "prover/geometry/modular.h"
 
 #include <array>
 #include <cstdint>
@@ -40,35 +38,6 @@ bool grevlex_less(const Monomial& a, const Monomial& b);
 
 struct HashOfMonomial {
     std::size_t operator()(const Monomial& monomial) const;
-};
-
-/// A term: a coefficient other than 0, and its monomial.
-struct Term {
-    Monomial monomial;
-    Modular coefficient;
-};
-
-/// A polynomial: its terms in ascending lexicographic order of the monomials.
-class Polynomial {
-public:
-    Polynomial() = default;
-    explicit Polynomial(Modular constant);
-    static Polynomial variable(std::size_t index);
-
-    const std::vector<Term>& terms() const { return terms_; }
-    bool is_zero() const { return terms_.empty(); }
-    bool is_constant() const;
-    /// The coefficient of 1.
-    Modular constant() const;
-
-    friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
-    friend Polynomial operator-(const Polynomial& a, const Polynomial& b);
-    /// Throws TooLarge if there are too many products of terms.
-    friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
-    bool operator==(const Polynomial& other) const;
-
-private:
-    std::vector<Term> terms_;
 };
 
 } // namespace plprove::model

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "prover/model/evaluation.h"
-#include "prover/model/monomial.h"
+#include "prover/model/polynomial.h"
 
 #include <span>
 

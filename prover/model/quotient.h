@@ -2,7 +2,7 @@
 // in one number t (the rational univariate representation, Rouillier 1999).
 #pragma once
 
-#include "prover/model/monomial.h"
+#include "prover/model/polynomial.h"
 #include "prover/model/univariate.h"
 
 #include <optional>

@@ -25,7 +25,7 @@ import numpy as np
 
 from . import _pointline
 
-__all__ = ["Answer", "Estimate", "Offer", "Problem", "Solver", "estimate_poses", "offers", "problem"]
+__all__ = ["Answer", "Estimate", "Model", "Offer", "Problem", "Solver", "estimate_poses", "offers", "problem"]
 
 
 @dataclass(frozen=True)
@@ -160,6 +160,63 @@ class Solver:
             points, lines, _intrinsics(K, views), bool(quick), bool(conditions), threads
         )
         return Answer(**found)
+
+
+class Model:
+    """A problem that is given by equations: how many solutions it has, and a solver."""
+
+    def __init__(self, source):
+        """`source` is the text of a model, or the path of a file with one. Raises ValueError."""
+        if isinstance(source, os.PathLike) or "\n" not in source:
+            with open(source, encoding="utf-8") as file:
+                source = file.read()
+        self._content = _pointline.Model(source)
+
+    def __repr__(self):
+        data, unknowns, equations = self.sizes
+        return f"Model({self.name}: {data} data, {unknowns} unknowns, {equations} equations)"
+
+    @property
+    def name(self):
+        return self._content.name
+
+    @property
+    def claimed(self):
+        """How many solutions the source claims, or None."""
+        return self._content.claimed
+
+    @property
+    def sizes(self):
+        """How many scalars of data and of unknowns, and scalar equations."""
+        return self._content.data, self._content.unknowns, self._content.equations
+
+    @property
+    def at_least(self):
+        """How many complex solutions there are at least for generic data, or None if not known."""
+        return self._content.solutions()[0]
+
+    @property
+    def at_most(self):
+        """How many there are at most, or None if not known."""
+        return self._content.solutions()[1]
+
+    def degree(self):
+        """How many complex solutions there are for generic data, or None if that is not known.
+
+        The first time it looks for them, which takes some time.
+        """
+        return self.at_least if self.at_least == self.at_most else None
+
+    def certificate(self):
+        """The text of a file that `plcheck` replays. Raises ValueError if nothing was found."""
+        return self._content.certificate()
+
+    def template(self):
+        """The text of a Python module that solves the problem, as `plprove template` writes it.
+
+        Raises ValueError where there is no template.
+        """
+        return self._content.template()
 
 
 @dataclass(frozen=True)

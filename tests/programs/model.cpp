@@ -96,3 +96,20 @@ TEST_CASE("plprove model refuses what is no model, and writes nothing") {
     CHECK(run(plprove + " model " + file + ".none").status == 2);
     CHECK(run(plprove + " model").status == 3);
 }
+
+TEST_CASE("plprove template writes a solver, the same each time, and reports its size") {
+    const TemporaryFolder folder;
+    const std::string solver = (folder / "p3p.py").string();
+    const std::string command = plprove + " template " + models + "p3p.model";
+    const Outcome people = run(command + " -o " + solver);
+    CHECK(people.status == 0);
+    CHECK(people.out.find("solutions   8, complex, for generic data\n") != std::string::npos);
+    const Outcome text = run(command);
+    CHECK(text.status == 0);
+    CHECK(text.err.empty());
+    CHECK(text.out == read_file(solver));
+    const auto json = nlohmann::json::parse(run(command + " --json -o " + solver).out);
+    CHECK(json["solutions"] == 8);
+    CHECK(json["columns"] == json["rows"].get<int>() + 8);
+    CHECK(run(command + " --json").status == 3);
+}

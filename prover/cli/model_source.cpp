@@ -1,0 +1,57 @@
+#include "prover/cli/model_source.h"
+
+#include "prover/system/exit.h"
+#include "prover/system/progress.h"
+#include "prover/system/words.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace plprove {
+
+namespace {
+
+std::string text_of(std::istream& in, const std::string& name) {
+    std::string text;
+    for (std::string line; std::getline(in, line) && text.size() <= model::largest_text;)
+        text += line + '\n';
+    if (in.bad()) throw BadInput("cannot read " + name + ": is it a file?");
+    return text;
+}
+
+} // namespace
+
+ModelSource read_model_source(const std::string& path) {
+    ModelSource source;
+    if (path == "-") {
+        source.text = text_of(std::cin, "standard input");
+    } else {
+        std::ifstream file(path);
+        if (!file) throw BadInput("cannot read " + path + ": name a file with a model");
+        source.text = text_of(file, path);
+    }
+    std::istringstream lines(source.text);
+    for (std::string line; std::getline(lines, line) && line.starts_with('#');)
+        if (!has_control_character(line))
+            source.comments.push_back(
+                line.substr(std::min(line.find_first_not_of("# "), line.size())));
+    return source;
+}
+
+model::Study studied(const std::string& text) {
+    ProgressLine line("looking for solutions, then for all", 0);
+    line.show(0);
+    return model::study(text);
+}
+
+std::size_t at_most(const model::Study& study) {
+    return study.elimination ? study.elimination->basis.size() : 0;
+}
+
+std::size_t at_least(const model::Study& study) {
+    return study.fibre ? study.fibre->count() : 0;
+}
+
+} // namespace plprove

@@ -1,0 +1,80 @@
+#include "prover/library/pointline/model.h"
+
+#include "prover/library/guarded.h"
+#include "prover/model/template_python.h"
+
+#include <mutex>
+
+namespace pointline {
+
+struct Model::Content {
+    std::string text;
+    plprove::model::Model model;
+    plprove::model::Program program;
+    std::mutex looking;
+    std::optional<plprove::model::Study> found;
+
+    const plprove::model::Study& study() {
+        const std::scoped_lock lock(looking);
+        if (!found) found = plprove::model::study(text);
+        return *found;
+    }
+};
+
+Model::Model(std::shared_ptr<Content> content) : content_(std::move(content)) {}
+
+Result<Model> Model::read(std::string_view text) noexcept {
+    return guarded<Model>(Failure::bad_problem, [&] {
+        auto content = std::make_shared<Content>();
+        content->text = text;
+        content->model = plprove::model::read_model(text);
+        content->program = plprove::model::compile(content->model);
+        return Model(std::move(content));
+    });
+}
+
+const std::string& Model::name() const {
+    return content_->model.name;
+}
+
+std::optional<int> Model::claimed() const {
+    const int claimed = content_->model.claimed;
+    return claimed == 0 ? std::nullopt : std::optional(claimed);
+}
+
+int Model::data() const {
+    return static_cast<int>(content_->program.data);
+}
+
+int Model::unknowns() const {
+    return static_cast<int>(content_->program.unknowns);
+}
+
+int Model::equations() const {
+    return static_cast<int>(content_->program.equations.size());
+}
+
+Result<Solutions> Model::solutions() const noexcept {
+    return guarded<Solutions>(Failure::bad_problem, [&] {
+        const plprove::model::Study& study = content_->study();
+        Solutions solutions;
+        if (study.fibre) solutions.at_least = static_cast<int>(study.fibre->count());
+        if (study.elimination)
+            solutions.at_most = static_cast<int>(study.elimination->basis.size());
+        return solutions;
+    });
+}
+
+Result<std::string> Model::certificate() const noexcept {
+    return guarded<std::string>(Failure::bad_problem,
+                                [&] { return plprove::model::write(content_->study()); });
+}
+
+Result<std::string> Model::python_solver() const noexcept {
+    return guarded<std::string>(Failure::bad_problem, [&] {
+        const plprove::model::Study& study = content_->study();
+        return plprove::model::python_module(study, plprove::model::make_template(study));
+    });
+}
+
+} // namespace pointline
