@@ -46,12 +46,4 @@ model::Study studied(const std::string& text) {
     return model::study(text);
 }
 
-std::size_t at_most(const model::Study& study) {
-    return study.elimination ? study.elimination->basis.size() : 0;
-}
-
-std::size_t at_least(const model::Study& study) {
-    return study.fibre ? study.fibre->count() : 0;
-}
-
 } // namespace plprove

@@ -30,8 +30,4 @@ auto in_file(const std::string& path, const Work& work) {
 /// model::study, with a progress meter.
 model::Study studied(const std::string& text);
 
-/// How many solutions there are, as far as is known; else 0.
-std::size_t at_most(const model::Study& study);
-std::size_t at_least(const model::Study& study);
-
 } // namespace plprove

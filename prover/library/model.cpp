@@ -58,9 +58,9 @@ Result<Solutions> Model::solutions() const noexcept {
     return guarded<Solutions>(Failure::bad_problem, [&] {
         const plprove::model::Study& study = content_->study();
         Solutions solutions;
-        if (study.fibre) solutions.at_least = static_cast<int>(study.fibre->count());
-        if (study.elimination)
-            solutions.at_most = static_cast<int>(study.elimination->basis.size());
+        if (study.at_most()) solutions.at_most = static_cast<int>(*study.at_most());
+        if (study.fibre || solutions.at_most == 0)
+            solutions.at_least = static_cast<int>(study.at_least());
         return solutions;
     });
 }

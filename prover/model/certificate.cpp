@@ -110,7 +110,7 @@ Study study(std::string_view text) {
 }
 
 std::string write(const Study& study) {
-    if (!study.fibre && !study.elimination)
+    if (!study.fibre && !study.at_most())
         throw BadInput("nothing was found to certify: " + study.no_fibre + "; " +
                        study.no_elimination);
     CertificateText text;

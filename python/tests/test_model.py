@@ -35,8 +35,14 @@ def test_its_template_solves():
     assert np.isclose(solutions, s).all(axis=1).any()
 
 
+def test_a_model_that_is_not_minimal_has_no_solution():
+    model = pointline.Model("model m\ndata a\nunknown x\nequation x = a\nequation x = 1\n")
+    assert model.degree() == 0
+    assert "basis\n" in model.certificate()
+
+
 def test_what_is_not_known_is_none_and_what_is_wrong_raises():
-    model = pointline.Model("model m\ndata a\nunknown x, y\nequation x = a\n")
+    model = pointline.Model("model m\ndata a\nunknown x, y\nequation x = a\nequation x^2 = a^2\n")
     assert model.claimed is None and model.degree() is None
     with pytest.raises(ValueError, match="the model m has no template: "):
         model.template()
