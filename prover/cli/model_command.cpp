@@ -1,6 +1,7 @@
 #include "prover/cli/model_command.h"
 
 #include "prover/cli/model_source.h"
+#include "prover/cli/model_sources.h"
 #include "prover/cli/sections.h"
 #include "prover/format/certificate_text.h"
 #include "prover/model/certificate.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct ModelRequest {
     std::string file;
+    std::string problem; ///< a model is written of it
     std::string output;
     bool json = false;
     bool macaulay2 = false, julia = false;
@@ -113,7 +115,14 @@ int write_script(const ModelRequest& request, const Deliver& deliver) {
     return 0;
 }
 
+/// Writes the text of a model, which is well-formed.
+int write_model(const ModelRequest& request, const Deliver& deliver) {
+    deliver(request.output.empty() ? "-" : request.output, model_of_problem(request.problem));
+    return 0;
+}
+
 int prove_model(const ModelRequest& request, const Deliver& deliver) {
+    if (!request.problem.empty()) return write_model(request, deliver);
     if (request.macaulay2 || request.julia) return write_script(request, deliver);
     const ModelSource source = read_model_source(request.file);
     const model::Study study = in_file(request.file, [&] { return studied(source.text); });
@@ -130,17 +139,29 @@ Command add_model_command(CLI::App& program, Deliver deliver) {
     auto request = std::make_shared<ModelRequest>();
     CLI::App* app = program.add_subcommand(
         "model", "How many solutions has a problem that is given by equations?");
-    app->add_option("FILE", request->file, "the text of a model, - for standard input")->required();
+    CLI::Option* file =
+        app->add_option("FILE", request->file, "the text of a model, - for standard input");
+    CLI::Option* from = app->add_option("--from", request->problem,
+                                        "instead of FILE: write this point-line problem as a "
+                                        "model (docs/notation.md), and prove nothing")
+                            ->type_name("PROBLEM")
+                            ->excludes(file);
+    app->callback([file, from] {
+        if (file->empty() && from->empty()) throw CLI::RequiredError("FILE or --from");
+    });
     app->add_option("-o,--output", request->output,
-                    "write a certificate to this file, - for standard output")
+                    "write a certificate (or the model) to this file, - for standard output")
         ->type_name("FILE");
-    CLI::Option* json = app->add_flag("--json", request->json, "print the report as JSON");
+    CLI::Option* json =
+        app->add_flag("--json", request->json, "print the report as JSON")->excludes(from);
     CLI::Option* macaulay2 =
         app->add_flag("--macaulay2", request->macaulay2,
                       "print a Macaulay2 script with the equations, and nothing else")
-            ->excludes(json);
+            ->excludes(json)
+            ->excludes(from);
     app->add_flag("--julia", request->julia, "print a script for HomotopyContinuation.jl")
         ->excludes(json)
+        ->excludes(from)
         ->excludes(macaulay2);
     app->footer(
         "A model is a text with data, unknowns and equations: docs/models.md explains it, and "
@@ -149,7 +170,9 @@ Command add_model_command(CLI::App& program, Deliver deliver) {
         "  plprove model models/p3p.model              how many solutions?\n"
         "  plprove model models/p3p.model -o p3p.plc   write a certificate ...\n"
         "  plcheck p3p.plc                             ... and replay it\n"
-        "  plprove model models/p3p.model --macaulay2  another program counts the solutions");
+        "  plprove model models/p3p.model --macaulay2  another program counts the solutions\n"
+        "  plprove model --from 'upright: 3*P/P' -o upright.model\n"
+        "                                              a problem of points and lines as a model");
     return {app,
             [request, deliver = std::move(deliver)] { return prove_model(*request, deliver); }};
 }

@@ -1,7 +1,7 @@
 #include "prover/scripts/equation_scripts.h"
 
 #include "prover/model/random_residues.h"
-#include "prover/scripts/model.h"
+#include "prover/scripts/layout.h"
 
 #include <algorithm>
 #include <functional>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "prover/problem/notation.h"
+#include "prover/scripts/layout.h"
 
 #include <string>
 #include <vector>
@@ -56,11 +57,5 @@ NamedCamera camera(int view);
 /// The names among coordinates: all but `1`.
 void append_unknowns(std::vector<std::string>& unknowns,
                      const std::vector<std::string>& coordinates);
-
-/// The items separated by `, `, in lines of at most 96 characters that begin with `indent`.
-std::string list(const std::vector<std::string>& items, const std::string& indent);
-
-/// `text` broken at blanks into comment lines that begin with `sign`.
-std::string comment(const std::string& sign, const std::string& text);
 
 } // namespace plprove
