@@ -18,7 +18,8 @@ namespace {
 
 struct ModelRequest {
     std::string file;
-    std::string problem; ///< a model is written of it
+    std::string problem;  ///< a model is written of it
+    std::string imported; ///< a file: likewise
     std::string output;
     bool json = false;
     bool macaulay2 = false, julia = false;
@@ -117,12 +118,18 @@ int write_script(const ModelRequest& request, const Deliver& deliver) {
 
 /// Writes the text of a model, which is well-formed.
 int write_model(const ModelRequest& request, const Deliver& deliver) {
-    deliver(request.output.empty() ? "-" : request.output, model_of_problem(request.problem));
+    const std::string text =
+        request.imported.empty()
+            ? model_of_problem(request.problem)
+            : in_file(request.imported, [&] {
+                  return model_of_program(read_source(request.imported).text, request.imported);
+              });
+    deliver(request.output.empty() ? "-" : request.output, text);
     return 0;
 }
 
 int prove_model(const ModelRequest& request, const Deliver& deliver) {
-    if (!request.problem.empty()) return write_model(request, deliver);
+    if (!request.problem.empty() || !request.imported.empty()) return write_model(request, deliver);
     if (request.macaulay2 || request.julia) return write_script(request, deliver);
     const ModelSource source = read_model_source(request.file);
     const model::Study study = in_file(request.file, [&] { return studied(source.text); });
@@ -146,22 +153,33 @@ Command add_model_command(CLI::App& program, Deliver deliver) {
                                         "model (docs/notation.md), and prove nothing")
                             ->type_name("PROBLEM")
                             ->excludes(file);
-    app->callback([file, from] {
-        if (file->empty() && from->empty()) throw CLI::RequiredError("FILE or --from");
+    CLI::Option* import =
+        app->add_option("--import", request->imported,
+                        "instead of FILE: write the equations of this program for Macaulay2 or "
+                        "HomotopyContinuation.jl as a model, and prove nothing")
+            ->type_name("PROGRAM")
+            ->excludes(file)
+            ->excludes(from);
+    app->callback([file, from, import] {
+        if (file->empty() && from->empty() && import->empty())
+            throw CLI::RequiredError("FILE, --from or --import");
     });
     app->add_option("-o,--output", request->output,
                     "write a certificate (or the model) to this file, - for standard output")
         ->type_name("FILE");
-    CLI::Option* json =
-        app->add_flag("--json", request->json, "print the report as JSON")->excludes(from);
+    CLI::Option* json = app->add_flag("--json", request->json, "print the report as JSON")
+                            ->excludes(from)
+                            ->excludes(import);
     CLI::Option* macaulay2 =
         app->add_flag("--macaulay2", request->macaulay2,
                       "print a Macaulay2 script with the equations, and nothing else")
             ->excludes(json)
-            ->excludes(from);
+            ->excludes(from)
+            ->excludes(import);
     app->add_flag("--julia", request->julia, "print a script for HomotopyContinuation.jl")
         ->excludes(json)
         ->excludes(from)
+        ->excludes(import)
         ->excludes(macaulay2);
     app->footer(
         "A model is a text with data, unknowns and equations: docs/models.md explains it, and "
@@ -172,7 +190,9 @@ Command add_model_command(CLI::App& program, Deliver deliver) {
         "  plcheck p3p.plc                             ... and replay it\n"
         "  plprove model models/p3p.model --macaulay2  another program counts the solutions\n"
         "  plprove model --from 'upright: 3*P/P' -o upright.model\n"
-        "                                              a problem of points and lines as a model");
+        "                                              a problem of points and lines as a model\n"
+        "  plprove model --import mine.m2 -o mine.model\n"
+        "                                              equations for Macaulay2 as a model");
     return {app,
             [request, deliver = std::move(deliver)] { return prove_model(*request, deliver); }};
 }

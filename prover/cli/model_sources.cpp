@@ -1,6 +1,7 @@
 #include "prover/cli/model_sources.h"
 
 #include "prover/cli/problem_report.h"
+#include "prover/importers/importers.h"
 #include "prover/many_views/degrees_on_file.h"
 #include "prover/model/program.h"
 #include "prover/problem/notation.h"
@@ -23,18 +24,26 @@ int certified_degree(const Problem& problem) {
     return found && found->bound == "exact" && found->status == "certified" ? found->degree : 0;
 }
 
+/// The text, if it is a model. Else `what` was too large for one, as it was written well.
+std::string well_formed(std::string text, const std::string& what) {
+    try {
+        model::compile(model::read_model(text));
+    } catch (const model::ModelError& error) {
+        throw BadInput("no model can be written of " + what + ": in its text, " + error.what());
+    }
+    return text;
+}
+
 } // namespace
 
 std::string model_of_problem(const std::string& spec) {
     const std::optional<Problem> general = parse_general_spec(spec);
     const Problem problem = general ? *general : problem_of(parse_spec(spec));
-    std::string text = problem_model(problem, certified_degree(problem));
-    try {
-        model::compile(model::read_model(text));
-    } catch (const model::ModelError& error) {
-        throw BadInput("no model can be written for " + notation(problem) + ": " + error.what());
-    }
-    return text;
+    return well_formed(problem_model(problem, certified_degree(problem)), notation(problem));
+}
+
+std::string model_of_program(const std::string& program, const std::string& path) {
+    return well_formed(importers::import_program(program, path), path);
 }
 
 } // namespace plprove

@@ -25,8 +25,7 @@ public:
     std::vector<Token> run() {
         while (place_ < text_.size())
             step();
-        if (!open_.empty())
-            throw model::ModelError(open_.back().at, "this bracket is not closed");
+        if (!open_.empty()) throw model::ModelError(open_.back().at, "this bracket is not closed");
         add(Token::Kind::new_line, 0);
         add(Token::Kind::end, 0);
         return std::move(tokens_);
@@ -39,7 +38,8 @@ private:
         const char c = text_[place_];
         const bool julia = language_ == Language::julia;
         if (c == '\n') {
-            if (open_.empty()) add(Token::Kind::new_line, 0);
+            if (open_.empty() || (julia && open_.back().bracket == '['))
+                add(Token::Kind::new_line, 0);
             advance(1);
             spaced_ = true;
         } else if (c == ' ' || c == '\t' || c == '\r') {
@@ -113,8 +113,7 @@ private:
         for (const std::string_view symbol : longer)
             if (begins(symbol)) return add(Token::Kind::symbol, symbol.size());
         const char c = text_[place_];
-        if (std::string_view("([{").find(c) != std::string_view::npos)
-            open_.push_back({at_, c});
+        if (std::string_view("([{").find(c) != std::string_view::npos) open_.push_back({at_, c});
         if (const std::size_t kind = std::string_view(")]}").find(c);
             kind != std::string_view::npos) {
             if (open_.empty() || open_.back().bracket != "([{"[kind])

@@ -52,6 +52,7 @@ Value column(const Value& matrix, std::size_t j) {
 
 Value matrix_product(const Value& a, const Value& b, Position at) {
     if (a.columns() != b.items.size()) fail(at, "their product is not defined", a, b);
+    if (!b.is_matrix() && a.rows() == 1) return dot(a.items[0], b, at);
     std::vector<Value> rows;
     for (const Value& row : a.items) {
         if (!b.is_matrix()) {
@@ -84,9 +85,10 @@ Value integer(std::string digits, Position at) {
 
 bool Value::is_matrix() const {
     return is_list && !items.empty() && std::ranges::all_of(items, [&](const Value& row) {
-        return row.is_list && !row.items.empty() && row.items.size() == items[0].items.size() &&
-               std::ranges::none_of(row.items, &Value::is_list);
-    });
+               return row.is_list && !row.items.empty() &&
+                      row.items.size() == items[0].items.size() &&
+                      std::ranges::none_of(row.items, &Value::is_list);
+           });
 }
 
 std::string description(const Value& value) {
@@ -120,7 +122,21 @@ Value number(const std::string& digits, Position at) {
     return quotient(integer(mantissa, at), integer("1" + zeros, at), at);
 }
 
+std::vector<Value> scalars(const Value& value) {
+    if (!value.is_list) return {value};
+    std::vector<Value> result;
+    for (const Value& item : value.items)
+        for (Value& scalar : scalars(item))
+            result.push_back(std::move(scalar));
+    return result;
+}
+
 Value sum(const Value& a, const Value& b, Position at) {
+    if (a.is_ideal && b.is_ideal) {
+        Value joined = a;
+        joined.items.insert(joined.items.end(), b.items.begin(), b.items.end());
+        return joined;
+    }
     if (a.is_list && b.is_list) return each(a, b, at, sum);
     if (a.is_list || b.is_list) fail(at, "+ and - need equal shapes", a, b);
     if (a.is("0")) return b;
@@ -224,7 +240,8 @@ Value dot(const Value& a, const Value& b, Position at) {
 
 Value cross(const Value& a, const Value& b, Position at) {
     constexpr std::size_t size = 3;
-    if (a.items.size() != size || b.items.size() != size) fail(at, "cross needs two of three", a, b);
+    if (a.items.size() != size || b.items.size() != size)
+        fail(at, "cross needs two of three", a, b);
     std::vector<Value> items;
     for (std::size_t i = 0; i < size; ++i) {
         const std::size_t j = (i + 1) % size, k = (i + 2) % size;

@@ -14,14 +14,17 @@ struct Value {
     enum class Level { sum, product, atom };
 
     bool is_list = false;
+    bool is_ideal = false; ///< a list that sums join
     std::string text;
     Level level = Level::atom;
     std::vector<Value> items;
 
     static Value scalar(std::string text, Level level = Level::atom) {
-        return {false, std::move(text), level, {}};
+        return {false, false, std::move(text), level, {}};
     }
-    static Value list(std::vector<Value> items) { return {true, {}, Level::atom, std::move(items)}; }
+    static Value list(std::vector<Value> items) {
+        return {true, false, {}, Level::atom, std::move(items)};
+    }
 
     bool is(std::string_view constant) const { return !is_list && text == constant; }
     bool is_matrix() const;
@@ -33,11 +36,15 @@ struct Value {
 /// which has integers up to 999,999. Throws ModelError if it has more than 60 digits.
 Value number(const std::string& digits, model::Position at);
 
+/// The scalars of a value, in order.
+std::vector<Value> scalars(const Value& value);
+
 // All throw ModelError that names the place if the values do not fit.
 Value sum(const Value& a, const Value& b, model::Position at);
 Value difference(const Value& a, const Value& b, model::Position at);
 Value negative(const Value& a, model::Position at);
-/// Of scalars, of a scalar and a list, or of matrices; a list to the right of a matrix is a column.
+/// Of scalars, of a scalar and a list, or of matrices; a list to the right of a matrix is a column,
+/// and its product with a row is a scalar.
 Value product(const Value& a, const Value& b, model::Position at);
 Value quotient(const Value& a, const Value& b, model::Position at);
 /// Of a scalar or a square matrix, with an exponent from 0 to 100.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace plprove::model {
 
@@ -52,21 +53,23 @@ std::vector<std::size_t> random_order(const Program& program, RandomResidues& ra
     return order;
 }
 
-/// One step of Newton's method in data that come first in a random order. False if the equations
-/// do not depend enough on the data.
-bool solve_for_data(const Program& program, Point& point, RandomResidues& random) {
-    const std::size_t data = program.data;
-    const std::vector<std::size_t> order = random_order(program, random);
-    std::vector<std::uint32_t> place(data);
+/// One step of Newton's method for these equations, in those of the data that come first. False if
+/// the equations do not depend enough on them.
+bool newton_step(const Program& program, Point& point, const std::vector<ScalarIndex>& equations,
+                 const std::vector<std::size_t>& order) {
+    const std::size_t data = order.size();
+    std::map<std::size_t, std::uint32_t> place;
     for (std::size_t i = 0; i < data; ++i)
         place[order[i]] = static_cast<std::uint32_t>(i);
     const Values values = run(program, point, true);
     SparseRows rows(data + 1); // the last column has the values
-    for (const ScalarIndex scalar : scalars_of(program.equations)) {
+    for (const ScalarIndex scalar : equations) {
         std::vector<std::pair<std::uint32_t, Modular>> entries;
-        for (const auto& [variable, slope] : values[scalar].gradient)
-            if (variable >= program.unknowns)
-                entries.emplace_back(place[variable - program.unknowns], slope);
+        for (const auto& [variable, slope] : values[scalar].gradient) {
+            if (variable < program.unknowns) continue;
+            const auto found = place.find(variable - program.unknowns);
+            if (found != place.end()) entries.emplace_back(found->second, slope);
+        }
         std::ranges::sort(entries, {}, [](const auto& entry) { return entry.first; });
         entries.emplace_back(data, -values[scalar].value);
         SparseRow row;
@@ -88,6 +91,12 @@ bool solve_for_data(const Program& program, Point& point, RandomResidues& random
         value = value + row.entries.back();
     }
     return true;
+}
+
+/// Solves all equations at once for data in a random order.
+bool solve_for_data(const Program& program, Point& point, RandomResidues& random) {
+    return newton_step(program, point, scalars_of(program.equations),
+                       random_order(program, random));
 }
 
 /// A square root, if there is one: q + 1 is divisible by 4.
@@ -154,6 +163,47 @@ bool solve_one_by_one(const Program& program, Point& point, std::size_t first,
     return true;
 }
 
+/// The data, by number, item by item of the lists that the model gives: the scalars of a vector
+/// together.
+std::vector<std::vector<std::size_t>> items_of_data(const Program& program) {
+    std::vector<std::vector<std::size_t>> items;
+    for (const Named& named : program.data_names) {
+        const auto size = named.value.shape.empty()
+                              ? std::size_t{1}
+                              : static_cast<std::size_t>(named.value.shape.back());
+        for (std::size_t i = 0; i < named.value.scalars.size(); ++i) {
+            if (i % size == 0) items.emplace_back();
+            items.back().push_back(program.operations[named.value.scalars[i]].left);
+        }
+    }
+    return items;
+}
+
+/// Solves each equation for the item that comes last among its data, with the other equations of
+/// this item: they are linear in it, if images are given one after the other. False if they are
+/// not, or do not determine anything.
+bool solve_item_by_item(const Program& program, Point& point) {
+    const std::vector<std::vector<std::size_t>> items = items_of_data(program);
+    std::vector<std::size_t> item_of(program.data);
+    for (std::size_t item = 0; item < items.size(); ++item)
+        for (const std::size_t datum : items[item])
+            item_of[datum] = item;
+    std::vector<std::vector<ScalarIndex>> equations(items.size());
+    const Values first = run(program, point, true);
+    for (const ScalarIndex equation : scalars_of(program.equations)) {
+        std::optional<std::size_t> last;
+        for (const auto& [variable, slope] : first[equation].gradient)
+            if (variable >= program.unknowns)
+                last = std::max(last.value_or(0), item_of[variable - program.unknowns]);
+        if (last) equations[*last].push_back(equation);
+    }
+    for (std::size_t item = 0; item < items.size(); ++item) {
+        if (equations[item].empty()) continue;
+        if (!newton_step(program, point, equations[item], items[item])) return false;
+    }
+    return true;
+}
+
 /// Whether the equations and conditions hold.
 bool is_solution(const Program& program, const Values& values) {
     const auto vanishes = [&](const Located& located) {
@@ -210,21 +260,23 @@ Fibre fibre_of(const Program& program, const Point& point, RandomResidues& rando
 
 PointSearch find_solution_point(const Model& model, const Program& program) {
     constexpr std::uint64_t stream = 4;
-    constexpr int most_trials = 300;
+    constexpr int most_trials = 310, first_trials = 10;
     constexpr std::size_t most_seen = 10;
     RandomResidues random(model, stream);
     RanksSeen seen;
     for (int trial = 0; trial < most_trials; ++trial) {
-        const bool linear = trial % 2 == 0;
+        const bool by_items = trial < first_trials, linear = !by_items && trial % 2 == 0;
         if (linear && seen.solutions == most_seen) continue;
         Point point{random.residues(program.data), random.residues(program.unknowns)};
         const std::vector<Modular> drawn = point.unknowns;
         try {
             // Equations without data are solved for unknowns.
             if (!solve_one_by_one(program, point, 0, random)) continue;
-            if (!(linear ? solve_for_data(program, point, random)
-                         : solve_one_by_one(program, point, program.unknowns, random)))
-                continue;
+            const bool solved = by_items ? solve_item_by_item(program, point)
+                                : linear
+                                    ? solve_for_data(program, point, random)
+                                    : solve_one_by_one(program, point, program.unknowns, random);
+            if (!solved) continue;
             const Values values = run(program, point, false);
             if (!is_solution(program, values)) continue;
             const std::size_t rank = rank_of(program, values);

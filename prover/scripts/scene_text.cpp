@@ -327,9 +327,9 @@ private:
         if (contains(views, 0)) {
             data("y" + key + "_1", group);
             data("z" + key + "_1", group);
-            text_.line("unknown w" + key + group.list() + ", v" + key + group.list());
+            text_.line("unknown w" + key + group.list() + ", u" + key + group.list());
             points = {{"y" + key + "_1" + item, "w" + key + item},
-                      {"z" + key + "_1" + item, "v" + key + item}};
+                      {"z" + key + "_1" + item, "u" + key + item}};
         } else {
             text_.line("unknown a" + key + group.list() + " : vector 2", "of a point");
             points = {{"[a" + key + item + "[1], a" + key + item + "[2], 0]", "1"},

@@ -73,6 +73,31 @@ TEST_CASE("Macaulay2 counts as many zeros as plprove, or some for each solution 
     }
 }
 
+TEST_CASE("plprove model writes point-line problems and programs as models, which it reads") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "written.model").string();
+    const auto at_least = [&] {
+        return nlohmann::json::parse(run(plprove + " model --json " + file).out)["at_least"];
+    };
+    REQUIRE(run(plprove + " model --from 'upright: 3*P/P' -o " + file).status == 0);
+    CHECK(at_least() == 4);
+    const std::string program = (folder / "conics.m2").string();
+    write_file(program, "R = QQ[a,b][x,y]\nI = ideal(x^2 + y^2 - a, x*y - b)\n");
+    REQUIRE(run(plprove + " model --import " + program + " -o " + file).status == 0);
+    CHECK(at_least() == 4);
+    CHECK(run(plprove + " model --import - < " + program).out.find("unknown x, y\n") !=
+          std::string::npos);
+    write_file(program, "R = QQ[x]\nI = ideal(x^2 + y)\n");
+    CHECK(run(plprove + " model --import " + program).err ==
+          "plprove: " + program +
+              ", line 2, column 17: found 'y', which is no variable and no function that is "
+              "imported: did you mean 'x'?\n");
+    CHECK(run(plprove + " model --from 'P//P'").status == 2);
+    CHECK(run(plprove + " model --from '40*-/P/P'").status == 2);
+    CHECK(run(plprove + " model --from 5*P/P --json").status == 3);
+    CHECK(run(plprove + " model --from 5*P/P " + file).status == 3);
+}
+
 TEST_CASE("plprove model refuses what is no model, and writes nothing") {
     const TemporaryFolder folder;
     const std::string file = (folder / "wrong.model").string();

@@ -1,0 +1,84 @@
+// Point-line problems as models: they have the numbers of solutions that theory and the path
+// tracker know, and the verdicts of the classification.
+#include "prover/model/fibre.h"
+#include "prover/model/solution_point.h"
+#include "prover/problem/notation.h"
+#include "prover/scripts/problem_model.h"
+#include "prover/system/exit.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace plprove;
+
+struct Written {
+    model::Model model;
+    model::Program program;
+};
+
+Written written(const std::string& notation) {
+    Written result;
+    result.model = model::read_model(problem_model(parse_problem(notation), 0));
+    result.program = model::compile(result.model);
+    return result;
+}
+
+bool has_regular_solution(const std::string& notation) {
+    const Written found = written(notation);
+    return found.program.equations.size() == found.program.unknowns &&
+           model::find_solution_point(found.model, found.program).has_value();
+}
+
+} // namespace
+
+TEST_CASE("models of small problems have as many solutions as is known") {
+    const std::map<std::string, std::size_t> degrees{
+        {"5*P/P", 20},                // two poses for each of 10 essential matrices
+        {"5*P/P + 3*a/a + Pa/Pa", 0}, // over-constrained
+        {"3*PL/PL + 2*P/P", 16},
+        {"projective: 7*P/P", 3},
+        {"projective: 6*P/P/P", 3},
+        {"upright: 3*P/P", 4},
+        {"shared-focal: 6*P/P", 30}}; // two poses for each of 15
+    for (const auto& [notation, degree] : degrees) {
+        CAPTURE(notation);
+        const Written found = written(notation);
+        if (degree == 0) {
+            CHECK(found.program.equations.size() > found.program.unknowns);
+            continue;
+        }
+        const auto fibre = model::find_fibre(found.model, found.program).fibre;
+        REQUIRE(fibre);
+        CHECK(fibre->count() == degree);
+    }
+}
+
+TEST_CASE("models of minimal problems have a regular solution, those of others have none") {
+    for (const std::string notation :
+         {"2*Pa/Pa/Pa + P/P/P", "-/P/P + 3*P/P/P + P/-/P", "P/P/P + 4*a/a/a",
+          "a/a/a + 4*-/P/P + 3*a/P/a + 2*b/Pab/a", "2*a/Pa/Pa + Pa/a/P + -/P/P + a/a/P + Pab/b/a",
+          "a/P/Pa + 5*P/-/P + 2*P/P/- + a/a/P + b/Pab/a", "PLM/PLM + 2*PL/PL + 2*PM/PM",
+          "3*PL/PL/PL + Pa/Pa/Pa", "shared-k: 8*a/a/a", "shared-focal-center: 7*a/a/a",
+          "focal: 3*PL/PL + 4*P/P", "upright: P/P/P + 2*a/a/a", "upright-shared-focal: 4*P/P",
+          "upright-focal: 5*P/P", "projective: 3*PLab/PLab/PLab"}) {
+        CAPTURE(notation);
+        const Problem problem = parse_problem(notation);
+        REQUIRE(is_balanced(problem));
+        CHECK(has_regular_solution(notation));
+    }
+    for (const std::string notation : {"6*P/P", "4*P/P", "4*PL/PL + P/P", "11*P/P/-",
+                                       "3*P/P/P + P/P/a", "upright: 4*PL/PL/PL"}) {
+        CAPTURE(notation);
+        CHECK(!has_regular_solution(notation));
+    }
+}
+
+TEST_CASE("a problem that no view sees, or that is too large, has no model") {
+    CHECK_THROWS_AS(written("2*-/-/-(Pa)"), BadInput);
+    CHECK_THROWS_AS(written("40*-/P/P"), BadInput);
+}
