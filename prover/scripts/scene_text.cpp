@@ -1,6 +1,7 @@
 #include "prover/scripts/scene_text.h"
 
 #include "prover/problem/notation.h"
+#include "prover/scripts/scene_names.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,30 +13,6 @@
 namespace plprove {
 
 namespace {
-
-/// A point of space: the texts of three homogeneous coordinates, and of the fourth.
-struct Place {
-    std::string vector;
-    std::string weight; ///< "0" and "1" are left out where they can be
-};
-
-/// Neighbours that differ in nothing but their place: a list in the model.
-struct Group {
-    std::string key; ///< the number of the feature
-    int count = 1;
-
-    /// How its names begin a statement, and go on in it.
-    std::string list() const { return count == 1 ? "" : "[1.." + std::to_string(count) + "]"; }
-    std::string item() const { return count == 1 ? "" : "[i]"; }
-};
-
-std::string number(int view) {
-    return std::to_string(view + 1);
-}
-
-bool seen_by_two(ViewSet views) {
-    return std::popcount(views) == 2;
-}
 
 class SceneWriter {
 public:
@@ -72,7 +49,7 @@ private:
         return problem_.points[static_cast<std::size_t>(point)];
     }
     bool sees(int view, int point) const { return contains(views_of_point(point), view); }
-    Place& place(int point) { return places_[static_cast<std::size_t>(point)]; }
+    ScenePoint& place(int point) { return places_[static_cast<std::size_t>(point)]; }
 
     /// The views of the pins of a point, which no other point is on.
     std::vector<ViewSet> pins(int point) const {
@@ -97,27 +74,27 @@ private:
     }
 
     /// The image of a place, up to a factor.
-    std::string image(int view, const Place& at) const {
+    std::string image(int view, const ScenePoint& at) const {
         if (view == 0) return at.vector;
-        const std::string n = number(view);
+        const std::string n = view_number(view);
         std::string turned = matrix_ + n;
         turned += "*" + in_brackets(at.vector);
         if (at.weight == "0") return turned;
         return turned + " + " + (at.weight == "1" ? "" : in_brackets(at.weight) + "*") + "t" + n;
     }
 
-    void title(int feature, const Group& group) {
+    void title(int feature, const FeatureGroup& group) {
         text_.line("");
         const std::string notation =
             plprove::notation(features_[static_cast<std::size_t>(feature)]);
         text_.comment((group.count == 1 ? "" : std::to_string(group.count) + "*") + notation);
     }
 
-    void data(const std::string& name, const Group& group) {
+    void data(const std::string& name, const FeatureGroup& group) {
         text_.line("data " + name + group.list() + " : vector 3");
     }
 
-    void write_points(int point, const Group& group) {
+    void write_points(int point, const FeatureGroup& group) {
         title(point, group);
         image_data(point, group);
         if (is_epipolar(point)) return write_epipolar(point, group);
@@ -143,9 +120,9 @@ private:
                std::ranges::all_of(pins(point), [&](ViewSet pin) { return pin == views; });
     }
 
-    void write_epipolar(int point, const Group& group) {
+    void write_epipolar(int point, const FeatureGroup& group) {
         const int view = std::bit_width(views_of_point(point)) - 1;
-        const std::string n = number(view), x = "x" + group.key + "_";
+        const std::string n = view_number(view), x = "x" + group.key + "_";
         if (!pins(point).empty())
             text_.comment("Two images of a line say nothing of the cameras: the lines are left "
                           "out.");
@@ -170,13 +147,13 @@ private:
     }
 
     /// The images of a point: any, or on the line through two other images.
-    void image_data(int point, const Group& group) {
+    void image_data(int point, const FeatureGroup& group) {
         for (int view = 0; view < problem_.views; ++view) {
             if (!sees(view, point)) continue;
-            const std::string tag = group.key + "_" + number(view);
+            const std::string tag = group.key + "_" + view_number(view);
             images_[static_cast<std::size_t>(point)][view] = "x" + tag + group.item();
             if (const auto pair = seen_before(point, view)) {
-                text_.line("data c" + tag, "the place on a line in view " + number(view));
+                text_.line("data c" + tag, "the place on a line in view " + view_number(view));
                 text_.line("let x" + tag + " = " + seen_at(pair->first, view) + " + c" + tag + "*" +
                            seen_at(pair->second, view));
             } else {
@@ -190,7 +167,7 @@ private:
     }
 
     /// Where the point is in space.
-    void place_point(int point, const Group& group) {
+    void place_point(int point, const FeatureGroup& group) {
         const std::string& key = group.key;
         if (const std::optional<int> on = carrier(problem_, point))
             return place_on_line(point, line(*on), key);
@@ -244,12 +221,13 @@ private:
     struct Pin {
         std::string key;
         ViewSet views = 0;
-        Place other;
+        ScenePoint other;
     };
 
     /// The line through a point, after its data and unknowns are written; nothing if it is left
     /// out.
-    std::optional<Pin> placed_pin(int point, const Line& on, const Group& group, char letter) {
+    std::optional<Pin> placed_pin(int point, const Line& on, const FeatureGroup& group,
+                                  char letter) {
         Pin pin{group.key + letter, on.seen, {}};
         if (seen_by_two(on.seen) && (on.seen & ~views_of_point(point)) == 0) {
             text_.comment("Two images of a line say nothing of the cameras: it is left out.");
@@ -257,7 +235,7 @@ private:
         }
         for (int view = 0; view < problem_.views; ++view)
             if (contains(on.seen, view))
-                data((sees(view, point) ? "y" : "l") + pin.key + "_" + number(view), group);
+                data((sees(view, point) ? "y" : "l") + pin.key + "_" + view_number(view), group);
         if (contains(on.seen, 0) && sees(0, point)) {
             text_.line("unknown w" + pin.key + group.list());
             pin.other = {"y" + pin.key + "_1" + group.item(), "w" + pin.key + group.item()};
@@ -268,17 +246,17 @@ private:
     }
 
     /// A point at infinity.
-    Place direction(const std::string& key, const Group& group) {
+    ScenePoint direction(const std::string& key, const FeatureGroup& group) {
         const std::string name = "d" + key;
         text_.line("unknown " + name + group.list() + " : vector 2", "of the direction");
         const std::string item = name + group.item();
         return {"[" + item + "[1], " + item + "[2], 1]", "0"};
     }
 
-    void pin_equations(int point, const Pin& pin, const Group& group) {
+    void pin_equations(int point, const Pin& pin, const FeatureGroup& group) {
         for (int view = 0; view < problem_.views; ++view) {
             if (!contains(pin.views, view)) continue;
-            const std::string tag = pin.key + "_" + number(view) + group.item();
+            const std::string tag = pin.key + "_" + view_number(view) + group.item();
             if (!sees(view, point))
                 on_image_line("l" + tag, view, {place(point), pin.other});
             else if (view > 0)
@@ -286,12 +264,12 @@ private:
         }
     }
 
-    void on_image_line(const std::string& l, int view, const std::vector<Place>& points) {
-        for (const Place& at : points)
+    void on_image_line(const std::string& l, int view, const std::vector<ScenePoint>& points) {
+        for (const ScenePoint& at : points)
             text_.line("equation dot(" + l + ", " + image(view, at) + ") = 0");
     }
 
-    void on_join(const std::string& x, const std::string& y, int view, const Place& at) {
+    void on_join(const std::string& x, const std::string& y, int view, const ScenePoint& at) {
         text_.line("equation dot(cross(" + x + ", " + y + "), " + image(view, at) + ") = 0");
     }
 
@@ -308,7 +286,7 @@ private:
                               " points, for views that see at most one of them");
                 begun = true;
             }
-            const std::string tag = key + "_" + number(view);
+            const std::string tag = key + "_" + view_number(view);
             data((seen.empty() ? "l" : "y") + tag, {});
             if (seen.empty())
                 on_image_line("l" + tag, view, {place(a), place(b)});
@@ -317,13 +295,13 @@ private:
         }
     }
 
-    void write_free_lines(ViewSet views, const Group& group) {
+    void write_free_lines(ViewSet views, const FeatureGroup& group) {
         title(next_free_line_, group);
         next_free_line_ += group.count;
         if (seen_by_two(views))
             return text_.comment("Two images of a line say nothing of the cameras: no equation.");
         const std::string &key = group.key, item = group.item();
-        std::vector<Place> points;
+        std::vector<ScenePoint> points;
         if (contains(views, 0)) {
             data("y" + key + "_1", group);
             data("z" + key + "_1", group);
@@ -336,12 +314,12 @@ private:
                       direction(key, group)};
         }
         for (int view = 1; view < problem_.views; ++view)
-            if (contains(views, view)) data("l" + key + "_" + number(view), group);
+            if (contains(views, view)) data("l" + key + "_" + view_number(view), group);
         const bool loop = group.count > 1;
         if (loop) text_.begin_loop("i", "1.." + std::to_string(group.count));
         for (int view = 1; view < problem_.views; ++view)
             if (contains(views, view))
-                on_image_line("l" + key + "_" + number(view) + item, view, points);
+                on_image_line("l" + key + "_" + view_number(view) + item, view, points);
         if (loop) text_.end_loop();
     }
 
@@ -349,7 +327,7 @@ private:
     const Problem& problem_;
     std::string matrix_;
     Features features_;
-    std::vector<Place> places_;
+    std::vector<ScenePoint> places_;
     std::vector<std::map<int, std::string>> images_; // of points, by view
     std::set<int> on_ray_;                           // points whose vector is their image in view 1
     std::set<int> essential_;                        // views whose matrix E has been written

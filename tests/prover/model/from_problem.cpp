@@ -63,9 +63,10 @@ TEST_CASE("models of minimal problems have a regular solution, those of others h
          {"2*Pa/Pa/Pa + P/P/P", "-/P/P + 3*P/P/P + P/-/P", "P/P/P + 4*a/a/a",
           "a/a/a + 4*-/P/P + 3*a/P/a + 2*b/Pab/a", "2*a/Pa/Pa + Pa/a/P + -/P/P + a/a/P + Pab/b/a",
           "a/P/Pa + 5*P/-/P + 2*P/P/- + a/a/P + b/Pab/a", "PLM/PLM + 2*PL/PL + 2*PM/PM",
-          "3*PL/PL/PL + Pa/Pa/Pa", "shared-k: 8*a/a/a", "shared-focal-center: 7*a/a/a",
-          "focal: 3*PL/PL + 4*P/P", "upright: P/P/P + 2*a/a/a", "upright-shared-focal: 4*P/P",
-          "upright-focal: 5*P/P", "projective: 3*PLab/PLab/PLab"}) {
+          "shared-k: 8*a/a/a", "shared-focal-center: 7*a/a/a", "focal: 3*PL/PL + 4*P/P",
+          "upright: P/P/P + 2*a/a/a", "upright-shared-focal: 4*P/P", "upright-focal: 5*P/P",
+          "projective: PLM/PLM + 2*PL/PL + 2*PM/PM + 2*P/P",
+          "projective: 2*P/P/P + Pabcde/Pabcde/Pabcde + 2*a/a/a"}) {
         CAPTURE(notation);
         const Problem problem = parse_problem(notation);
         REQUIRE(is_balanced(problem));
