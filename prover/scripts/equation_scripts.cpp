@@ -17,6 +17,15 @@ using model::Program;
 using model::ScalarIndex;
 using Kind = Operation::Kind;
 
+/// The name with `'u` or `_u` for each `_`, which is an operator of Macaulay2, and would make names
+/// like those of arrays.
+std::string without_underscores(const std::string& name, const std::string& mark) {
+    std::string result;
+    for (const char c : name)
+        result += c == '_' ? mark + "u" : std::string(1, c);
+    return result;
+}
+
 /// If the mark is `_`: `x_1_3` of x[1..6] : vector 3, and `f_` of a scalar. With its mark, no name
 /// is a word of the language.
 std::vector<std::string> names_of(const std::vector<Named>& arrays, const std::string& mark) {
@@ -30,7 +39,8 @@ std::vector<std::string> names_of(const std::vector<Named>& arrays, const std::s
                 indices.insert(0, mark + std::to_string(rest % size + 1));
                 rest /= size;
             }
-            names.push_back(array.name + (indices.empty() ? mark : indices));
+            names.push_back(without_underscores(array.name, mark) +
+                            (indices.empty() ? mark : indices));
         }
     return names;
 }

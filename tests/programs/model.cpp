@@ -60,6 +60,10 @@ TEST_CASE("Macaulay2 counts as many zeros as plprove, or some for each solution 
     }
     const TemporaryFolder folder;
     const std::string script = (folder / "model.m2").string();
+    const std::string upright = (folder / "upright.model").string(); // has names with _
+    REQUIRE(run(plprove + " model --from 'upright: 3*P/P' -o " + upright).status == 0);
+    REQUIRE(run(plprove + " model " + upright + " --macaulay2 -o " + script).status == 0);
+    CHECK(run("M2 --script " + script).out == "dimension  0\nsolutions  4\n");
     const std::map<std::string, int> zeros{{"p3p", 8},          {"apollonius", 2},
                                            {"transversals", 2}, {"rolling_shutter", 20},
                                            {"two_circles", 8},  {"six_points_focal", 4 * 15}};
