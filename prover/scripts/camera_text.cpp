@@ -11,17 +11,17 @@ namespace plprove {
 namespace {
 
 /// What a kind of cameras has, as the table of certs/FORMAT.md, section 13, says.
-struct Kind {
+struct Known {
     bool projective = false;
     bool upright = false; ///< turns about the second axis only
     int shared = 0;       ///< numbers of the conic
     bool own = false;     ///< a ratio of focal lengths of each camera
 };
 
-Kind kind_of(const CameraModel& cameras) {
+Known known_of(const CameraModel& cameras) {
     struct Row {
         std::string_view name;
-        Kind kind;
+        Known kind;
     };
     static constexpr std::array rows{
         Row{"calibrated", {}},
@@ -58,7 +58,7 @@ void append_conic(ModelText& text, int shared) {
 }
 
 /// The numbers of a camera without those of its position.
-void append_unknowns(ModelText& text, const Kind& kind, const std::string& n) {
+void append_unknowns(ModelText& text, const Known& kind, const std::string& n) {
     std::string names = kind.upright ? "b" + n : "q" + n + " : vector 3";
     if (kind.own) names += ", r" + n;
     names += n == "2" ? ", d2 : vector 2" : ", t" + n + " : vector 3";
@@ -66,13 +66,13 @@ void append_unknowns(ModelText& text, const Kind& kind, const std::string& n) {
     if (n == "2") text.line("let t2 = [1, d2[1], d2[2]]", "the scale of space is free");
 }
 
-void append_rotation(ModelText& text, const Kind& kind, const std::string& n) {
+void append_rotation(ModelText& text, const Known& kind, const std::string& n) {
     append_unknowns(text, kind, n);
     const std::string v = kind.upright ? "[0, b" + n + ", 0]" : "q" + n;
     text.line("let R" + n + " = rotation(" + v + ")", "a rotation up to a factor");
 }
 
-void append_rotation_of_conic(ModelText& text, const Kind& kind, const std::string& n) {
+void append_rotation_of_conic(ModelText& text, const Known& kind, const std::string& n) {
     append_unknowns(text, kind, n);
     std::string v = "q" + n;
     if (kind.upright) {
@@ -101,7 +101,7 @@ void append_matrix(ModelText& text, const std::string& n) {
 }
 
 /// What determines camera n, and is determined by it.
-std::string numbers_of(const Kind& kind, const std::string& n) {
+std::string numbers_of(const Known& kind, const std::string& n) {
     const std::string position = n == "2" ? "d2" : "t" + n;
     if (kind.projective) return n == "2" ? "p2" : "p" + n + ", " + position;
     if (!kind.own || kind.upright)
@@ -114,7 +114,7 @@ std::string numbers_of(const Kind& kind, const std::string& n) {
 } // namespace
 
 std::string append_cameras(ModelText& text, const Problem& problem) {
-    const Kind kind = kind_of(*problem.cameras);
+    const Known kind = known_of(*problem.cameras);
     text.line("");
     text.comment("Camera 1 is [I | 0].");
     if (kind.shared > 0) append_conic(text, kind.shared);
@@ -131,7 +131,7 @@ std::string append_cameras(ModelText& text, const Problem& problem) {
 }
 
 void append_counts(ModelText& text, const Problem& problem) {
-    const Kind kind = kind_of(*problem.cameras);
+    const Known kind = known_of(*problem.cameras);
     text.line("");
     text.comment(kind.own && !kind.upright
                      ? "Solutions with the same cameras are one: with r and -r there are two sets "
