@@ -1,8 +1,8 @@
 #include "prover/cli/model_command.h"
 
 #include "prover/cli/model_source.h"
-#include "prover/cli/model_sources.h"
 #include "prover/cli/sections.h"
+#include "prover/cli/written_model.h"
 #include "prover/format/certificate_text.h"
 #include "prover/model/certificate.h"
 #include "prover/scripts/equation_scripts.h"
@@ -122,7 +122,8 @@ int write_model(const ModelRequest& request, const Deliver& deliver) {
         request.imported.empty()
             ? model_of_problem(request.problem)
             : in_file(request.imported, [&] {
-                  return model_of_program(read_source(request.imported).text, request.imported);
+                  return model_of_program(read_model_source(request.imported).text,
+                                          request.imported);
               });
     deliver(request.output.empty() ? "-" : request.output, text);
     return 0;

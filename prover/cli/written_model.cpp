@@ -1,4 +1,4 @@
-#include "prover/cli/model_sources.h"
+#include "prover/cli/written_model.h"
 
 #include "prover/cli/problem_report.h"
 #include "prover/importers/importers.h"
