@@ -107,7 +107,7 @@ std::string json_report(const model::Study& study, const ModelSource& source) {
 /// Prints a script, and looks for nothing.
 int write_script(const ModelRequest& request, const Deliver& deliver) {
     const ModelSource source = read_model_source(request.file);
-    const std::string script = in_file(request.file, [&] {
+    const std::string script = in_model_file(request.file, [&] {
         const model::Model model = model::read_model(source.text);
         const model::Program program = model::compile(model);
         return request.julia ? julia_script(model, program) : macaulay2_script(model, program);
@@ -121,7 +121,7 @@ int write_model(const ModelRequest& request, const Deliver& deliver) {
     const std::string text =
         request.imported.empty()
             ? model_of_problem(request.problem)
-            : in_file(request.imported, [&] {
+            : in_model_file(request.imported, [&] {
                   return model_of_program(read_model_source(request.imported).text,
                                           request.imported);
               });
@@ -133,7 +133,7 @@ int prove_model(const ModelRequest& request, const Deliver& deliver) {
     if (!request.problem.empty() || !request.imported.empty()) return write_model(request, deliver);
     if (request.macaulay2 || request.julia) return write_script(request, deliver);
     const ModelSource source = read_model_source(request.file);
-    const model::Study study = in_file(request.file, [&] { return studied(source.text); });
+    const model::Study study = in_model_file(request.file, [&] { return studied(source.text); });
     if (!request.output.empty()) deliver(request.output, model::write(study));
     if (request.output != "-")
         deliver("-", request.json ? json_report(study, source)

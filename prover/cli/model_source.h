@@ -19,7 +19,7 @@ ModelSource read_model_source(const std::string& path);
 
 /// What `work` does with the text of this file; says in which file a model is not well-formed.
 template <class Work>
-auto in_file(const std::string& path, const Work& work) {
+auto in_model_file(const std::string& path, const Work& work) {
     try {
         return work();
     } catch (const model::ModelError& error) {

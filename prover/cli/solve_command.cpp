@@ -1,6 +1,7 @@
 #include "prover/cli/solve_command.h"
 
 #include "prover/cli/input_file.h"
+#include "prover/cli/solve_model.h"
 #include "prover/cli/solve_report.h"
 #include "prover/many_views/certificate.h"
 #include "prover/problem/notation.h"
@@ -34,7 +35,13 @@ constexpr const char* solve_examples =
     "                                       every solution, for machines; --real leaves out those\n"
     "                                       that are not real\n"
     "  plprove solve Chicago images.json --certify mine.plc\n"
-    "  plcheck mine.plc                     proves that each solution exists";
+    "  plcheck mine.plc                     proves that each solution exists\n\n"
+    "PROBLEM may be a file with a model, NAME.model, and IMAGES then has its data:\n"
+    "docs/models.md describes both.\n\n"
+    "  plprove solve --example models/p3p.model -o data.json\n"
+    "                                       random data that have a real solution\n"
+    "  plprove solve models/p3p.model data.json\n"
+    "                                       its unknowns, for all solutions";
 
 /// Throws BadInput where it is one of those that cannot be solved.
 ImagedProblem solvable_problem(const std::string& spec) {
@@ -184,7 +191,23 @@ int solve_images(const SolveRequest& request, const Deliver& deliver) {
     return report.answer.found > 0 ? 0 : exit_failure;
 }
 
+int solve_given_model(const SolveRequest& request, const Deliver& deliver) {
+    if (!request.certificate.empty() || !request.start.empty())
+        throw BadInput("--certify and --start are for cameras: leave them out; `plprove model` "
+                       "certifies how many solutions a model has");
+    if (request.images.empty())
+        throw BadInput("solve needs a file of data for " + request.spec + ": `plprove solve " +
+                       "--example " + request.spec + " -o data.json` writes one");
+    return solve_model({request.spec, request.images, request.path, request.json, request.real,
+                        request.options.search.threads},
+                       deliver);
+}
+
 int run_solve(const SolveRequest& request, const Deliver& deliver) {
+    if (names_model(request.example))
+        return write_example_data(request.example, request.path, deliver);
+    if (request.example.empty() && names_model(request.spec))
+        return solve_given_model(request, deliver);
     if (!request.example.empty()) {
         const ImagedProblem problem = solvable_problem(request.example);
         if (!problem.general) plan(problem.features); // refuses what cannot be solved
@@ -208,11 +231,13 @@ int run_solve(const SolveRequest& request, const Deliver& deliver) {
 
 Command add_solve_command(CLI::App& program, const Deliver& deliver) {
     const auto request = std::make_shared<SolveRequest>();
-    CLI::App* app =
-        program.add_subcommand("solve", "Find the cameras, all of them, that explain given images");
-    app->add_option("PROBLEM", request->spec,
-                    "the problem, as for `plprove problem`; may be missing where the file has it");
-    app->add_option("IMAGES", request->images, "the file with the images");
+    CLI::App* app = program.add_subcommand(
+        "solve", "Find the cameras, all of them, that explain given images; or solve a model");
+    app->add_option(
+        "PROBLEM", request->spec,
+        "the problem, as for `plprove problem`, may be missing where the file has it; or "
+        "a file with a model");
+    app->add_option("IMAGES", request->images, "the file with the images, or the model's data");
     app->add_option("-o,--output", request->path, "the file to write, - for standard output")
         ->capture_default_str();
     app->add_flag("--json", request->json, "print JSON");
@@ -226,7 +251,7 @@ Command add_solve_command(CLI::App& program, const Deliver& deliver) {
         ->type_name("FILE");
     app->add_option("--example", request->example,
                     "write images of a synthetic scene: Chicago, Cleveland, five-point, or any "
-                    "problem")
+                    "problem; or data of a model")
         ->type_name("NAME");
     app->add_option("--threads", request->options.search.threads,
                     "how many threads share the work; the answer is the same")

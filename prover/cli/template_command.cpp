@@ -40,7 +40,7 @@ std::string json_report(const model::Study& study, const model::EliminationTempl
 
 int write_template(const TemplateRequest& request, const Deliver& deliver) {
     const ModelSource source = read_model_source(request.file);
-    const model::Study study = in_file(request.file, [&] { return studied(source.text); });
+    const model::Study study = in_model_file(request.file, [&] { return studied(source.text); });
     const model::EliminationTemplate table = model::make_template(study);
     deliver(request.output, model::python_module(study, table));
     if (request.output != "-")

@@ -170,6 +170,7 @@ public:
         ratio("track_chicago_wide", "track_chicago", "track");
         ratio("track_chicago_triple", "track_chicago_wide", "track");
         ratio("check_solutions", "track_chicago", "solution and track");
+        ratio("steps_chicago_model", "steps_chicago", "step");
     }
 
 private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "prover/cameras/tracked_form.h"
+#include "prover/tracking/lane_number.h"
 #include "prover/tracking/track_settings.h"
 
 #include <cstddef>
@@ -86,11 +87,6 @@ inline constexpr TrackSettings usual_settings{.prediction = 1e-3,
                                               .largest_step = 0.2,
                                               .smallest_step = 1e-10,
                                               .most_steps = 2000};
-
-/// The numbers of one coordinate in all lanes: eight complex ones at most.
-struct alignas(64) LaneNumber {
-    double parts[16];
-};
 
 /// How many entries the rows of all views have: a row is an equation, its columns are the
 /// coordinates of the camera, the common unknowns, and two right sides.

@@ -4,7 +4,8 @@
 // No function of the standard library is used here: see prover/tracking/lanes.h.
 #pragma once
 
-#include "prover/many_views/tracking/linear_solver.h"
+#include "prover/many_views/tracking/evaluation.h"
+#include "prover/tracking/elimination.h"
 #include "prover/tracking/tracker.h"
 
 namespace plprove::many_views::PLC_LANES {

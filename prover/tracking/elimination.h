@@ -1,13 +1,11 @@
-// Newton steps. The equations of a view have the coordinates of its own camera and the depths. So
-// the coordinates are eliminated view by view, and what is left are equations of the depths.
+// Gauss' elimination of rows whose sizes are known only when the program runs.
 //
-// No function of the standard library is used here: see prover/tracking/lanes.h.
+// No function of the standard library is used here: see lanes.h.
 #pragma once
 
-#include "prover/many_views/tracking/evaluation.h"
 #include "prover/tracking/pivoting.h"
 
-namespace plprove::many_views::PLC_LANES {
+namespace plprove::PLC_LANES {
 
 namespace {
 
@@ -54,4 +52,4 @@ inline void substitute(const Rows& a, int count, const Number* inverse, const Nu
 
 } // namespace
 
-} // namespace plprove::many_views::PLC_LANES
+} // namespace plprove::PLC_LANES
