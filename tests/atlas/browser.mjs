@@ -3,6 +3,7 @@ import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { after, afterEach, before } from "node:test";
 import { fileURLToPath } from "node:url";
 import assert from "node:assert/strict";
 import path from "node:path";
@@ -34,7 +35,10 @@ async function serve() {
     return { server, address: `http://127.0.0.1:${port}/` };
 }
 
-/** A browser for one file of tests. Every page that it opens has to stay without errors. */
+/** A browser on the atlas. Every page that it opens has to stay without errors. Pages share a context
+ * with all that have the same options: a page of the atlas keeps nothing for the next, but a new context
+ * compiles everything anew. Without a word in the options there is no service worker: for each context it
+ * fetches the whole atlas. */
 export async function open() {
     const { server, address } = await serve();
     const browser = await chromium.launch({
@@ -54,20 +58,48 @@ export async function open() {
         });
         return page;
     };
+    const contexts = new Map();
+    const contextWith = (options) => {
+        const key = JSON.stringify(options);
+        const standard = { reducedMotion: "reduce", serviceWorkers: "block" };
+        if (!contexts.has(key)) contexts.set(key, browser.newContext({ ...standard, ...options }));
+        return contexts.get(key);
+    };
     return {
         address,
-        /** A page at an address in the atlas, in a context of its own. */
+        /** A page at an address in the atlas. */
         async visit(where, options = {}) {
-            const context = await browser.newContext({ reducedMotion: "reduce", ...options });
+            const context = await contextWith(options);
             const page = watch(await context.newPage());
             await page.addInitScript(axeSource); // the page's policy keeps scripts out, but not these
             await page.goto(address + where);
             return page;
         },
+        closePages: () =>
+            Promise.all(
+                browser.contexts().flatMap((context) => context.pages().map((page) => page.close())),
+            ),
         assertNoErrors: () => assert.deepEqual(errors, []),
         async close() {
             await browser.close();
             server.kill();
+        },
+    };
+}
+
+/** The atlas for the tests of a file, in one browser: each test opens pages, which are closed after it. */
+export function openForTests() {
+    let opened;
+    before(async () => (opened = await open()));
+    afterEach(() => opened.closePages());
+    after(async () => {
+        await opened.close();
+        opened.assertNoErrors();
+    });
+    return {
+        visit: (where, options) => opened.visit(where, options),
+        get address() {
+            return opened.address;
         },
     };
 }

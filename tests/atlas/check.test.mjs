@@ -1,23 +1,18 @@
 // Checking in the browser: what the page says is what the program says, of good files and of bad
 // ones.
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
-import { open, outcomeOf, root, textOf } from "./browser.mjs";
+import { openForTests, outcomeOf, root, textOf } from "./browser.mjs";
 
 const plcheck = path.join(root, "build/bin/plcheck");
 const plprove = path.join(root, "build/bin/plprove");
 const folder = mkdtempSync(path.join(tmpdir(), "atlas-"));
 
-let atlas;
-before(async () => (atlas = await open()));
-after(async () => {
-    await atlas.close();
-    atlas.assertNoErrors();
-});
+const atlas = openForTests();
 
 test("the whole classification is replayed, and fills the table", async () => {
     const page = await atlas.visit("index.html");

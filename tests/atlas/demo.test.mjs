@@ -1,14 +1,9 @@
 // The page Play: libpointline solves photos in the browser, and the reader moves them.
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import assert from "node:assert/strict";
-import { open, until, violationsOf } from "./browser.mjs";
+import { openForTests, until, violationsOf } from "./browser.mjs";
 
-let atlas;
-before(async () => (atlas = await open()));
-after(async () => {
-    await atlas.close();
-    atlas.assertNoErrors();
-});
+const atlas = openForTests();
 
 const degrees = { "five-points": 20, chicago: 312 };
 

@@ -1,22 +1,17 @@
 // The page of models: all of them, those with some words, their addresses, and their certificates,
 // replayed in the browser.
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
-import { open, outcomeOf, root, until } from "./browser.mjs";
+import { openForTests, outcomeOf, root, until } from "./browser.mjs";
 
 const plcheck = path.join(root, "build/bin/plcheck");
 const folder = { cwd: path.join(root, "build/atlas"), encoding: "utf8" };
 const files = readdirSync(path.join(root, "models")).filter((name) => name.endsWith(".model"));
 
-let atlas;
-before(async () => (atlas = await open()));
-after(async () => {
-    await atlas.close();
-    atlas.assertNoErrors();
-});
+const atlas = openForTests();
 
 async function visit(rest = "", options = {}) {
     const page = await atlas.visit(`models.html${rest}`, options);
@@ -51,7 +46,7 @@ test("a certificate is replayed in the browser, in the program's words", async (
 });
 
 test("a certificate that was tampered with is refused", async () => {
-    const page = await visit("#p3p", { serviceWorkers: "block" });
+    const page = await visit("#p3p");
     const text = readFileSync(path.join(root, "certs/models/p3p.plc"), "utf8");
     const body = text.replace(/^polynomial \d+/m, "polynomial 7");
     assert.notEqual(body, text);

@@ -1,22 +1,17 @@
 // What somebody needs who sees such problems for the first time: pictures that are photos of one
 // scene, words that say what they mean, results in sight, and how to cite.
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import path from "node:path";
-import { open, openProblem, outcomeOf, root, textOf, until } from "./browser.mjs";
+import { openForTests, openProblem, outcomeOf, root, textOf, until } from "./browser.mjs";
 
 const plprove = path.join(root, "build/bin/plprove");
 const reportOf = (spec) =>
     JSON.parse(execFileSync(plprove, ["problem", spec, "--json"], { encoding: "utf8" }));
 
-let atlas;
-before(async () => (atlas = await open()));
-after(async () => {
-    await atlas.close();
-    atlas.assertNoErrors();
-});
+const atlas = openForTests();
 
 const problemPage = async (spec, options) => {
     const page = await atlas.visit(`problem.html?p=${encodeURIComponent(spec)}`, options);
@@ -318,9 +313,10 @@ test("long pages fit 1280 pixels, and every page is led to from the others", asy
 });
 
 test("names in photos differ, and are legible on a phone, too", async () => {
-    for (const width of [360, 1280])
-        for (const spec of ["Chicago", "projective: 7*P/P", "1021_1"]) {
-            const page = await problemPage(spec, { viewport: { width, height: 740 } });
+    for (const spec of ["Chicago", "projective: 7*P/P", "1021_1"]) {
+        const page = await problemPage(spec);
+        for (const width of [360, 1280]) {
+            await page.setViewportSize({ width, height: 740 });
             const photos = await page.locator("main .photos.large .photo").evaluateAll((all) =>
                 all.map((photo) =>
                     [...photo.querySelectorAll("text")].map((text) => ({
@@ -337,6 +333,7 @@ test("names in photos differ, and are legible on a phone, too", async () => {
                     assert.ok(size >= 10, `${spec}, ${width} pixels wide: ${name} has ${size}`);
             }
         }
+    }
 });
 
 test("headings, text and navigation have one font", async () => {

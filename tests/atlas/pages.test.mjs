@@ -1,11 +1,11 @@
 // Every page: accessible, readable on a phone, light and dark, small, without a network; and the
 // files are those that the digests say.
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";
-import { atlas as folder, open, openProblem, textOf, violationsOf } from "./browser.mjs";
+import { atlas as folder, openForTests, openProblem, textOf, violationsOf } from "./browser.mjs";
 
 const pages = {
     "index.html": "#counts tbody tr",
@@ -27,33 +27,33 @@ const pages = {
     "demo.html": "#demo[data-settled]",
 };
 
-let atlas;
-before(async () => (atlas = await open()));
-after(async () => {
-    await atlas.close();
-    atlas.assertNoErrors();
-});
+const atlas = openForTests();
+
+const phone = { width: 360, height: 740 };
+const desk = { width: 1280, height: 720 };
 
 for (const [address, ready] of Object.entries(pages))
-    for (const colorScheme of ["light", "dark"])
-        test(`axe finds nothing on ${address} (${colorScheme})`, async () => {
-            const page = await atlas.visit(address, { colorScheme });
-            await page.waitForSelector(ready);
-            assert.deepEqual(await violationsOf(page), []);
-        });
-
-test("no page is wider than a phone", async () => {
-    for (const [address, ready] of Object.entries(pages)) {
-        const page = await atlas.visit(address, { viewport: { width: 360, height: 740 } });
+    test(`${address} fits a phone, axe finds nothing in dark and light, and links lead somewhere`, async () => {
+        const page = await atlas.visit(address, { colorScheme: "dark", viewport: phone });
         await page.waitForSelector(ready);
         const width = await page.evaluate(() => document.documentElement.scrollWidth);
-        assert.ok(width <= 360, `${address} is ${width} pixels wide`);
-    }
-});
+        assert.ok(width <= phone.width, `${width} pixels wide`);
+        await page.setViewportSize(desk);
+        assert.deepEqual(await violationsOf(page), []);
+        await page.emulateMedia({ colorScheme: "light" });
+        assert.deepEqual(await violationsOf(page), []);
+        const links = await page
+            .locator("a[href]")
+            .evaluateAll((all) => all.map((link) => link.href));
+        assert.ok(links.length > 4);
+        for (const link of links.filter((link) => link.startsWith(atlas.address))) {
+            const file = decodeURIComponent(new URL(link).pathname.slice(1)) || "index.html";
+            assert.ok(statSync(path.join(folder, file)).isFile(), link);
+        }
+    });
 
 test("the start page asks for at most 300 kB", async () => {
-    // Without the service worker, which keeps the whole atlas for later.
-    const page = await atlas.visit("index.html", { serviceWorkers: "block" });
+    const page = await atlas.visit("index.html");
     await page.waitForSelector("#counts tbody tr");
     const bytes = await page.evaluate(() =>
         [
@@ -65,7 +65,7 @@ test("the start page asks for at most 300 kB", async () => {
 });
 
 test("once visited, the atlas is read and checks without a network", async () => {
-    const page = await atlas.visit("index.html");
+    const page = await atlas.visit("index.html", { serviceWorkers: "allow" });
     await page.evaluate(() => navigator.serviceWorker.ready);
     await page.context().setOffline(true);
     await page.goto(`${atlas.address}problem.html?p=2394`);
@@ -134,19 +134,4 @@ test("the files are those of the digests, and 80 MB at most", () => {
     execFileSync("sha256sum", ["--check", "--quiet", "SHA256SUMS"], { cwd: folder });
     const bytes = all.reduce((sum, name) => sum + statSync(path.join(folder, name)).size, 0);
     assert.ok(bytes < 80e6, `${bytes} bytes`);
-});
-
-test("every link in the atlas leads somewhere", async () => {
-    for (const [address, ready] of Object.entries(pages)) {
-        const page = await atlas.visit(address);
-        await page.waitForSelector(ready);
-        const links = await page
-            .locator("a[href]")
-            .evaluateAll((all) => all.map((link) => link.href));
-        assert.ok(links.length > 4);
-        for (const link of links.filter((link) => link.startsWith(atlas.address))) {
-            const file = decodeURIComponent(new URL(link).pathname.slice(1)) || "index.html";
-            assert.ok(statSync(path.join(folder, file)).isFile(), `${address}: ${link}`);
-        }
-    }
 });

@@ -1,14 +1,9 @@
 // Asking and searching: notation, drawing, neighbours, filters, and addresses that say it all.
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import assert from "node:assert/strict";
-import { open, textOf, until } from "./browser.mjs";
+import { openForTests, textOf, until } from "./browser.mjs";
 
-let atlas;
-before(async () => (atlas = await open()));
-after(async () => {
-    await atlas.close();
-    atlas.assertNoErrors();
-});
+const atlas = openForTests();
 
 test("what is typed is decided, with reason, number and degree", async () => {
     const page = await atlas.visit("search.html");
