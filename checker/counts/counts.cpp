@@ -2,6 +2,8 @@
 
 #include "checker/counts/families.h"
 
+#include <algorithm>
+
 namespace checker {
 /// A label class, and what the counts ask of it.
 struct CountedClass {
@@ -73,22 +75,25 @@ static constexpr std::array definitions{
                     [](C c) { return c.obstruction.star > 0 && c.obstruction.epipolar() > 0; }},
 };
 
+/// The first definitions are of classes, whatever is proved of them.
+static constexpr std::size_t by_enumeration = 2;
+
 std::vector<Count> count_classes(const Classification& classes, const Verdicts& verdicts) {
+    const bool all_proved =
+        std::ranges::all_of(verdicts, [](const auto& verdict) { return verdict.has_value(); });
+    const std::size_t known = all_proved ? definitions.size() : by_enumeration;
     std::array<std::size_t, definitions.size()> numbers{};
-    bool all_proved = true;
     for (std::size_t n = 0; n < verdicts.size(); ++n) {
-        all_proved = all_proved && verdicts[n].has_value();
         const Obstruction obstruction = verdicts[n].value_or(Obstruction{});
         const CountedClass counted{classes.representatives[n], obstruction,
                                    classes.represents_swap_class(n)};
-        for (std::size_t i = 0; i < definitions.size(); ++i)
+        for (std::size_t i = 0; i < known; ++i)
             if (definitions[i].counts(counted)) ++numbers[i];
     }
     std::vector<Count> counts{{"balanced signatures", classes.signatures}};
     for (std::size_t i = 0; i < definitions.size(); ++i) {
-        const bool by_enumeration = i < 2; // of classes, whatever is proved of them
         Count& count = counts.emplace_back(Count{definitions[i].name, std::nullopt});
-        if (by_enumeration || all_proved) count.certified = numbers[i];
+        if (i < known) count.certified = numbers[i];
     }
     return counts;
 }
