@@ -4,6 +4,7 @@
 #include "prover/model/solver/random_solutions.h"
 #include "prover/model/solver/start.h"
 #include "prover/monodromy/solution_set.h"
+#include "prover/system/words.h"
 
 #include <algorithm>
 
@@ -112,8 +113,8 @@ void require_data(const Program& program) {
 Program program_to_solve(const Model& model) {
     Program program = compile(model);
     if (program.equations.size() != program.unknowns)
-        throw BadInput("there are " + std::to_string(program.equations.size()) + " equations and " +
-                       std::to_string(program.unknowns) + " unknowns: solve takes equally many");
+        throw BadInput(counted(program.equations.size(), "equation") + " for " +
+                       counted(program.unknowns, "unknown") + ": solve takes equally many");
     require_data(program);
     return program;
 }

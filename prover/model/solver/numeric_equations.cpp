@@ -74,11 +74,23 @@ std::optional<double> step_for_data(const Program& program, bool data_only, Solv
     return change.norm() / (1 + length(point.data) + length(point.unknowns));
 }
 
-bool is_regular(const Program& program, const SolvedData& point) {
-    const auto at = linearise(program, point.data, point.unknowns, false);
-    if (!at || at->by_unknowns.rows() != at->by_unknowns.cols()) return false;
-    constexpr double nearly_singular = 1e-7;
-    return at->by_unknowns.partialPivLu().rcond() > nearly_singular;
+/// How large the terms of each equation are at least: 1 and the unknowns times the derivatives.
+Eigen::VectorXd sizes_of_terms(const Linearisation& at, const Numbers& unknowns) {
+    Eigen::VectorXd sizes(at.by_unknowns.cols());
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+        sizes[static_cast<Eigen::Index>(i)] = std::abs(unknowns[i]);
+    return (at.by_unknowns.cwiseAbs() * sizes).array() + 1;
+}
+
+/// Whether the Jacobian is regular, as far as rounding lets one see: where it is not, equations
+/// whose terms change by 10^-16 have solutions 10^-8 away.
+bool is_regular(const Program& program, const Numbers& data, const Numbers& unknowns) {
+    const auto at = linearise(program, data, unknowns, false);
+    if (!at) return false;
+    const Eigen::MatrixXcd scaled =
+        sizes_of_terms(*at, unknowns).cwiseInverse().asDiagonal() * at->by_unknowns;
+    constexpr double largest = 1e7; // of the inverse, relative to the point
+    return scaled.partialPivLu().inverse().norm() < largest * (1 + length(unknowns));
 }
 
 } // namespace
@@ -117,11 +129,7 @@ std::optional<Numbers> values_of(const Program& program, const std::vector<Scala
 double residual_of(const Program& program, const Numbers& data, const Numbers& unknowns) {
     const auto at = linearise(program, data, unknowns, false);
     if (!at) return std::numeric_limits<double>::infinity();
-    Eigen::VectorXd sizes(at->by_unknowns.cols());
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
-        sizes[static_cast<Eigen::Index>(i)] = std::abs(unknowns[i]);
-    const Eigen::ArrayXd terms = (at->by_unknowns.cwiseAbs() * sizes).array() + 1;
-    return (at->values.cwiseAbs().array() / terms).maxCoeff();
+    return at->values.cwiseAbs().cwiseQuotient(sizes_of_terms(*at, unknowns)).maxCoeff();
 }
 
 bool keeps_conditions(const Program& program, const Numbers& data, const Numbers& unknowns) {
@@ -135,21 +143,20 @@ std::optional<Numbers> refined(const Program& program, const Numbers& data,
     constexpr int steps = 3;
     constexpr double far = 1e-4;
     constexpr double converged = 1e-6;
-    constexpr double singular = 1e-13; // of the reciprocal of the condition number
     Numbers point = approximation;
     double moved = 0, last = 0;
     for (int step = 0; step < steps; ++step) {
         const auto at = linearise(program, data, point, false);
         if (!at) return std::nullopt;
-        const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(at->by_unknowns);
-        const Eigen::VectorXcd change = lu.solve(at->values);
-        if (!(lu.rcond() > singular) || !change.allFinite()) return std::nullopt;
+        const Eigen::VectorXcd change = at->by_unknowns.partialPivLu().solve(at->values);
+        if (!change.allFinite()) return std::nullopt;
         subtract(point, change, 0);
         last = change.norm();
         moved += last;
     }
     const double size = 1 + length(approximation);
-    if (!(moved < far * size && last < converged * size)) return std::nullopt;
+    if (!(moved < far * size && last < converged * size) || !is_regular(program, data, point))
+        return std::nullopt;
     return point;
 }
 
@@ -171,7 +178,8 @@ std::optional<SolvedData> solved_for_data(const Program& program, const SolvedDa
         const double residual = residual_of(program, point.data, point.unknowns);
         constexpr double small = 1e-9; // a least-squares solution may be none
         if (residual < small && length(point.data) < largest && length(point.unknowns) < largest &&
-            keeps_conditions(program, point.data, point.unknowns) && is_regular(program, point))
+            keeps_conditions(program, point.data, point.unknowns) &&
+            is_regular(program, point.data, point.unknowns))
             return point;
     }
     return std::nullopt;
