@@ -31,7 +31,7 @@ Written written(const std::string& notation) {
 bool has_regular_solution(const std::string& notation) {
     const Written found = written(notation);
     return found.program.equations.size() == found.program.unknowns &&
-           model::find_solution_point(found.model, found.program).has_value();
+           model::find_solution_point(found.model, found.program).fibre.has_value();
 }
 
 } // namespace

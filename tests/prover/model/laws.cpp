@@ -170,11 +170,15 @@ TEST_CASE("the models of the literature have as many solutions as is certified, 
 TEST_CASE("each model of the literature has a solution that is found by solving for data") {
     // Two equations without data are in the same unknowns; an equation is linear in no data; or its
     // data are those of equations before it.
-    const std::set<std::string> exceptions{
-        "radial_absolute_pose", "four_spheres",     "two_views_triangulation",
-        "burmester_sphere",     "flexes",           "homography_distortions",
-        "homography_motion",    "vanishing_points", "conics_points_conics",
-        "homography_error"};
+    const std::set<std::string> exceptions{"radial_absolute_pose",
+                                           "four_spheres",
+                                           "two_views_triangulation",
+                                           "burmester_sphere",
+                                           "flexes",
+                                           "homography_distortions",
+                                           "homography_motion",
+                                           "conics_points_conics",
+                                           "homography_error"};
     for (const auto& [name, model] : models_of_literature()) {
         CAPTURE(name);
         const auto found = find_solution_point(model, compile(model)).fibre;
