@@ -6,6 +6,10 @@
 #include <pointline/problem.h>
 #include <pointline/solver.h>
 
+#include <complex>
+#include <pybind11/complex.h>
+#include <span>
+
 namespace {
 
 /// A solver and what its arrays look like.
@@ -140,6 +144,47 @@ T found_without_lock(const pointline::Model& model,
     return value(std::move(found));
 }
 
+/// The names and shapes of arrays.
+std::vector<std::pair<std::string, std::vector<int>>>
+shapes_of(const std::vector<pointline::NamedArray>& arrays) {
+    std::vector<std::pair<std::string, std::vector<int>>> shapes;
+    for (const pointline::NamedArray& array : arrays)
+        shapes.emplace_back(array.name, array.shape);
+    return shapes;
+}
+
+pointline::ModelSolver solver_of(const pointline::Model& model) {
+    auto made = [&] {
+        const py::gil_scoped_release release;
+        return pointline::ModelSolver::make(model);
+    }();
+    return value(std::move(made));
+}
+
+/// The unknowns, a row for each solution; which are real; residuals; how many are lost.
+py::tuple solve_model(const pointline::ModelSolver& solver, const Array& data) {
+    auto solved = [&] {
+        const std::span<const double> numbers(data.data(), static_cast<std::size_t>(data.size()));
+        const py::gil_scoped_release release;
+        return solver.solve(numbers);
+    }();
+    const pointline::ModelAnswer answer = value(std::move(solved));
+    const auto count = static_cast<py::ssize_t>(answer.solutions.size());
+    const auto size = count == 0
+                          ? py::ssize_t{0}
+                          : static_cast<py::ssize_t>(answer.solutions.front().unknowns.size());
+    py::array_t<std::complex<double>> unknowns({count, size});
+    py::array_t<bool> real(count);
+    Array residuals(count);
+    for (py::ssize_t i = 0; i < count; ++i) {
+        const pointline::ModelSolution& solution = answer.solutions[static_cast<std::size_t>(i)];
+        std::ranges::copy(solution.unknowns, unknowns.mutable_data(i, 0));
+        real.mutable_at(i) = solution.real;
+        residuals.mutable_at(i) = solution.residual;
+    }
+    return py::make_tuple(unknowns, real, residuals, answer.lost);
+}
+
 py::dict solve(const Solver& solver, const Array& points, const Array& lines, const Array& K,
                bool quick, bool conditions, unsigned threads) {
     const pointline::Images images = images_of(solver, points, lines, K);
@@ -181,9 +226,19 @@ PYBIND11_MODULE(_pointline, module) {
              [](const pointline::Model& model) {
                  return found_without_lock(model, &pointline::Model::certificate);
              })
-        .def("template", [](const pointline::Model& model) {
-            return found_without_lock(model, &pointline::Model::python_solver);
-        });
+        .def("template",
+             [](const pointline::Model& model) {
+                 return found_without_lock(model, &pointline::Model::python_solver);
+             })
+        .def("solver", solver_of);
+    py::class_<pointline::ModelSolver>(module, "ModelSolver")
+        .def_property_readonly(
+            "data", [](const pointline::ModelSolver& solver) { return shapes_of(solver.data()); })
+        .def_property_readonly(
+            "unknowns",
+            [](const pointline::ModelSolver& solver) { return shapes_of(solver.unknowns()); })
+        .def_property_readonly("found", &pointline::ModelSolver::found)
+        .def("solve", solve_model);
     module.def("problem", [](const std::string& text) { return value(pointline::problem(text)); });
     module.def("make", make);
     add_estimator(module);

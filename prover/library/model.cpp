@@ -1,8 +1,11 @@
 #include "prover/library/pointline/model.h"
 
 #include "prover/library/guarded.h"
+#include "prover/model/solver/model_solver.h"
 #include "prover/model/template_python.h"
 
+#include <algorithm>
+#include <cmath>
 #include <mutex>
 
 namespace pointline {
@@ -74,6 +77,63 @@ Result<std::string> Model::python_solver() const noexcept {
     return guarded<std::string>(Failure::bad_problem, [&] {
         const plprove::model::Study& study = content_->study();
         return plprove::model::python_module(study, plprove::model::make_template(study));
+    });
+}
+
+struct ModelSolver::Content {
+    plprove::model::ModelSolver solver;
+    std::vector<NamedArray> data, unknowns;
+};
+
+namespace {
+
+std::vector<NamedArray> arrays_of(const std::vector<plprove::model::Named>& names) {
+    std::vector<NamedArray> arrays;
+    for (const plprove::model::Named& named : names)
+        arrays.push_back({named.name, named.value.shape});
+    return arrays;
+}
+
+} // namespace
+
+ModelSolver::ModelSolver(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+Result<ModelSolver> ModelSolver::make(const Model& model) noexcept {
+    return guarded<ModelSolver>(Failure::bad_problem, [&] {
+        const plprove::model::Program& program = model.content_->program;
+        return ModelSolver(std::make_shared<const Content>(
+            Content{plprove::model::ModelSolver(model.content_->model),
+                    arrays_of(program.data_names), arrays_of(program.unknown_names)}));
+    });
+}
+
+const std::vector<NamedArray>& ModelSolver::data() const {
+    return content_->data;
+}
+
+const std::vector<NamedArray>& ModelSolver::unknowns() const {
+    return content_->unknowns;
+}
+
+int ModelSolver::found() const {
+    return static_cast<int>(content_->solver.found());
+}
+
+Result<ModelAnswer> ModelSolver::solve(std::span<const double> data) const noexcept {
+    return guarded<ModelAnswer>(Failure::bad_problem, [&] {
+        const std::size_t expected = content_->solver.program().data;
+        if (data.size() != expected)
+            throw plprove::BadInput("there are " + std::to_string(data.size()) +
+                                    " numbers of data: give the " + std::to_string(expected) +
+                                    " that the model has");
+        if (!std::ranges::all_of(data, [](double x) { return std::isfinite(x); }))
+            throw plprove::BadInput("a number of the data is not finite: give finite ones");
+        plprove::model::ModelAnswer found = content_->solver.solve({data.begin(), data.end()});
+        ModelAnswer answer{{}, static_cast<int>(found.lost)};
+        for (plprove::model::ModelSolution& solution : found.solutions)
+            answer.solutions.push_back(
+                {std::move(solution.unknowns), solution.real, solution.residual});
+        return answer;
     });
 }
 

@@ -25,7 +25,7 @@ import numpy as np
 
 from . import _pointline
 
-__all__ = ["Answer", "Estimate", "Model", "Offer", "Problem", "Solver", "estimate_poses", "offers", "problem"]
+__all__ = ["Answer", "Estimate", "Model", "ModelAnswer", "ModelSolver", "Offer", "Problem", "Solver", "estimate_poses", "offers", "problem"]
 
 
 @dataclass(frozen=True)
@@ -217,6 +217,70 @@ class Model:
         Raises ValueError where there is no template.
         """
         return self._content.template()
+
+    def solver(self):
+        """A solver for any data. It finds the solutions for random data first, in seconds or less.
+
+        Raises ValueError where equations and unknowns are not equally many, or there are no data.
+        """
+        return ModelSolver(self._content.solver())
+
+
+@dataclass(frozen=True)
+class ModelAnswer:
+    """The complex solutions of a model for some data, real ones first. They are approximate.
+
+    With n solutions:
+    """
+
+    unknowns: dict  #: by name: (n, ...) complex, with the shape of the name
+    real: np.ndarray  #: (n,): which are real
+    residuals: np.ndarray  #: (n,): the largest value of an equation, relative to its terms
+    lost: int  #: how many fewer these are than for random data
+
+    def __len__(self):
+        return len(self.real)
+
+    def real_values(self, name):
+        """The values of an unknown in the real solutions: (m, ...)."""
+        return self.unknowns[name][self.real].real
+
+
+class ModelSolver:
+    """Solves one model for any data, in several threads if you like."""
+
+    def __init__(self, content):
+        self._content = content
+
+    @property
+    def found(self):
+        """How many solutions there are for random data."""
+        return self._content.found
+
+    def solve(self, **data):
+        """The solutions for these data, as a ModelAnswer: an array for each name of data.
+
+        Raises ValueError where a name is missing or unknown, or an array has another shape.
+        """
+        names = [name for name, _ in self._content.data]
+        for name in data:
+            if name not in names:
+                raise ValueError(f"the model has no data {name}: it has {', '.join(names)}")
+        parts = []
+        for name, shape in self._content.data:
+            if name not in data:
+                raise ValueError(f"{name} is missing: give an array of shape {tuple(shape)}")
+            array = np.asarray(data[name], dtype=float)
+            if array.shape != tuple(shape):
+                raise ValueError(f"{name} has shape {array.shape}: give shape {tuple(shape)}")
+            parts.append(array.ravel())
+        numbers, real, residuals, lost = self._content.solve(np.concatenate(parts))
+        unknowns, first = {}, 0
+        for name, shape in self._content.unknowns:
+            size = int(np.prod(shape))
+            unknowns[name] = numbers[:, first:first + size].reshape(len(real), *shape)
+            first += size
+        return ModelAnswer(unknowns, real, residuals, lost)
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,5 @@
 from os import PathLike
-from typing import Optional, Union
+from typing import Any, Optional, Union
 
 from numpy import ndarray
 from numpy.typing import ArrayLike
@@ -34,6 +34,20 @@ class Model:
     def degree(self) -> Optional[int]: ...
     def certificate(self) -> str: ...
     def template(self) -> str: ...
+    def solver(self) -> ModelSolver: ...
+
+class ModelAnswer:
+    unknowns: dict[str, ndarray]
+    real: ndarray
+    residuals: ndarray
+    lost: int
+    def __len__(self) -> int: ...
+    def real_values(self, name: str) -> ndarray: ...
+
+class ModelSolver:
+    @property
+    def found(self) -> int: ...
+    def solve(self, **data: Any) -> ModelAnswer: ...
 
 class Estimate:
     R: ndarray

@@ -35,6 +35,24 @@ def test_its_template_solves():
     assert np.isclose(solutions, s).all(axis=1).any()
 
 
+def test_its_solver_solves():
+    solver = pointline.Model(P3P).solver()
+    assert solver.found == 8
+    x, s = np.random.default_rng(1).normal(size=(3, 3)), np.array([1.0, 2, 3])
+    X = s[:, None] * x
+    d = [np.sum((X[i] - X[j]) ** 2) for i, j in [(0, 1), (0, 2), (1, 2)]]
+    answer = solver.solve(x=x, d=d)
+    assert len(answer) == 8 and answer.lost == 0 and answer.unknowns["s"].shape == (8, 3)
+    assert np.isclose(answer.real_values("s"), s).all(axis=1).any()
+    assert answer.residuals.max() < 1e-10
+    for data, complaint in [({"x": x}, "d is missing: give an array of shape \\(3,\\)"),
+                            ({"x": x, "d": d, "e": 1}, "the model has no data e: it has x, d"),
+                            ({"x": x[0], "d": d}, "x has shape \\(3,\\): give shape \\(3, 3\\)"),
+                            ({"x": x * np.nan, "d": d}, "is not finite")]:
+        with pytest.raises(ValueError, match=complaint):
+            solver.solve(**data)
+
+
 def test_a_model_that_is_not_minimal_has_no_solution():
     model = pointline.Model("model m\ndata a\nunknown x\nequation x = a\nequation x = 1\n")
     assert model.degree() == 0

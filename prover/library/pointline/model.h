@@ -3,10 +3,13 @@
 
 #include <pointline/result.h>
 
+#include <complex>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pointline {
 
@@ -37,9 +40,51 @@ public:
     Result<std::string> python_solver() const noexcept;
 
 private:
+    friend class ModelSolver;
     struct Content;
     explicit Model(std::shared_ptr<Content> content);
     std::shared_ptr<Content> content_;
+};
+
+/// A name of data or of unknowns: an array. Without sizes it is a number.
+struct NamedArray {
+    std::string name;
+    std::vector<int> shape;
+};
+
+struct ModelSolution {
+    std::vector<std::complex<double>> unknowns; ///< of all names in order, arrays by rows
+    bool real = false;
+    double residual = 0; ///< the largest value of an equation, relative to its terms
+};
+
+/// Solutions for some data, different in what counts; real ones first. They are approximate.
+struct ModelAnswer {
+    std::vector<ModelSolution> solutions;
+    int lost = 0; ///< how many fewer these are than for random data
+};
+
+/// Solves one model for any data. Several threads may use it.
+class ModelSolver {
+public:
+    /// Finds the solutions for random data, from which paths lead to those for other data. Fails
+    /// where equations and unknowns are not equally many, there are no data, or no solution is
+    /// found.
+    static Result<ModelSolver> make(const Model& model) noexcept;
+
+    const std::vector<NamedArray>& data() const;
+    const std::vector<NamedArray>& unknowns() const;
+    /// How many solutions there are for random data.
+    int found() const;
+
+    /// `data` are the scalars of all names in order, arrays by rows. Fails where they are not as
+    /// many as the model has, or not finite.
+    Result<ModelAnswer> solve(std::span<const double> data) const noexcept;
+
+private:
+    struct Content;
+    explicit ModelSolver(std::shared_ptr<const Content> content);
+    std::shared_ptr<const Content> content_;
 };
 
 } // namespace pointline
