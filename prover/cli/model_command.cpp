@@ -49,9 +49,11 @@ std::string verdict(const model::Study& study) {
 std::string rank_report(const model::Study& study) {
     const model::RanksSeen& seen = study.ranks;
     if (seen.solutions == 0 || study.at_most() == std::size_t{0}) return {};
-    return "at " + counted(seen.solutions, "random solution") +
-           " the Jacobian by the unknowns has rank " + std::to_string(seen.rank) + ", " +
-           std::to_string(study.program.unknowns) + " is regular: by chance with probability 1e-" +
+    return "the Jacobian has rank " + std::to_string(seen.rank) + " of " +
+           std::to_string(study.program.unknowns) + " at " +
+           counted(seen.solutions, "random solution") +
+           "; if it were regular for generic data, the\n            probability of that would be "
+           "1e-" +
            std::to_string(seen.digits) + " at most";
 }
 
@@ -68,7 +70,7 @@ std::string text_report(const model::Study& study, const ModelSource& source,
     if (const std::string ranks = rank_report(study); !ranks.empty())
         section(out, "evidence") << ranks << '\n';
     section(out, "solutions") << claim_report(study) << '\n';
-    if (!study.no_elimination.empty())
+    if (!study.no_elimination.empty() && !study.at_most())
         section(out, "upper bound") << "none: " << study.no_elimination << '\n';
     section(out, "certificate");
     if (output.empty())

@@ -51,10 +51,7 @@ void look_for_fibre(Study& study) {
 }
 
 void look_for_elimination(Study& study) {
-    if (study.is_underdetermined()) {
-        study.no_elimination = "there are none to bound";
-        return;
-    }
+    if (study.is_underdetermined()) return;
     try {
         study.elimination = find_elimination(study.model, study.program, study.at_least());
         if (!study.elimination)

@@ -16,6 +16,8 @@ using Multiple = std::pair<std::size_t, std::size_t>;
 
 void require_template(const Study& study) {
     const std::string none = "the model " + study.model.name + " has no template: ";
+    if (study.at_most() == std::size_t{0})
+        throw BadInput(none + "it has no solution for generic data");
     if (!study.elimination)
         throw BadInput(none + "no upper bound is known for its solutions (" + study.no_elimination +
                        "); docs/models.md says how a model gets one");
