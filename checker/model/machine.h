@@ -65,7 +65,6 @@ private:
         switch (statement.kind) {
         case Statement::Kind::data:
         case Statement::Kind::unknown:
-            if (in_loop_) throw Senseless{"data and unknowns stand outside of loops"};
             return define(statement.name, given(statement.name, statement.shape));
         case Statement::Kind::let: {
             Value value = evaluate(parts[0]);

@@ -45,7 +45,7 @@ public:
             result.claimed = static_cast<std::size_t>(integer(1, 999'999));
             end_line();
         }
-        result.statements = statements();
+        result.statements = statements(false);
         if (result.statements.empty()) reader_.fail(reader_.word(), "a statement of a model");
         result.text = std::move(text_);
         return result;
@@ -91,12 +91,13 @@ private:
         return found;
     }
 
-    std::vector<Statement> statements() {
+    /// Data and unknowns stand outside of loops.
+    std::vector<Statement> statements(bool in_loop) {
         std::vector<Statement> all;
         while (true) {
-            if (reader_.comes("data"))
+            if (!in_loop && reader_.comes("data"))
                 declare(all, Statement::Kind::data);
-            else if (reader_.comes("unknown"))
+            else if (!in_loop && reader_.comes("unknown"))
                 declare(all, Statement::Kind::unknown);
             else if (std::optional<Statement> next = statement())
                 all.push_back(std::move(*next));
@@ -168,7 +169,7 @@ private:
         next.parts.push_back(index());
         end_line();
         const Depth depth(*this);
-        next.body = statements();
+        next.body = statements(true);
         take("end");
     }
 

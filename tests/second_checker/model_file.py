@@ -22,6 +22,8 @@ class File:
     def __init__(self, node):
         self.model, = node["model"]
         need(depth_of(self.model) <= 100, "more than 100 sums and loops in each other")
+        need(not any(declares_in_loop(statement) for statement in self.model["statement"]),
+             "data and unknowns in a loop")
         name, = self.model["NAME"]
         need(name not in RESERVED and name not in FUNCTIONS, f"the name {name}")
         self.data, self.unknowns = self.declared("data"), self.declared("unknown")
@@ -142,6 +144,12 @@ class File:
 
     def conclude(self, held):
         return 0, bounds_of(held)
+
+
+def declares_in_loop(statement):
+    """Whether a loop, or one in it, has a statement `data` or `unknown`."""
+    return any(own["words"][0] in ("data", "unknown") or declares_in_loop(own)
+               for own in statement["statement"])
 
 
 def bounds_of(held):

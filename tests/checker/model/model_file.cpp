@@ -276,8 +276,8 @@ TEST_CASE("a model has limits, and may reach them") {
     CHECK(model(body, "for i in 1 .. 99990\nlet w = x\n") == fine);
     CHECK(model(body, "for i in 1 .. 99991\nlet w = x\n") ==
           "10: more than 100,000 statements to execute");
-    CHECK(model("for i in 1 .. 1\n", "for i in 1 .. 1\ndata d\n") ==
-          "8: data and unknowns stand outside of loops");
+    CHECK(model("for i in 1 .. 1\n", "for i in 1 .. 0\ndata d\n") ==
+          "8: found `data`, expected `end`");
     CHECK(model("for i in", "for u in") == "7: `u` has a meaning already");
     CHECK(fault("model none\ndata a\nequation a = a\nmodulus 2305843009213693951\n") ==
           "3: the model has no unknown");
