@@ -158,8 +158,8 @@ Command add_model_command(CLI::App& program, Deliver deliver) {
                             ->excludes(file);
     CLI::Option* import =
         app->add_option("--import", request->imported,
-                        "instead of FILE: write the equations of this program for Macaulay2 or "
-                        "HomotopyContinuation.jl as a model, and prove nothing")
+                        "instead of FILE: write the equations of this program for Macaulay2, "
+                        "HomotopyContinuation.jl or Matlab as a model, and prove nothing")
             ->type_name("PROGRAM")
             ->excludes(file)
             ->excludes(from);

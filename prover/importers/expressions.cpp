@@ -1,5 +1,6 @@
 #include "prover/importers/expressions.h"
 
+#include "prover/importers/setting.h"
 #include "prover/system/words.h"
 
 namespace plprove::importers {
@@ -9,19 +10,6 @@ namespace {
 using model::ModelError;
 using model::Position;
 using Kind = Token::Kind;
-
-/// Sets a flag as long as it lives.
-class Setting {
-public:
-    Setting(bool& flag, bool value) : flag_(flag), kept_(flag) { flag = value; }
-    ~Setting() { flag_ = kept_; }
-    Setting(const Setting&) = delete;
-    Setting& operator=(const Setting&) = delete;
-
-private:
-    bool& flag_;
-    bool kept_;
-};
 
 /// Below each other: rows, or the items of a list.
 void append_below(std::vector<Value>& items, const Value& value) {

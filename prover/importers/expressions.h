@@ -39,6 +39,9 @@ public:
         take();
         return true;
     }
+    /// A place to come back to.
+    std::size_t place() const { return place_; }
+    void go_to(std::size_t place) { place_ = place; }
     void skip_new_lines() {
         while (is(Token::Kind::new_line))
             take();

@@ -12,12 +12,15 @@ std::string import_program(std::string_view program, const std::string& path) {
         return program.find(word) != std::string_view::npos;
     };
     const std::string name = file == "-" ? "standard input" : file.filename().string();
-    if (file.extension() == ".jl" || (file.extension() != ".m2" && has("@var")))
+    if (file.extension() == ".jl" ||
+        (file.extension() != ".m2" && file.extension() != ".m" && has("@var")))
         return from_julia(program, name);
+    if (file.extension() == ".m") return from_matlab(program, name);
     if (file.extension() == ".m2" || has("ideal")) return from_macaulay2(program, name);
-    throw BadInput(path +
-                   " is no program that can be imported: it has neither an ideal of Macaulay2 "
-                   "nor variables of HomotopyContinuation.jl (@var)");
+    if (has("create_vars") || has("gbs_Matrix") || has("syms ")) return from_matlab(program, name);
+    throw BadInput(path + " is no program that can be imported: it has no ideal of Macaulay2, no "
+                          "variables of HomotopyContinuation.jl (@var), and no symbols of Matlab "
+                          "(create_vars, gbs_Matrix, syms)");
 }
 
 } // namespace plprove::importers

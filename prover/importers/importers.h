@@ -19,8 +19,14 @@ std::string from_macaulay2(std::string_view program, const std::string& source);
 /// data. One with the name `conditions` says what is not 0.
 std::string from_julia(std::string_view program, const std::string& source);
 
-/// The one of these that fits the ending of the file, .m2 or .jl, or else what the program has in
-/// it. Throws BadInput if it is neither.
+/// Likewise of the first function in a Matlab program for generators of elimination templates, or
+/// of a script: its first output, or `eqs` or `eq`, are the equations. What create_vars makes is
+/// unknown, and so are symbols, or those that `unknown` names; random numbers and other symbols are
+/// data.
+std::string from_matlab(std::string_view program, const std::string& source);
+
+/// The one of these that fits the ending of the file, .m2, .jl or .m, or else what the program has
+/// in it. Throws BadInput if it is none.
 std::string import_program(std::string_view program, const std::string& path);
 
 } // namespace plprove::importers

@@ -18,9 +18,21 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 128;
 }
 
+/// How comments begin and end.
+struct Comment {
+    std::string_view opens, closes, line;
+};
+
+Comment comment_in(Language language) {
+    if (language == Language::julia) return {"#=", "=#", "#"};
+    if (language == Language::matlab) return {"%{", "%}", "%"};
+    return {"-*", "*-", "--"};
+}
+
 class Tokenizer {
 public:
-    Tokenizer(std::string_view text, Language language) : text_(text), language_(language) {}
+    Tokenizer(std::string_view text, Language language)
+        : text_(text), language_(language), comment_(comment_in(language)) {}
 
     std::vector<Token> run() {
         while (place_ < text_.size())
@@ -36,21 +48,26 @@ private:
 
     void step() {
         const char c = text_[place_];
-        const bool julia = language_ == Language::julia;
+        const bool julia = language_ == Language::julia, matlab = language_ == Language::matlab;
         if (c == '\n') {
-            if (open_.empty() || (julia && open_.back().bracket == '['))
+            if (open_.empty() || (julia && open_.back().bracket == '[') ||
+                (matlab && open_.back().bracket != '('))
                 add(Token::Kind::new_line, 0);
             advance(1);
             spaced_ = true;
         } else if (c == ' ' || c == '\t' || c == '\r') {
             advance(1);
             spaced_ = true;
-        } else if (begins(julia ? "#=" : "-*")) {
-            skip_to(julia ? "=#" : "*-");
-        } else if (begins(julia ? "#" : "--")) {
-            advance(std::min(text_.find('\n', place_), text_.size()) - place_);
-        } else if (c == '"') {
-            const std::size_t end = text_.find('"', place_ + 1);
+        } else if (begins_block_of_comment()) {
+            skip_to(comment_.closes);
+        } else if (begins(comment_.line)) {
+            skip_line();
+        } else if (matlab && begins("...")) { // the line goes on
+            skip_line();
+            advance(place_ < text_.size() ? 1 : 0);
+            spaced_ = true;
+        } else if (c == '"' || (matlab && c == '\'' && !is_after_value())) {
+            const std::size_t end = text_.find(c, place_ + 1);
             if (end == std::string_view::npos)
                 throw model::ModelError(at_, "this text in quotes does not end");
             add(Token::Kind::text, end + 1 - place_);
@@ -64,6 +81,25 @@ private:
     }
 
     char next() const { return place_ + 1 < text_.size() ? text_[place_ + 1] : '\0'; }
+
+    /// In Matlab, only a line of its own begins one.
+    bool begins_block_of_comment() const {
+        if (!begins(comment_.opens)) return false;
+        const std::size_t rest = text_.find_first_not_of(" \t\r", place_ + comment_.opens.size());
+        return language_ != Language::matlab ||
+               (rest != std::string_view::npos && text_[rest] == '\n');
+    }
+
+    /// Where a quote is a transpose in Matlab, and no text begins.
+    bool is_after_value() const {
+        if (tokens_.empty() || spaced_) return false;
+        const Token& last = tokens_.back();
+        return last.kind == Token::Kind::name || last.kind == Token::Kind::number ||
+               last.word == ")" || last.word == "]" || last.word == "}" || last.word == "'" ||
+               last.word == ".'";
+    }
+
+    void skip_line() { advance(std::min(text_.find('\n', place_), text_.size()) - place_); }
 
     void skip_to(std::string_view end) {
         const std::size_t found = text_.find(end, place_ + 2);
@@ -100,7 +136,9 @@ private:
         std::size_t end = place_;
         const auto is_of_name = [&](char c) {
             return is_letter(c) || is_digit(c) ||
-                   (language_ == Language::julia ? c == '_' || c == '!' : c == '\'');
+                   (language_ == Language::macaulay2
+                        ? c == '\''
+                        : c == '_' || (c == '!' && language_ == Language::julia));
         };
         while (end < text_.size() && is_of_name(text_[end]))
             ++end;
@@ -108,8 +146,9 @@ private:
     }
 
     void add_symbol() {
-        static constexpr std::array<std::string_view, 13> longer{
-            "...", "..", "->", "=>", "==", ":=", "//", "<<", "<-", ".*", ".^", ".'", "!="};
+        static constexpr std::array<std::string_view, 19> longer{
+            "...", "..", "->", "=>", "==", ":=", "//", "<<", "<-", ".*",
+            ".^",  "./", ".'", "!=", "~=", "<=", ">=", "&&", "||"};
         for (const std::string_view symbol : longer)
             if (begins(symbol)) return add(Token::Kind::symbol, symbol.size());
         const char c = text_[place_];
@@ -147,6 +186,7 @@ private:
 
     std::string_view text_;
     Language language_;
+    Comment comment_;
     std::size_t place_ = 0;
     model::Position at_;
     bool spaced_ = false;

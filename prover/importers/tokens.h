@@ -9,7 +9,7 @@
 
 namespace plprove::importers {
 
-enum class Language { macaulay2, julia };
+enum class Language { macaulay2, julia, matlab };
 
 struct Token {
     enum class Kind { name, number, text, symbol, new_line, end };
@@ -20,8 +20,8 @@ struct Token {
 };
 
 /// The tokens of a program, the last one of the kind `end`. Comments are left out; a new line
-/// between brackets is none, but between [ and ] in Julia. Throws ModelError for a text or comment
-/// that does not end, or if brackets do not fit.
+/// between brackets is none, but between [ and ] in Julia and Matlab. Throws ModelError for a text
+/// or comment that does not end, or if brackets do not fit.
 std::vector<Token> tokens_of(std::string_view program, Language language);
 
 } // namespace plprove::importers
