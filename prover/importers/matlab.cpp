@@ -19,7 +19,7 @@ public:
           expressions_(tokens_, symbols_, draft_) {}
 
     Draft run() {
-        while (!tokens_.is(Kind::end) && !ends_function())
+        while (!tokens_.is(Kind::end) && !ends_program())
             statement();
         const Array equations = result();
         for (const Value& equation : equations.entries)
@@ -29,9 +29,10 @@ public:
     }
 
 private:
-    /// At the end of the first function: others in the file are not called.
-    bool ends_function() const {
-        return tokens_.is_word("end") || (has_header_ && tokens_.is_word("function"));
+    /// At the end of the first function, or of the script: functions behind it are not called.
+    bool ends_program() const {
+        const bool has_begun = has_header_ || !expressions_.values.empty();
+        return tokens_.is_word("end") || (has_begun && tokens_.is_word("function"));
     }
 
     /// The value of the first output, or of `eqs` or `eq`.
@@ -58,7 +59,8 @@ private:
         if (tokens_.is_word("for")) return loop();
         if (tokens_.is_word("if")) return branches();
         if (tokens_.is_word("syms")) return symbols();
-        for (const char* word : {"while", "switch", "try", "eval", "load", "assignin", "return"})
+        for (const char* word : {"while", "switch", "try", "parfor", "break", "continue", "return",
+                                 "eval", "load", "assignin"})
             if (tokens_.is_word(word))
                 throw ModelError(at, "found '" + std::string(word) +
                                          "', which is not imported: write out what it does");

@@ -120,10 +120,20 @@ TEST_CASE("a program has the solutions that Bezout's theorem gives its equations
 
 TEST_CASE("problem files of Matlab have the solutions that are known") {
     CHECK(solutions(import_program(depths, "depths.m")) == 8);
+    // More equations than unknowns: no certificate, but the same model.
     const std::string text = import_program(focal, "-");
     CHECK(text.find("unknown x, y, w\n") != std::string::npos);
     CHECK(text.find("data F111, F121, ") != std::string::npos);
-    CHECK(solutions(text) == 15);
+    std::size_t equations = 0;
+    for (std::size_t at = 0; (at = text.find("\nequation ", at)) != std::string::npos; ++at)
+        ++equations;
+    CHECK(equations == 10);
+    // As many: a cubic and a quadric of its unknowns, and a line.
+    const std::size_t trace = focal.find("eq(2:10)");
+    std::string square = focal;
+    square.replace(trace, focal.find('\n', trace) - trace,
+                   "eq(2) = trace(F*F'); eq(end+1) = F(1, :)*F1(:, 1) - w;");
+    CHECK(solutions(import_program(square, "square.m")) == 6);
 }
 
 TEST_CASE("scripts of a model are imported as models with as many zeros") {
