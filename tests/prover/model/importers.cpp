@@ -191,8 +191,10 @@ TEST_CASE("what Matlab programs do that is not understood is refused with its pl
     CHECK(matlab(start + "eqs = rotation(x)*x;")
               .starts_with("line 2, column 7: found 'rotation', which is no function"));
     CHECK(matlab(start + "eqs = x(3);") == "line 2, column 7: found the index 3 of a 2 by 1 array");
-    CHECK(matlab(start + "eqs = x + [1 2 3];\neqs = [eqs; 1];")
-              .starts_with("line 2, column 9: found a 2 by 1 array and a 1 by 3 array"));
+    CHECK(matlab(start + "eqs = x + [1; 2; 3];") ==
+          "line 2, column 9: found a 2 by 1 array and a 3 by 1 array: their sizes do not fit");
+    // Rows and columns are repeated.
+    CHECK(matlab(start + "eqs = x(1)*x + [1 2 3];").empty());
     CHECK(matlab(start + "eqs = x*x;")
               .starts_with("line 2, column 8: found a 2 by 1 array and a 2 by 1 array: their "
                            "product is not defined"));
