@@ -3,6 +3,7 @@
 // unknowns; a step evaluates them with their Jacobian twice, and solves two linear systems.
 #include "prover/model/solver/start.h"
 #include "prover/three_views/camera_loops.h"
+#include "tests/bench/evaluations.h"
 
 #include <benchmark/benchmark.h>
 
@@ -51,8 +52,13 @@ struct ModelPaths {
     }
 };
 
-void steps_chicago_model(benchmark::State& state) {
+const ModelPaths& model_paths() {
     static const ModelPaths value;
+    return value;
+}
+
+void steps_chicago_model(benchmark::State& state) {
+    const ModelPaths& value = model_paths();
     const model::TrackedProgram& program = value.equations.tracked();
     model::Numbers starts;
     for (std::size_t i = 0; i < paths; ++i)
@@ -72,31 +78,76 @@ void steps_chicago_model(benchmark::State& state) {
     state.counters["operations"] = program.operations_at_rest;
 }
 
+/// The engine's equations of Chicago, with solutions for random images, and a way to others.
+struct EnginePaths {
+    static constexpr std::size_t chicago = 2394;
+    CameraSystem system = camera_system(label_classes()[chicago]);
+    Monodromy<CameraLoops> monodromy = camera_monodromy(CameraLoops(system, 0, chicago));
+    TrackedSystem tracked = tracked_system(system, monodromy.loops().chart());
+    TrackedImages edge;
+
+    EnginePaths() {
+        monodromy.reach(static_cast<int>(paths), 6);
+        const CameraLoops& loops = monodromy.loops();
+        Random random(1, 1);
+        edge = moving_images(
+            system, loops.constants(), loops.images(),
+            rephased(random_neighbour(loops.images(), random), Phases::near_one, random));
+    }
+};
+
+const EnginePaths& engine_paths() {
+    static const EnginePaths value;
+    return value;
+}
+
 void steps_chicago(benchmark::State& state) {
-    constexpr std::size_t chicago = 2394;
-    static const CameraSystem system = camera_system(label_classes()[chicago]);
-    static Monodromy<CameraLoops> monodromy = [] {
-        auto loops = camera_monodromy(CameraLoops(system, 0, chicago));
-        loops.reach(static_cast<int>(paths), 6);
-        return loops;
-    }();
-    const CameraLoops& loops = monodromy.loops();
-    const TrackedSystem tracked = tracked_system(system, loops.chart());
-    Random random(1, 1);
-    const TrackedImages edge =
-        moving_images(system, loops.constants(), loops.images(),
-                      rephased(random_neighbour(loops.images(), random), Phases::near_one, random));
+    const EnginePaths& value = engine_paths();
     std::vector<CameraPoint> ends(paths);
     std::vector<TrackOutcome> outcomes(paths);
     std::uint64_t steps = 0;
     for (auto _ : state)
-        steps += fastest_tracker()(tracked, edge, {}, paths, monodromy.solutions().points().data(),
-                                   ends.data(), outcomes.data())
+        steps += fastest_tracker()(value.tracked, value.edge, {}, paths,
+                                   value.monodromy.solutions().points().data(), ends.data(),
+                                   outcomes.data())
                      .steps;
     state.SetItemsProcessed(static_cast<std::int64_t>(steps));
 }
+
+#if defined(__x86_64__)
+constexpr int times = 1000;
+
+void evaluations_chicago(benchmark::State& state) {
+    if (!__builtin_cpu_supports("avx2")) return state.SkipWithError("no AVX2");
+    const EnginePaths& value = engine_paths();
+    const CameraPoint& point = value.monodromy.solutions().points().front();
+    std::uint64_t evaluations = 0;
+    for (auto _ : state)
+        evaluations += bench::evaluate_engine(value.tracked, value.edge,
+                                              reinterpret_cast<const double*>(point.data()), times);
+    state.SetItemsProcessed(static_cast<std::int64_t>(evaluations));
+}
+
+void evaluations_chicago_model(benchmark::State& state) {
+    if (!__builtin_cpu_supports("avx2")) return state.SkipWithError("no AVX2");
+    const ModelPaths& value = model_paths();
+    const model::TrackedProgram& program = value.equations.tracked();
+    std::vector<LaneNumber> workspace(model::workspace_size(program));
+    std::uint64_t evaluations = 0;
+    for (auto _ : state)
+        evaluations +=
+            bench::evaluate_model(program, value.curves.data(),
+                                  reinterpret_cast<const double*>(value.start.solutions[0].data()),
+                                  workspace.data(), times);
+    state.SetItemsProcessed(static_cast<std::int64_t>(evaluations));
+}
+#endif
 
 } // namespace
 
 BENCHMARK(steps_chicago)->Unit(benchmark::kMillisecond);
 BENCHMARK(steps_chicago_model)->Unit(benchmark::kMillisecond);
+#if defined(__x86_64__)
+BENCHMARK(evaluations_chicago)->Unit(benchmark::kMillisecond);
+BENCHMARK(evaluations_chicago_model)->Unit(benchmark::kMillisecond);
+#endif

@@ -36,28 +36,42 @@ void set_data(const TrackedProgram& program, const TrackedCurve* curves, Real ti
     }
 }
 
-inline Number result_of(const TrackedOperation& operation, const Number* places) {
-    const Number& a = places[operation.a];
-    const Number& b = places[operation.b];
-    switch (operation.kind) {
+/// Computes operations from `first` on as long as they are of one kind. Returns the next one.
+template <class Compute>
+inline const TrackedOperation* compute_run(const TrackedOperation* first,
+                                           const TrackedOperation* end, Number* places,
+                                           Compute compute) {
+    const TrackedOperation* next = first;
+    do {
+        places[next->to] = compute(places[next->a], places[next->b], places[next->c]);
+        ++next;
+    } while (next != end && next->kind == first->kind);
+    return next;
+}
+
+inline const TrackedOperation* compute_run(const TrackedOperation* first,
+                                           const TrackedOperation* end, Number* places) {
+    using N = const Number&;
+    const auto run = [&](auto compute) { return compute_run(first, end, places, compute); };
+    switch (first->kind) {
     case TrackedKind::sum:
-        return a + b;
+        return run([](N a, N b, N) { return a + b; });
     case TrackedKind::difference:
-        return a - b;
+        return run([](N a, N b, N) { return a - b; });
     case TrackedKind::product:
-        return a * b;
+        return run([](N a, N b, N) { return a * b; });
     case TrackedKind::add:
-        return add(places[operation.c], a, b);
+        return run([](N a, N b, N c) { return add(c, a, b); });
     case TrackedKind::subtract:
-        return subtract(places[operation.c], a, b);
+        return run([](N a, N b, N c) { return subtract(c, a, b); });
     case TrackedKind::product_less:
-        return a * b - places[operation.c];
+        return run([](N a, N b, N c) { return a * b - c; });
     case TrackedKind::negative:
-        return negative(a);
+        return run([](N a, N, N) { return negative(a); });
     case TrackedKind::reciprocal:
         break;
     }
-    return inverse_of(a);
+    return run([](N a, N, N) { return inverse_of(a); });
 }
 
 /// Sets the matrix: the Jacobian, the values and, if Moving, the derivatives by time. The unknowns
@@ -66,11 +80,10 @@ template <bool Moving>
 void evaluate(const TrackedProgram& program, const TrackedCurve* curves, Real time,
               Number* places) {
     set_data<Moving>(program, curves, time, places);
-    const int operations = Moving ? program.operations : program.operations_at_rest;
-    for (int i = 0; i < operations; ++i) {
-        const TrackedOperation& operation = program.operation[i];
-        places[operation.to] = result_of(operation, places);
-    }
+    const TrackedOperation* const end =
+        program.operation + (Moving ? program.operations : program.operations_at_rest);
+    for (const TrackedOperation* next = program.operation; next != end;)
+        next = compute_run(next, end, places);
     for (int i = 0; i < program.zeros; ++i)
         places[program.zero[i]] = {Real::of(0), Real::of(0)};
     const int copies = Moving ? program.copies : program.copies_at_rest;
