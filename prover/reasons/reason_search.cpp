@@ -56,15 +56,15 @@ void ReasonSearch::consider_motions(const Subproblem& part, ViewSet moving) {
     const bool generators = problem_.cameras->all_matrices;
     // Lines among the generators are worth a search only where all cameras move: there are up to
     // 4,096 choices of moving views.
-    const int most_lines = generators && moving == part.views ? 2 : 0;
+    const int most_generators = generators && moving == part.views ? 2 : 0;
     CameraMotion plane{.kind = MotionKind::plane, .moving = moving};
     if (generators) plane.points = seen_by(problem_, part, moving);
-    consider_with_lines(part, plane, 0, most_lines);
+    consider_with_lines(part, plane, 0, most_generators);
     for (const int centre : part.points) {
         CameraMotion about = star(centre, moving);
         if (generators) about.points = seen_by(problem_, part, moving);
         std::erase(about.points, centre);
-        consider_with_lines(part, about, 0, most_lines);
+        consider_with_lines(part, about, 0, most_generators);
     }
 }
 
