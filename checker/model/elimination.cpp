@@ -12,8 +12,9 @@ static bool is_known(const Declared& declared, std::string_view name) {
     return std::ranges::any_of(declared.names, [&](const auto& own) { return own.first == name; });
 }
 
-static bool has(const Elimination::Group& group, const std::string& name) {
-    return std::ranges::count(group.names, name) > 0;
+/// How many times a group has the name: the degree that its variables have there.
+static int times(const Elimination::Group& group, const std::string& name) {
+    return static_cast<int>(std::ranges::count(group.names, name));
 }
 
 /// Takes the groups: of names of unknowns, and of `let` statements outside of loops.
@@ -25,8 +26,8 @@ static std::vector<Elimination::Group> read_groups(Reader& reader, const Layout&
         reader.take("in");
         do {
             const std::string name(reader.word());
-            if (!layout.values.contains(name) || is_known(layout.data, name) || has(group, name))
-                reader.fail(name, "another unknown, or name of a `let` statement");
+            if (!layout.values.contains(name) || is_known(layout.data, name))
+                reader.fail(name, "an unknown, or the name of a `let` statement");
             group.names.push_back(name);
         } while (!reader.at_end());
         reader.end_line();
@@ -49,7 +50,7 @@ static Variables variables_of(const Layout& layout, const Elimination& eliminati
             variables.names.push_back(name);
             std::vector<int> degrees;
             for (const Elimination::Group& other : elimination.groups)
-                degrees.push_back(has(other, name));
+                degrees.push_back(times(other, name));
             for (std::size_t i = 0; i < layout.values.at(name); ++i)
                 variables.degrees.push_back(degrees);
         }
@@ -190,12 +191,14 @@ static std::size_t place_in(const Columns& columns, int number) {
 
 /// The columns that are not in the basis, by their monomials, numbered in their order.
 static std::map<Powers, std::size_t> columns_beside_basis(const Columns& columns,
-                                                          const Elimination& elimination) {
+                                                          const Elimination& elimination,
+                                                          const Variables& variables) {
     std::vector<bool> in_basis(columns.monomials.size());
     for (const int number : elimination.basis) {
         const std::size_t place = place_in(columns, number);
-        const std::vector<int> one(elimination.groups.size(), 1);
-        require_within(sum_of(columns.degrees[place], one), elimination, "a monomial of the basis");
+        for (const std::vector<int>& degrees : variables.degrees)
+            require_within(sum_of(columns.degrees[place], degrees), elimination,
+                           "a monomial of the basis, times a variable,");
         in_basis[place] = true;
     }
     std::map<Powers, std::size_t> numbers;
@@ -221,7 +224,7 @@ std::size_t check_elimination(const Program& program, const Layout& layout,
     require_determined(layout, variables, outcome);
     const std::vector<Residues::Element> equations = equations_of(outcome);
     const Columns columns = columns_of(elimination, variables);
-    const auto numbers = columns_beside_basis(columns, elimination);
+    const auto numbers = columns_beside_basis(columns, elimination, variables);
     const std::uint64_t size = numbers.size();
     spend(size * size * size / 3);
     // Filled from its last row and column on, which changes no determinant: so each row begins with

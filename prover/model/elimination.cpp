@@ -160,7 +160,8 @@ std::optional<Elimination> find_elimination(const Model& model, const Program& p
         if (found && (!best || found->basis.size() < best->basis.size())) best = std::move(found);
     };
     improve(groupings(program), small);
-    improve(overlapping_groupings(program), small);
+    improve(groupings_in_two(program), small);
+    if (!best) improve(weighted_groupings(program), small);
     if (best && target == 0) return best; // as good as any, for all that is known
     improve(groupings(program), large);
     improve(groupings(program), largest);

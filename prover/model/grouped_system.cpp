@@ -69,11 +69,47 @@ GroupedVariables variables_of(const Program& program, const Grouping& grouping) 
     for (const std::string& name : variable_names(grouping)) {
         Degrees unit;
         for (const Names& group : grouping)
-            unit.push_back(std::ranges::find(group, name) != group.end() ? 1 : 0);
+            unit.push_back(static_cast<int>(std::ranges::count(group, name)));
         variables.units.resize(variables.units.size() + array_of(program, name).scalars.size(),
                                unit);
     }
     return variables;
+}
+
+/// The groupings in `groups` groups, none empty, where each name is in each at most `most` times,
+/// and in one of them at least once. Of two that differ by the order of the groups, one.
+std::vector<Grouping> with_times(const Names& names, std::size_t groups, std::size_t most) {
+    std::vector<Grouping> all;
+    const std::size_t places = names.size() * groups;
+    std::vector<std::size_t> times(places); // of each name in each group
+    while (true) {
+        Grouping grouping(groups);
+        bool each_somewhere = true;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            bool somewhere = false;
+            for (std::size_t g = 0; g < groups; ++g) {
+                const std::size_t n = times[i * groups + g];
+                grouping[g].insert(grouping[g].end(), n, names[i]);
+                somewhere = somewhere || n > 0;
+            }
+            each_somewhere = each_somewhere && somewhere;
+        }
+        const bool none_empty = std::ranges::none_of(grouping, &Names::empty);
+        if (each_somewhere && none_empty && std::ranges::is_sorted(grouping))
+            all.push_back(std::move(grouping));
+        std::size_t place = 0;
+        while (place < places && times[place] == most)
+            times[place++] = 0;
+        if (place == places) return all;
+        ++times[place];
+    }
+}
+
+/// Whether a name is several times in a group.
+bool has_weights(const Grouping& grouping) {
+    return std::ranges::any_of(grouping, [](const Names& group) {
+        return std::ranges::adjacent_find(group) != group.end();
+    });
 }
 
 } // namespace
@@ -136,27 +172,30 @@ std::vector<Grouping> groupings(const Program& program) {
     return all;
 }
 
-std::vector<Grouping> overlapping_groupings(const Program& program) {
+std::vector<Grouping> groupings_in_two(const Program& program) {
     constexpr std::size_t most_names = 5;
     std::vector<Grouping> all;
     for (const Names& names : lists_of_names(program)) {
         if (names.size() < 2 || names.size() > most_names) continue;
-        // Each name is in the first group, in the second or in both: a digit of `choice`.
-        std::size_t choices = 1;
-        for (std::size_t i = 0; i < names.size(); ++i)
-            choices *= 3;
-        for (std::size_t choice = 0; choice < choices; ++choice) {
-            Grouping grouping(2);
-            std::size_t digits = choice;
-            for (const std::string& name : names) {
-                if (digits % 3 != 1) grouping[0].push_back(name);
-                if (digits % 3 != 0) grouping[1].push_back(name);
-                digits /= 3;
-            }
-            const bool apart = grouping[0].size() + grouping[1].size() == names.size();
-            if (grouping[0] > grouping[1] || grouping[0].empty() || apart) continue;
-            if (std::ranges::find(all, grouping) == all.end()) all.push_back(grouping);
+        for (const Grouping& grouping : with_times(names, 2, 1)) {
+            // That of two names apart is among the groupings above.
+            const bool is_new = names.size() > 2 || grouping[0].size() + grouping[1].size() > 2;
+            if (is_new && std::ranges::find(all, grouping) == all.end()) all.push_back(grouping);
         }
+    }
+    return all;
+}
+
+std::vector<Grouping> weighted_groupings(const Program& program) {
+    std::vector<Grouping> all;
+    const auto add = [&](const std::vector<Grouping>& groupings) {
+        for (const Grouping& grouping : groupings)
+            if (has_weights(grouping) && std::ranges::find(all, grouping) == all.end())
+                all.push_back(grouping);
+    };
+    for (const Names& names : lists_of_names(program)) {
+        if (names.size() >= 2 && names.size() <= 4) add(with_times(names, 1, 3));
+        if (names.size() >= 2 && names.size() <= 3) add(with_times(names, 2, 2));
     }
     return all;
 }

@@ -7,12 +7,13 @@
 
 namespace plprove::model {
 
-/// The names of each group. A name may be in several.
+/// The names of each group. A name may be in several, and several times in one: each time adds 1 to
+/// the degree that its variables have there.
 using Grouping = std::vector<std::vector<std::string>>;
 
 /// The variables of a grouping, by their degrees in its groups.
 struct GroupedVariables {
-    std::vector<Degrees> units; ///< of each variable: 1 in the groups that have it, else 0
+    std::vector<Degrees> units; ///< of each variable: how many times each group has it
     std::size_t groups = 0;
 
     Degrees degrees_of(const Monomial& monomial) const;
@@ -38,10 +39,11 @@ struct GroupedSystem {
 bool at_most(const Degrees& a, const Degrees& b);
 Degrees sum_of(const Degrees& a, const Degrees& b);
 
-/// The groupings worth trying: without names in several groups, and with two groups that have
-/// some in common.
+/// The groupings worth trying: one group of all names, or a group a name; two groups, which may
+/// have names in common; and those where a name is several times in a group.
 std::vector<Grouping> groupings(const Program& program);
-std::vector<Grouping> overlapping_groupings(const Program& program);
+std::vector<Grouping> groupings_in_two(const Program& program);
+std::vector<Grouping> weighted_groupings(const Program& program);
 
 /// The array of an unknown or of a `let` outside of loops.
 const Array& array_of(const Program& program, const std::string& name);

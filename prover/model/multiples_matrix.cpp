@@ -24,8 +24,10 @@ MultiplesMatrix::MultiplesMatrix(const GroupedSystem<Modular>& system, const Deg
 }
 
 bool MultiplesMatrix::fits_basis(std::size_t column) const {
-    return std::ranges::equal(system_.variables.degrees_of(columns_[column]), degrees_,
-                              std::less{});
+    const Degrees own = system_.variables.degrees_of(columns_[column]);
+    return std::ranges::all_of(system_.variables.units, [&](const Degrees& unit) {
+        return at_most(sum_of(own, unit), degrees_);
+    });
 }
 
 bool MultiplesMatrix::fits(std::size_t equation, std::size_t column) const {

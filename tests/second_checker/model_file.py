@@ -62,8 +62,7 @@ class File:
         need(len(node["RESIDUE"]) == self.size, "the data of an elimination")
         for group in node["group"]:
             names = group["NAME"]
-            need(len(set(names)) == len(names) and set(names) <= self.there.values.keys() - self.data.keys(),
-                 "the names of a group")
+            need(set(names) <= self.there.values.keys() - self.data.keys(), "the names of a group")
         equations = [row["EQUATION"][0] for row in node["rows"]]
         need(all(a < b for a, b in itertools.pairwise(equations)), "equations do not ascend")
 
@@ -101,7 +100,7 @@ class File:
         groups = [(group["POWER"][0], group["NAME"]) for group in node["group"]]
         most, names = [power for power, _ in groups], dict.fromkeys(sum((own for _, own in groups), []))
         sizes = {name: len(scalars(self.there.values[name])) for name in names}
-        degrees = [tuple(int(name in own) for _, own in groups)
+        degrees = [tuple(own.count(name) for _, own in groups)
                    for name in names for _ in range(sizes[name])]
         none, zero = (0,) * len(groups), (0,) * len(degrees)
         units = [tuple(int(i == k) for i in range(len(degrees))) for k in range(len(degrees))]
@@ -123,7 +122,8 @@ class File:
         for place in node["MONOMIAL"]:
             require(place <= len(columns), "no such monomial")
             powers, own = columns[place - 1]
-            require(all(a < b for a, b in zip(own, most)), "a monomial of the basis")
+            require(all(a + b <= c for unit in degrees for a, b, c in zip(own, unit, most)),
+                    "a monomial of the basis, times a variable")
             del places[powers]
         numbers = {powers: k for k, powers in enumerate(places)}
         equations, rows = found.equations + found.relations, []

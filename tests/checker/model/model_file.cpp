@@ -138,8 +138,10 @@ TEST_CASE("what is altered in a fibre is refused, for its reason") {
 TEST_CASE("what is altered in an elimination is refused, for its reason") {
     const std::string start = "12: an elimination: ";
     CHECK(altered("minor 1", "minor 2") == start + "the minor is 1 modulo q");
-    CHECK(altered("basis 1 2", "basis 1 3") ==
-          start + "a monomial of the basis has a larger degree than that of a group");
+    CHECK(
+        altered("basis 1 2", "basis 1 3") ==
+        start +
+            "a monomial of the basis, times a variable, has a larger degree than that of a group");
     CHECK(altered("basis 1 2", "basis 1 4") == start + "there is no monomial 4");
     CHECK(altered("basis 1 2", "basis 1") == start + "there are fewer rows than columns");
     CHECK(altered("rows 1 1", "rows 1 2") ==
@@ -148,7 +150,7 @@ TEST_CASE("what is altered in an elimination is refused, for its reason") {
     CHECK(altered("degree 2 in x\nbasis 1 2\nrows 1 1", "degree 3 in x\nbasis 1 2 3\nrows 1 1 2") ==
           start + "there are more rows than columns");
     CHECK(altered("degree 2 in x", "degree 2 in a") ==
-          "14: found `a`, expected another unknown, or name of a `let` statement");
+          "14: found `a`, expected an unknown, or the name of a `let` statement");
     // Degrees bound those for all data: what cancels counts.
     CHECK(altered("equation x ^ 2 = a", "equation x ^ 2 + x ^ 3 - x ^ 3 = a") ==
           start + "a multiple of equation 1 has a larger degree than that of a group");
@@ -306,6 +308,21 @@ TEST_CASE("a model has at most 5,000,000 operations") {
     CHECK(operations(most - others - 1) == most - 1);
     CHECK(operations(most - others) == most);
     CHECK(fault(text(most - others + 1)) == "9: more than 5,000,000 operations");
+}
+
+TEST_CASE("a name that stands twice in a group has the degree 2") {
+    const std::string parabola = "model parabola\ndata a\nunknown x , y\nequation y = x ^ 2\n"
+                                 "equation y = a\nmodulus 2305843009213693951\nelimination\n"
+                                 "data 5\ndegree 3 in x y y\nbasis 1 3\nrows 1 1 3\n"
+                                 "rows 2 1 3\nminor 1\n";
+    CHECK(outcome(parabola).at_most == 2);
+    // Then x * y is no column.
+    CHECK(fault(with(parabola, "degree 3", "degree 2")) ==
+          "7: an elimination: a monomial of the basis, times a variable, has a larger degree than "
+          "that of a group");
+    // Then the third column is y * y.
+    CHECK(fault(with(parabola, "x y y", "x y")) ==
+          "7: an elimination: a multiple of equation 1 has a larger degree than that of a group");
 }
 
 TEST_CASE("an elimination has limits, and may reach them") {
