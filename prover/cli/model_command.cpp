@@ -4,6 +4,7 @@
 #include "prover/cli/sections.h"
 #include "prover/cli/written_model.h"
 #include "prover/format/certificate_text.h"
+#include "prover/importers/importers.h"
 #include "prover/model/certificate.h"
 #include "prover/scripts/equation_scripts.h"
 #include "prover/system/exit.h"
@@ -110,9 +111,7 @@ std::string json_report(const model::Study& study, const ModelSource& source) {
 int write_script(const ModelRequest& request, const Deliver& deliver) {
     const ModelSource source = read_model_source(request.file);
     const std::string script = in_model_file(request.file, [&] {
-        const model::Model model = model::read_model(source.text);
-        const model::Program program = model::compile(model);
-        return request.julia ? julia_script(model, program) : macaulay2_script(model, program);
+        return request.julia ? julia_script(source.text) : macaulay2_script(source.text);
     });
     deliver(request.output.empty() ? "-" : request.output, script);
     return 0;
@@ -124,8 +123,9 @@ int write_model(const ModelRequest& request, const Deliver& deliver) {
         request.imported.empty()
             ? model_of_problem(request.problem)
             : in_model_file(request.imported, [&] {
-                  return model_of_program(read_model_source(request.imported).text,
-                                          request.imported);
+                  const std::string program = read_model_source(request.imported).text;
+                  return well_formed(importers::import_program(program, request.imported),
+                                     request.imported);
               });
     deliver(request.output.empty() ? "-" : request.output, text);
     return 0;

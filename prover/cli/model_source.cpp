@@ -2,12 +2,9 @@
 
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
-#include "prover/system/words.h"
 
-#include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 
 namespace plprove {
 
@@ -32,11 +29,7 @@ ModelSource read_model_source(const std::string& path) {
         if (!file) throw BadInput("cannot read " + path + ": name a file with a model");
         source.text = text_of(file, path);
     }
-    std::istringstream lines(source.text);
-    for (std::string line; std::getline(lines, line) && line.starts_with('#');)
-        if (!has_control_character(line))
-            source.comments.push_back(
-                line.substr(std::min(line.find_first_not_of("# "), line.size())));
+    source.comments = model::opening_comments(source.text);
     return source;
 }
 

@@ -12,11 +12,11 @@
 #include "prover/cli/recommend_command.h"
 #include "prover/cli/solve_command.h"
 #include "prover/cli/template_command.h"
+#include "prover/cli/written_model.h"
 #include "prover/format/version.h"
 #include "prover/minimal/classification_file.h"
 #include "prover/minimal/problem_file.h"
-#include "prover/problem/spec.h"
-#include "prover/scripts/scripts.h"
+#include "prover/scripts/equation_scripts.h"
 #include "prover/system/atomic_file.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
@@ -89,8 +89,9 @@ Command export_command(CLI::App& program) {
         ->type_name("PROBLEM");
     return {catalogue.app, [request, catalogue] {
                 if (!request->macaulay2.empty())
-                    deliver("-", macaulay2_script(parse_spec(request->macaulay2)));
-                if (!request->julia.empty()) deliver("-", julia_script(parse_spec(request->julia)));
+                    deliver("-", macaulay2_script(model_of_problem(request->macaulay2)));
+                if (!request->julia.empty())
+                    deliver("-", julia_script(model_of_problem(request->julia)));
                 return catalogue.run();
             }};
 }

@@ -1,7 +1,6 @@
 #include "prover/cli/written_model.h"
 
 #include "prover/cli/problem_report.h"
-#include "prover/importers/importers.h"
 #include "prover/many_views/degrees_on_file.h"
 #include "prover/model/program.h"
 #include "prover/problem/notation.h"
@@ -24,7 +23,8 @@ int certified_degree(const Problem& problem) {
     return found && found->bound == "exact" && found->status == "certified" ? found->degree : 0;
 }
 
-/// The text, if it is a model. Else `what` was too large for one, as it was written well.
+} // namespace
+
 std::string well_formed(std::string text, const std::string& what) {
     try {
         model::compile(model::read_model(text));
@@ -34,16 +34,10 @@ std::string well_formed(std::string text, const std::string& what) {
     return text;
 }
 
-} // namespace
-
 std::string model_of_problem(const std::string& spec) {
     const std::optional<Problem> general = parse_general_spec(spec);
     const Problem problem = general ? *general : problem_of(parse_spec(spec));
     return well_formed(problem_model(problem, certified_degree(problem)), notation(problem));
-}
-
-std::string model_of_program(const std::string& program, const std::string& path) {
-    return well_formed(importers::import_program(program, path), path);
 }
 
 } // namespace plprove

@@ -10,9 +10,8 @@ namespace plprove {
 /// problem is too large for a model.
 std::string model_of_problem(const std::string& spec);
 
-/// The text of a model of the equations of a program for Macaulay2, HomotopyContinuation.jl or
-/// Matlab that was read from this path. Throws ModelError where it is not understood, and BadInput
-/// where it is none, or too large for a model.
-std::string model_of_program(const std::string& program, const std::string& path);
+/// The text, if it is a model. Throws BadInput if it is none: as it was written well, `what` was
+/// too large for one.
+std::string well_formed(std::string text, const std::string& what);
 
 } // namespace plprove

@@ -54,6 +54,7 @@ private:
         if (tokens_.is("<<") || (tokens_.is(Kind::name) && asks(tokens_.here().word)))
             return tokens_.skip_statement();
         if (tokens_.is_word("scan")) return scan();
+        if (tokens_.is_word("if")) return check();
         keep(expressions_.read());
     }
 
@@ -104,6 +105,7 @@ private:
             return;
         }
         if (tokens_.is(Kind::name) && tokens_.next().word == "->") return function(name);
+        if (tokens_.is_word("map") || tokens_.is_word("rank")) return tokens_.skip_statement();
         if (std::ranges::find(ring_.variables, name) != ring_.variables.end() ||
             std::ranges::find(ring_.parameters, name) != ring_.parameters.end())
             throw ModelError(at, "found a new value of the variable '" + name + "'");
@@ -286,6 +288,17 @@ private:
         if (body.find("saturate") == std::string::npos)
             throw ModelError(at, "loops are not imported: write out what they do");
         add_conditions(list);
+    }
+
+    /// if ... then error "..." says nothing of the equations.
+    void check() {
+        const model::Position at = tokens_.here().at;
+        bool fails = false;
+        while (!tokens_.at_end_of_statement()) {
+            const std::string word = tokens_.take().word;
+            fails = fails || (word == "then" && tokens_.is_word("error"));
+        }
+        if (!fails) throw ModelError(at, "choices are not imported: write out what holds");
     }
 
     void add_conditions(const Value& list) {

@@ -1,32 +1,10 @@
-// Where programs are run with derivatives: residues modulo q, and polynomials in t modulo q and g.
+// Where programs are run with derivatives beside prime fields: polynomials in t modulo q and g.
 #pragma once
 
+#include "prover/model/prime_field.h"
 #include "prover/model/univariate.h"
 
-#include <stdexcept>
-
 namespace plprove::model {
-
-/// Something was to be divided by that has no inverse.
-class NotInvertible : public std::runtime_error {
-public:
-    NotInvertible() : std::runtime_error("a divisor vanishes at the chosen point") {}
-};
-
-/// The field of q elements.
-struct PrimeField {
-    using Element = Modular;
-
-    static Modular constant(int value) { return Modular(value); }
-    static Modular sum(Modular a, Modular b) { return a + b; }
-    static Modular difference(Modular a, Modular b) { return a - b; }
-    static Modular product(Modular a, Modular b) { return a * b; }
-    static bool is_zero(Modular a) { return a.is_zero(); }
-    static Modular inverse(Modular a) {
-        if (a.is_zero()) throw NotInvertible();
-        return a.inverse();
-    }
-};
 
 /// Polynomials modulo q and g.
 class Algebra {

@@ -72,4 +72,7 @@ struct Model {
 /// nothing.
 Model read_model(std::string_view text);
 
+/// The comments before the first statement, a line each, but those with control characters.
+std::vector<std::string> opening_comments(const std::string& text);
+
 } // namespace plprove::model

@@ -1,8 +1,10 @@
 // Reading the statements of a model.
 #include "prover/model/model.h"
 #include "prover/model/read_expression.h"
+#include "prover/system/words.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace plprove::model {
 
@@ -199,6 +201,15 @@ private:
 
 Model read_model(std::string_view text) {
     return Reader(lines_of(text)).run();
+}
+
+std::vector<std::string> opening_comments(const std::string& text) {
+    std::vector<std::string> comments;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line) && line.starts_with('#');)
+        if (!has_control_character(line))
+            comments.push_back(line.substr(std::min(line.find_first_not_of("# "), line.size())));
+    return comments;
 }
 
 } // namespace plprove::model

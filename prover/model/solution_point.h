@@ -4,26 +4,16 @@
 #pragma once
 
 #include "prover/model/fibre.h"
+#include "prover/model/point_search.h"
 
 namespace plprove::model {
-
-/// The ranks of the Jacobian by the unknowns at random solutions: evidence where all are too small.
-struct RanksSeen {
-    std::size_t solutions = 0; ///< at how many: those that are rational in random residues
-    std::size_t rank = 0;      ///< the largest of these
-    /// The rank at generic solutions is larger than this one with a probability of at most
-    /// 10^-digits.
-    std::size_t digits = 0;
-};
 
 struct PointSearch {
     std::optional<Fibre> fibre; ///< one regular solution
     RanksSeen seen;             ///< if there is none
 };
 
-/// Random unknowns and data, corrected in as many scalars of data as there are equations, so that
-/// the equations hold; where the conditions hold and the Jacobian by the unknowns is regular.
-/// Gives up after some hundred random choices of these scalars.
+/// Looks for a solution where the Jacobian by the unknowns, a square matrix, is regular.
 PointSearch find_solution_point(const Model& model, const Program& program);
 
 } // namespace plprove::model

@@ -4,42 +4,48 @@
 
 namespace plprove::model {
 
-void SparseRows::add_pivot(SparseRow row) {
-    const Modular scale = row.entries.front().inverse();
-    for (Modular& entry : row.entries)
+template <class Number>
+void SparseRowsOf<Number>::add_pivot(Row row) {
+    const Number scale = row.entries.front().inverse();
+    for (Number& entry : row.entries)
         entry = entry * scale;
     const std::size_t column = row.columns.front();
     pivots_[column] = std::move(row);
 }
 
-SparseRow SparseRows::reduce(const SparseRow& row, bool keep_first) {
-    SparseRow rest;
+template <class Number>
+SparseRowOf<Number> SparseRowsOf<Number>::reduce(const Row& row, bool keep_first) {
+    Row rest;
     if (row.empty()) return rest;
     for (std::size_t i = 0; i < row.columns.size(); ++i)
         accumulator_[row.columns[i]] = row.entries[i];
     for (std::size_t column = row.columns.front(); column < accumulator_.size(); ++column) {
-        const Modular entry = std::exchange(accumulator_[column], Modular{});
+        const Number entry = std::exchange(accumulator_[column], Number{});
         if (entry.is_zero()) continue;
-        const SparseRow& pivot = pivots_[column];
+        const Row& pivot = pivots_[column];
         if (pivot.empty() || (keep_first && column == row.columns.front())) {
             rest.columns.push_back(static_cast<std::uint32_t>(column));
             rest.entries.push_back(entry);
             continue;
         }
-        const Modular factor = -entry;
+        const Number factor = -entry;
         for (std::size_t i = 1; i < pivot.columns.size(); ++i) {
-            Modular& place = accumulator_[pivot.columns[i]];
+            Number& place = accumulator_[pivot.columns[i]];
             place = place + factor * pivot.entries[i];
         }
     }
     return rest;
 }
 
-bool SparseRows::reduce_and_add(const SparseRow& row) {
-    SparseRow rest = reduce(row);
+template <class Number>
+bool SparseRowsOf<Number>::reduce_and_add(const Row& row) {
+    Row rest = reduce(row);
     if (rest.empty()) return false;
     add_pivot(std::move(rest));
     return true;
 }
+
+template class SparseRowsOf<Modular>;
+template class SparseRowsOf<SmallModular>;
 
 } // namespace plprove::model

@@ -1,10 +1,12 @@
 #include "prover/scripts/equation_scripts.h"
 
-#include "prover/model/random_residues.h"
+#include "prover/model/point_search.h"
+#include "prover/model/small_modular.h"
 #include "prover/scripts/layout.h"
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 namespace plprove {
 
@@ -158,42 +160,114 @@ std::vector<std::string> texts_of(const Assignments& values,
     return texts;
 }
 
-std::string opening(const Model& model, const std::string& sign, const std::string& what) {
-    return comment(sign, "The model " + model.name) + sign + "\n" + comment(sign, what) + sign +
-           "\n";
+/// A model with the comments that it begins with.
+struct Source {
+    explicit Source(const std::string& text)
+        : model(model::read_model(text)), program(model::compile(model)),
+          comments(model::opening_comments(text)) {}
+
+    Model model;
+    Program program;
+    std::vector<std::string> comments;
+};
+
+std::string opening(const Source& source, const std::string& sign, const std::string& what) {
+    std::string text = comment(sign, "The model " + source.model.name);
+    for (const std::string& line : source.comments)
+        text += sign + (line.empty() ? "" : " " + line) + "\n";
+    return text + sign + "\n" + comment(sign, what) + sign + "\n";
+}
+
+/// Data and, if it is known, a solution, modulo the prime of the script.
+struct Example {
+    std::vector<model::SmallModular> data;
+    std::optional<std::vector<model::SmallModular>> solution;
+};
+
+Example example_of(const Source& source) {
+    constexpr std::uint64_t stream = 0;
+    model::RandomResidues random(source.model, stream);
+    auto seen = model::search_points<model::SmallModular>(source.program, random);
+    if (seen.best) return {std::move(seen.best->data), std::move(seen.best->unknowns)};
+    return {model::random_numbers<model::SmallModular>(random, source.program.data), {}};
+}
+
+/// What `I` and `conditions` are, from which the rest of the script follows.
+std::string macaulay2_equations(const Source& source, const Assignments& values,
+                                const Example& example) {
+    std::string text = "FF = ZZ/" + std::to_string(model::small_prime) + ";\nR = FF[\n" +
+                       list(values.unknowns(), "    ") + "];\nF = frac R;\n\n-- the data\n";
+    for (std::size_t i = 0; i < values.data().size(); ++i)
+        text += values.data()[i] + " = " + std::to_string(example.data[i].value()) + "_F;\n";
+    std::vector<std::string> conditions = texts_of(values, source.program.conditions);
+    conditions.insert(conditions.end(), values.divisors().begin(), values.divisors().end());
+    return text + "\n" + values.text() +
+           "\npolynomial = f -> numerator promote(f, F);\nI = ideal apply({\n" +
+           list(texts_of(values, source.program.equations), "    ") +
+           "}, polynomial);\n-- what is not 0\nconditions = {\n" + list(conditions, "    ") +
+           "};\n";
+}
+
+const char* const rank_of_known_solution = R"script(
+if not (known gens I == 0 and
+        all(conditions, c -> known polynomial c != 0)) then error "the values are no solution";
+rankJ = rank known jacobian I;
+<< "equations  " << numgens I << endl;
+<< "unknowns   " << numgens R << endl;
+<< "rank       " << rankJ << ", at a known solution" << endl;
+<< "minimal    " << (
+    if rankJ < numgens R then "not shown: the known solution is not regular"
+    else if numgens I > numgens R then "not shown: there are more equations than unknowns"
+    else "yes: the known solution is regular") << endl;
+)script";
+
+const char* const count = R"script(
+-- The count may take long: to leave it out, remove all that follows.
+scan(conditions, c -> I = saturate(I, ideal polynomial c));
+<< "dimension  " << dim I << endl;
+<< "solutions  " << degree I << endl;
+)script";
+
+std::string numbers(const std::vector<model::SmallModular>& values) {
+    std::vector<std::string> texts;
+    for (const model::SmallModular value : values)
+        texts.push_back(std::to_string(value.value()));
+    return list(texts, "    ");
 }
 
 } // namespace
 
-std::string macaulay2_script(const Model& model, const Program& program) {
-    constexpr std::uint64_t prime = 32003;
-    const Assignments values(program, "'", [](const std::string& a, const std::string& b) {
+std::string macaulay2_script(const std::string& model) {
+    const Source source(model);
+    const Assignments values(source.program, "'", [](const std::string& a, const std::string& b) {
         return "(" + a + "_F/" + b + ")";
     });
-    std::string text =
-        opening(
-            model, "--",
-            "This script sets up the equations over a finite field, for random data, and counts "
-            "their zeros, where no condition and no denominator is 0. For other data there may "
-            "be more or fewer zeros, if the random numbers are very unlucky. What a model "
-            "counts only once, by a `count` statement, is counted as often as it is a zero.") +
-        "-- Run it with:  M2 --script FILE\n\nFF = ZZ/" + std::to_string(prime) + ";\nR = FF[\n" +
-        list(values.unknowns(), "    ") + "];\nF = frac R;\n\n-- the data\n";
-    model::RandomResidues random(model, 0);
-    for (const std::string& datum : values.data())
-        text += datum + " = " + std::to_string(random.bits() % prime) + "_F;\n";
-    std::vector<std::string> conditions = texts_of(values, program.conditions);
-    conditions.insert(conditions.end(), values.divisors().begin(), values.divisors().end());
-    return text + "\n" + values.text() +
-           "\npolynomial = f -> numerator promote(f, F);\nI = ideal apply({\n" +
-           list(texts_of(values, program.equations), "    ") +
-           "}, polynomial);\n-- what is not 0\nscan({\n" + list(conditions, "    ") +
-           "}, c -> I = saturate(I, ideal polynomial c));\n" +
-           "<< \"dimension  \" << dim I << endl;\n<< \"solutions  \" << degree I << endl;\n";
+    const Example example = example_of(source);
+    const std::string rank =
+        "This script sets up the equations over a finite field, for data with a known solution, "
+        "and computes the rank of their Jacobian matrix by the unknowns there. If the rank is the "
+        "number of equations and of unknowns, this proves that the model is minimal. If it is less "
+        "than the number of equations, the data may be special. Then the script";
+    const std::string counting =
+        " counts the zeros, where no condition and no denominator is 0. For other data there may "
+        "be more or fewer zeros, if the random numbers are very unlucky. What a model counts only "
+        "once, by a `count` statement, is counted as often as it is a zero.";
+    std::string script =
+        opening(source, "--",
+                (example.solution ? rank
+                                  : "This script sets up the equations over a finite field, for "
+                                    "random data, and") +
+                    counting) +
+        "-- Run it with:  M2 --script FILE\n\n" + macaulay2_equations(source, values, example);
+    if (example.solution)
+        script += "\n-- A solution: the values of the unknowns.\nknown = map(FF, R, {\n" +
+                  numbers(*example.solution) + "});\n" + (rank_of_known_solution + 1);
+    return script + count;
 }
 
-std::string julia_script(const Model& model, const Program& program) {
-    const Assignments values(program, "_", [](const std::string& a, const std::string& b) {
+std::string julia_script(const std::string& model) {
+    const Source source(model);
+    const Assignments values(source.program, "_", [](const std::string& a, const std::string& b) {
         return "(" + a + "//" + b + ")";
     });
     const auto variables = [](const std::vector<std::string>& names) {
@@ -202,20 +276,20 @@ std::string julia_script(const Model& model, const Program& program) {
             text += " " + name;
         return text + "\n";
     };
-    std::string text =
-        opening(model, "#",
+    std::string script =
+        opening(source, "#",
                 "This script sets up the equations with the data as parameters, and finds their "
                 "zeros for random data by monodromy. It may take long, and it may stop too early. "
                 "Zeros at which a condition is 0 do not count.") +
         "using HomotopyContinuation\n\n" + variables(values.unknowns()) + variables(values.data()) +
         "\n" + values.text() + "\nequations = [\n" +
-        list(texts_of(values, program.equations), "    ") + "]\nunknowns = [\n" +
+        list(texts_of(values, source.program.equations), "    ") + "]\nunknowns = [\n" +
         list(values.unknowns(), "    ") + "]\ndata = [\n" + list(values.data(), "    ") +
         "]\nsystem = System(equations; variables = unknowns, parameters = data)\n" +
         "result = monodromy_solve(system)\n";
-    const std::vector<std::string> conditions = texts_of(values, program.conditions);
-    if (conditions.empty()) return text + "println(nsolutions(result))\n";
-    return text + "# what is not 0\nconditions = System([\n" + list(conditions, "    ") +
+    const std::vector<std::string> conditions = texts_of(values, source.program.conditions);
+    if (conditions.empty()) return script + "println(nsolutions(result))\n";
+    return script + "# what is not 0\nconditions = System([\n" + list(conditions, "    ") +
            "]; variables = unknowns, parameters = data)\n" +
            "counts(z) = minimum(abs, conditions(z, parameters(result))) > 1e-8\n" +
            "println(count(counts, solutions(result)))\n";
