@@ -27,7 +27,7 @@ private:
 Json problem_answer(const Json& request);
 
 /// {"spec": ..., "kind": "svg", "tikz", "macaulay2", "julia" or "certificate"}: the file of that
-/// kind, as plprove writes it. Throws NotationError.
+/// kind, as plprove writes it. Throws NotationError, and BadInput where no equations are written.
 Json file_answer(const Json& request);
 
 /// {"spec": ...}: the certificate of the verdict as text and as numbers: cameras, features with

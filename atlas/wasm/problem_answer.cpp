@@ -3,13 +3,14 @@
 #include "prover/cli/general_report.h"
 #include "prover/cli/problem_facts.h"
 #include "prover/cli/problem_report.h"
+#include "prover/cli/written_model.h"
 #include "prover/drawing/caption.h"
 #include "prover/drawing/drawing.h"
 #include "prover/minimal/extensions.h"
 #include "prover/minimal/problem_file.h"
 #include "prover/problem/names.h"
 #include "prover/problem/spec.h"
-#include "prover/scripts/scripts.h"
+#include "prover/scripts/equation_scripts.h"
 
 namespace atlas {
 
@@ -89,12 +90,13 @@ Json problem_answer(const Json& request) {
 }
 
 Json file_answer(const Json& request) {
-    const Features problem = parse_spec(request.at("spec").get<std::string>());
+    const std::string spec = request.at("spec");
     const std::string kind = request.at("kind");
+    if (kind == "macaulay2") return {{"text", macaulay2_script(model_of_problem(spec))}};
+    if (kind == "julia") return {{"text", julia_script(model_of_problem(spec))}};
+    const Features problem = parse_spec(spec);
     if (kind == "svg") return {{"text", draw_svg(problem)}};
     if (kind == "tikz") return {{"text", draw_tikz(problem)}};
-    if (kind == "macaulay2") return {{"text", macaulay2_script(problem)}};
-    if (kind == "julia") return {{"text", julia_script(problem)}};
     if (kind == "certificate") return {{"text", write(certify_problem(problem))}};
     throw std::invalid_argument("there are no files of the kind '" + kind + "'");
 }

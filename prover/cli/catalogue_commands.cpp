@@ -49,7 +49,8 @@ constexpr const char* export_examples =
     "  plprove export catalogue.db                  an SQLite database of all 143,494 classes\n"
     "  plprove export --csv all.csv --json all.json the same as text\n"
     "  plprove export --csv - | head -3             to standard output\n"
-    "  sqlite3 catalogue.db 'SELECT * FROM counts'  ask it (certs/CATALOGUE.md)\n";
+    "  sqlite3 catalogue.db 'SELECT * FROM counts'  ask it (certs/CATALOGUE.md)\n"
+    "  plprove export --macaulay2 Chicago           another program finds that it is minimal\n";
 
 std::string list(const ListRequest& request) {
     std::vector<Entry> chosen = catalogue();

@@ -80,12 +80,12 @@ Command export_command(CLI::App& program) {
     const Command catalogue = add_export_command(program, deliver);
     catalogue.app
         ->add_option("--macaulay2", request->macaulay2,
-                     "print a Macaulay2 script with the equations of this problem")
+                     "print a Macaulay2 script with the equations of this problem, as a model has "
+                     "them (docs/models.md)")
         ->type_name("PROBLEM");
     catalogue.app
-        ->add_option(
-            "--julia", request->julia,
-            "print a script for HomotopyContinuation.jl with the equations of this problem")
+        ->add_option("--julia", request->julia,
+                     "print a script for HomotopyContinuation.jl with them")
         ->type_name("PROBLEM");
     return {catalogue.app, [request, catalogue] {
                 if (!request->macaulay2.empty())

@@ -53,8 +53,10 @@ class Assignments {
 public:
     using Ratio = std::function<std::string(const std::string&, const std::string&)>;
 
-    /// `mark` joins the parts of a name; `ratio` is how to write a quotient of integers.
-    Assignments(const Program& program, std::string mark, Ratio ratio)
+    /// `mark` joins the parts of a name; `ratio` is how to write a quotient of integers; `more` are
+    /// other scalars that the script needs.
+    Assignments(const Program& program, std::string mark, Ratio ratio,
+                const std::vector<ScalarIndex>& more = {})
         : program_(program), mark_(std::move(mark)), ratio_(std::move(ratio)),
           data_(names_of(program.data_names, mark_)),
           unknowns_(names_of(program.unknown_names, mark_)), uses_(program.operations.size(), 0),
@@ -63,6 +65,8 @@ public:
             count(equation.scalar);
         for (const auto& condition : program.conditions)
             count(condition.scalar);
+        for (const ScalarIndex scalar : more)
+            count(scalar);
         for (ScalarIndex i = 0; i < program.operations.size(); ++i)
             if (uses_[i] > 0) write(i);
     }
@@ -204,8 +208,8 @@ std::string macaulay2_equations(const Source& source, const Assignments& values,
     return text + "\n" + values.text() +
            "\npolynomial = f -> numerator promote(f, F);\nI = ideal apply({\n" +
            list(texts_of(values, source.program.equations), "    ") +
-           "}, polynomial);\n-- what is not 0\nconditions = {\n" + list(conditions, "    ") +
-           "};\n";
+           "}, polynomial);\n-- what is not 0\nconditions = {" +
+           (conditions.empty() ? "" : "\n" + list(conditions, "    ")) + "};\n";
 }
 
 const char* const rank_of_known_solution = R"script(
@@ -219,6 +223,17 @@ rankJ = rank known jacobian I;
     if rankJ < numgens R then "not shown: the known solution is not regular"
     else if numgens I > numgens R then "not shown: there are more equations than unknowns"
     else "yes: the known solution is regular") << endl;
+)script";
+
+/// With c = n/d at the known solution, d^2 times the gradient of c is that of n d(x) - n(x) d.
+const char* const rank_of_what_counts = R"script(
+rankC = rank known (jacobian I | jacobian ideal apply(counted, c -> (
+    c = promote(c, F); numerator c*known denominator c - known numerator c*denominator c)));
+<< "counted    " << (
+    if rankJ < numgens I then "not shown: the equations depend on each other there"
+    else if rankC > rankJ then "not shown: what counts varies with the unknowns there"
+    else if rankJ == numgens R then "finitely many values"
+    else "finitely many values, unless the random numbers are unlucky") << endl;
 )script";
 
 const char* const count = R"script(
@@ -239,9 +254,10 @@ std::string numbers(const std::vector<model::SmallModular>& values) {
 
 std::string macaulay2_script(const std::string& model) {
     const Source source(model);
-    const Assignments values(source.program, "'", [](const std::string& a, const std::string& b) {
-        return "(" + a + "_F/" + b + ")";
-    });
+    const Assignments values(
+        source.program, "'",
+        [](const std::string& a, const std::string& b) { return "(" + a + "_F/" + b + ")"; },
+        source.program.counted);
     const Example example = example_of(source);
     const std::string rank =
         "This script sets up the equations over a finite field, for data with a known solution, "
@@ -259,9 +275,15 @@ std::string macaulay2_script(const std::string& model) {
                                     "random data, and") +
                     counting) +
         "-- Run it with:  M2 --script FILE\n\n" + macaulay2_equations(source, values, example);
-    if (example.solution)
-        script += "\n-- A solution: the values of the unknowns.\nknown = map(FF, R, {\n" +
-                  numbers(*example.solution) + "});\n" + (rank_of_known_solution + 1);
+    if (!example.solution) return script + count;
+    script += "\n-- A solution: the values of the unknowns.\nknown = map(FF, R, {\n" +
+              numbers(*example.solution) + "});\n" + (rank_of_known_solution + 1);
+    std::vector<std::string> counted;
+    for (const ScalarIndex scalar : source.program.counted)
+        counted.push_back(values.of(scalar));
+    if (!counted.empty())
+        script += "\n-- What counts: solutions with the same values are one.\ncounted = {\n" +
+                  list(counted, "    ") + "};\n" + (rank_of_what_counts + 1);
     return script + count;
 }
 

@@ -38,7 +38,7 @@ def zeros(plprove, model, folder):
     script = folder / "model.m2"
     subprocess.run([plprove, "model", str(model), "--macaulay2", "-o", str(script)], check=True)
     answer = subprocess.run(["M2", "--script", str(script)], capture_output=True, text=True)
-    found = re.fullmatch(r"dimension  0\nsolutions  (\d+)\n", answer.stdout)
+    found = re.search(r"^dimension  0\nsolutions  (\d+)\n\Z", answer.stdout, re.M)
     return int(found[1]) if found else None
 
 

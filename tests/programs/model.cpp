@@ -63,7 +63,7 @@ TEST_CASE("Macaulay2 counts as many zeros as plprove, or some for each solution 
     const std::string upright = (folder / "upright.model").string(); // has names with _
     REQUIRE(run(plprove + " model --from 'upright: 3*P/P' -o " + upright).status == 0);
     REQUIRE(run(plprove + " model " + upright + " --macaulay2 -o " + script).status == 0);
-    CHECK(run("M2 --script " + script).out == "dimension  0\nsolutions  4\n");
+    CHECK(run("M2 --script " + script).out.ends_with("\ndimension  0\nsolutions  4\n"));
     const std::map<std::string, int> zeros{{"p3p", 8},          {"apollonius", 2},
                                            {"transversals", 2}, {"rolling_shutter", 20},
                                            {"two_circles", 8},  {"six_points_focal", 4 * 15}};
@@ -73,8 +73,93 @@ TEST_CASE("Macaulay2 counts as many zeros as plprove, or some for each solution 
         REQUIRE(run(plprove + " model " + file + " --macaulay2 -o " + script).status == 0);
         const Outcome outcome = run("M2 --script " + script);
         CHECK(outcome.err.empty());
-        CHECK(outcome.out == "dimension  0\nsolutions  " + std::to_string(count) + '\n');
+        const std::string unknowns = std::to_string(
+            nlohmann::json::parse(run(plprove + " model --json " + file).out)["unknowns"]
+                .get<int>());
+        const std::string counted = name == "six_points_focal" || name == "transversals"
+                                        ? "counted    finitely many values\n"
+                                        : "";
+        CHECK(outcome.out ==
+              "equations  " + unknowns + "\nunknowns   " + unknowns + "\nrank       " + unknowns +
+                  ", at a known solution\nminimal    yes: the known solution is "
+                  "regular\n" +
+                  counted + "dimension  0\nsolutions  " + std::to_string(count) + '\n');
     }
+}
+
+TEST_CASE("export writes the scripts of a problem's model, in all views and for all cameras") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "written.model").string();
+    for (const std::string problem : {"Chicago", "5*P/P + a/-", "projective: 6*P/P/P",
+                                      "focal: 3*PL/PL + 4*P/P", "3*P/P/P/P + 2*a/a/a/a"})
+        for (const std::string language : {"--macaulay2", "--julia"}) {
+            CAPTURE(problem);
+            REQUIRE(run(plprove + " model --from '" + problem + "' -o " + file).status == 0);
+            const Outcome script = run(plprove + " model " + file + " " + language);
+            CHECK(script.out.find(problem == "Chicago" ? "2*Pa/Pa/Pa + P/P/P" : problem) !=
+                  std::string::npos);
+            CHECK(run(plprove + " export " + language + " '" + problem + "'").out == script.out);
+        }
+    for (const std::string problem : {"2*-/-/-(Pa)", "40*-/P/P", "P//P"}) {
+        CAPTURE(problem);
+        const Outcome refused = run(plprove + " export --julia '" + problem + "'");
+        CHECK(refused.status == 2);
+        CHECK(refused.err == run(plprove + " model --from '" + problem + "'").err);
+        CHECK(!refused.err.empty());
+    }
+}
+
+TEST_CASE("Macaulay2 finds by ranks which problems are minimal, and which fix their cameras") {
+    if (run("command -v M2").status != 0) {
+        MESSAGE("skipped: there is no program M2 on the PATH");
+        return;
+    }
+    struct Verdict {
+        bool minimal, camera_minimal;
+    };
+    const std::map<std::string, Verdict> problems{
+        {"2*Pa/Pa/Pa + P/P/P", {true, true}},
+        {"2*Pa/Pa/Pa + Pab/Pa/P", {false, true}}, // the pin dangles
+        {"2*Pab/Pa/Pa + P/P/P + a/-/-", {false, true}},
+        {"3*P/P/P + a/a/a", {true, true}},
+        {"P/P/P + 4*a/a/a", {true, true}},
+        {"Pabcdefg/Pabcdefg/Pabcdefg + P/a/a", {false, false}},
+        {"11*P/P/-", {false, false}},
+        {"6*P/P", {false, false}},
+        {"5*P/P + a/-", {false, true}},
+        {"Pa/P/P + 2*-/a/a + P/P/P(a)", {false, false}},
+        {"projective: 6*P/P/P", {true, true}},
+    };
+    const TemporaryFolder folder;
+    const std::string path = (folder / "problem.m2").string();
+    for (const auto& [problem, verdict] : problems) {
+        CAPTURE(problem);
+        std::string script = run(plprove + " export --macaulay2 '" + problem + "'").out;
+        const std::size_t counting = script.find("-- The count may take long");
+        REQUIRE(counting != std::string::npos);
+        write_file(path, script.substr(0, counting));
+        const Outcome outcome = run("M2 --script " + path);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.err.empty());
+        const auto says = [&](const std::string& words) {
+            return outcome.out.find(words) != std::string::npos;
+        };
+        CHECK(says("\nminimal    yes: ") == verdict.minimal);
+        CHECK(says("\nminimal    not shown: ") == !verdict.minimal);
+        CHECK(says("\ncounted    finitely many values") == verdict.camera_minimal);
+        CHECK(says("\ncounted    not shown: ") == !verdict.camera_minimal);
+    }
+}
+
+TEST_CASE("a script without a known solution counts zeros for random data") {
+    // There are no data to choose, and a cubic equation is not solved for unknowns.
+    const TemporaryFolder folder;
+    const std::string file = (folder / "none.model").string();
+    write_file(file, "model none\ndata a\nunknown x\nequation x^3 = 2*x^2 - 7\n");
+    const std::string script = run(plprove + " model --macaulay2 " + file).out;
+    CHECK(script.find("for random data, and counts") != std::string::npos);
+    CHECK(script.find("known =") == std::string::npos);
+    CHECK(script.find("\nscan(conditions") != std::string::npos);
 }
 
 TEST_CASE("plprove model writes point-line problems and programs as models, which it reads") {
