@@ -8,6 +8,7 @@
 #include "prover/model/certificate.h"
 #include "prover/scripts/equation_scripts.h"
 #include "prover/system/exit.h"
+#include "prover/system/words.h"
 
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -39,7 +39,7 @@ public:
     bool reduce_and_add(const Row& row);
 
 private:
-    std::vector<Row> pivots_;           // by column, empty where there is none
+    std::vector<Row> pivots_;         // by column, empty where there is none
     std::vector<Number> accumulator_; // 0 between calls
 };
 
