@@ -36,14 +36,21 @@ function downloads(answer: ProblemAnswer): HTMLElement {
         ["macaulay2", "equations (Macaulay2)", "m2"],
         ["julia", "equations (Julia)", "jl"],
     ];
+    // Of a few problems no equations are written: too large ones, and what no view sees.
+    const refusal = make("span", { class: "complaint" });
     const buttons = kinds.map(([kind, label, ending]) => {
         const save = async () => {
-            const text = await prover.file(answer.report.problem, kind);
-            download(`${fileName(answer)}.${ending}`, text);
+            refusal.replaceChildren();
+            try {
+                const text = await prover.file(answer.report.problem, kind);
+                download(`${fileName(answer)}.${ending}`, text);
+            } catch (error) {
+                refusal.replaceChildren(wordsOf(error));
+            }
         };
         return make("button", { type: "button", click: () => void save() }, label);
     });
-    return make("p", { class: "buttons" }, ...buttons);
+    return make("p", { class: "buttons" }, ...buttons, refusal);
 }
 
 /** The verdict's certificate: a button that replays it, and its numbers. */
@@ -205,12 +212,14 @@ async function showProblem(answer: ProblemAnswer, spec: string): Promise<void> {
     await showRelatives(answer, relatives);
 }
 
+function wordsOf(error: unknown): string {
+    return error instanceof Complaint ? error.message : `The program failed: ${String(error)}`;
+}
+
 function complain(error: unknown): void {
-    const words =
-        error instanceof Complaint ? error.message : `The program failed: ${String(error)}`;
     place.replaceChildren(
         make("h1", {}, "No such problem"),
-        make("p", { class: "complaint" }, words),
+        make("p", { class: "complaint" }, wordsOf(error)),
         make("p", {}, make("a", { href: "search.html" }, "Search the atlas")),
     );
 }
