@@ -41,10 +41,11 @@ const std::map<std::string, Folders> other_claims{
       "registration", ""}}};
 
 /// The folders of prover/, from the bottom to the top.
-const Folders layers{"system",    "format",   "geometry",   "cameras",   "problem",      "reasons",
-                     "minimal",   "tracking", "groups",     "monodromy", "three_views",  "model",
-                     "importers", "fibres",   "many_views", "catalogue", "degree_sweep", "solver",
-                     "estimator", "drawing",  "library",    "scripts",   "cli"};
+const Folders layers{"system",      "format",    "geometry",     "cameras",   "problem",
+                     "reasons",     "minimal",   "tracking",     "groups",    "monodromy",
+                     "three_views", "model",     "generate",     "importers", "fibres",
+                     "many_views",  "catalogue", "degree_sweep", "solver",    "estimator",
+                     "drawing",     "library",   "scripts",      "cli"};
 
 /// A line `#include "to"` in the file `from`; both are paths in the project.
 struct Arrow {

@@ -6,6 +6,7 @@
 #include "prover/cli/catalogue_commands.h"
 #include "prover/cli/degree_commands.h"
 #include "prover/cli/degrees_command.h"
+#include "prover/cli/generate_command.h"
 #include "prover/cli/group_command.h"
 #include "prover/cli/model_command.h"
 #include "prover/cli/problem_commands.h"
@@ -128,6 +129,7 @@ std::vector<Command> set_up(CLI::App& program, const ComputeDegree& compute) {
             add_collect_command(program),
             add_model_command(program, deliver),
             add_template_command(program, deliver),
+            add_generate_command(program, deliver),
             add_solve_command(program, deliver),
             add_start_command(program, deliver),
             add_recommend_command(program, deliver),

@@ -132,13 +132,19 @@ private:
 
 } // namespace
 
-std::vector<DerivedEquation> derived_equations(const Program& program, Expressions& nodes) {
-    const std::vector<ScalarIndex> wanted = scalars_of(program.equations);
+std::vector<NodeIndex> nodes_of(const Program& program, const std::vector<ScalarIndex>& scalars,
+                                Expressions& nodes) {
     NodeRing ring{&nodes};
-    const std::vector<NodeIndex> values = evaluate(program, ring, wanted);
-    std::vector<NodeIndex> equations;
-    for (const ScalarIndex scalar : wanted)
-        equations.push_back(values[scalar]);
+    const std::vector<NodeIndex> values = evaluate(program, ring, scalars);
+    std::vector<NodeIndex> result;
+    for (const ScalarIndex scalar : scalars)
+        result.push_back(values[scalar]);
+    return result;
+}
+
+std::vector<DerivedEquation> derived_equations(const Program& program, Expressions& nodes) {
+    const std::vector<NodeIndex> equations =
+        nodes_of(program, scalars_of(program.equations), nodes);
     std::vector<NodeIndex> unknowns;
     for (std::size_t i = 0; i < program.unknowns; ++i)
         unknowns.push_back(nodes.input(Kind::unknown, i));

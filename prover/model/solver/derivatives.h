@@ -20,6 +20,10 @@ struct DerivedEquation {
     NodeIndex by_time = 0;
 };
 
+/// Adds to `nodes` what these scalars of the program need. Returns their nodes.
+std::vector<NodeIndex> nodes_of(const Program& program, const std::vector<ScalarIndex>& scalars,
+                                Expressions& nodes);
+
 /// Adds to `nodes` what the equations of the program and their derivatives need.
 std::vector<DerivedEquation> derived_equations(const Program& program, Expressions& nodes);
 

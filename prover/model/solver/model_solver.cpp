@@ -160,6 +160,12 @@ std::size_t ModelSolver::found() const {
 std::size_t ModelSolver::degree() const {
     return state_->degree;
 }
+const std::vector<std::complex<double>>& ModelSolver::start_data() const {
+    return state_->start.data;
+}
+const std::vector<std::vector<std::complex<double>>>& ModelSolver::start_solutions() const {
+    return state_->start.solutions;
+}
 
 ModelAnswer ModelSolver::solve(const std::vector<std::complex<double>>& data) const {
     constexpr int most_ways = 4;

@@ -54,6 +54,11 @@ public:
     /// How many there are by a fibre (fibre.h), all solutions modulo a prime; 0 if there is none.
     std::size_t degree() const;
 
+    /// The random data that paths start from, and all their solutions that were found, whether what
+    /// counts tells them apart or not.
+    const std::vector<std::complex<double>>& start_data() const;
+    const std::vector<std::vector<std::complex<double>>>& start_solutions() const;
+
     /// Assumes as many data as the program has. Where solutions come together, are not regular or
     /// go to infinity for these data, they are lost.
     ModelAnswer solve(const std::vector<std::complex<double>>& data) const;
