@@ -361,9 +361,9 @@ std::string structs(const Program& program, const HeaderContents& contents) {
 
 constexpr std::string_view options_and_stats = R"(
 struct Options {
-    /// Where solutions seem to be missing, all paths are followed once more, on other ways and in
-    /// smaller steps; at most so often. With 0, data with fewer solutions take less time.
-    int more_ways = 3;
+    /// Where solutions are still missing, all paths are followed on other ways, too, at most on so
+    /// many. That takes long, and seldom finds more.
+    int more_ways = 0;
 };
 
 struct Stats {

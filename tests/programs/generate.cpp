@@ -334,6 +334,22 @@ TEST_CASE("plprove generate writes the same each time, and says what it wrote") 
     CHECK(read_file(path).find("namespace pose {") != std::string::npos);
 }
 
+TEST_CASE("the example in the comment of a header compiles") {
+    const std::string start = "//     ";
+    std::string example;
+    for (const std::string& line : lines_of(read_file(solvers().path("pairs.h")))) {
+        if (line == start + "#include \"pairs.h\"") example = "\n";
+        if (!example.empty() && line.starts_with("//"))
+            example += line.substr(std::min(line.size(), start.size())) + '\n';
+        if (line == start + '}') break;
+    }
+    CHECK(example.find("data.x1_2[0][0] = 0.5;") != std::string::npos);
+    write_file(solvers().path("example.cpp"), example);
+    const Outcome outcome = run(std::string(CXX) + " -std=c++17 -Wall -Wextra -Werror " +
+                                solvers().path("example.cpp") + " -fsyntax-only");
+    CHECK_MESSAGE(outcome.status == 0, outcome.err);
+}
+
 TEST_CASE("names of a model that C++ has for something else are others in a header") {
     const TemporaryFolder folder;
     const std::string model = (folder / "word.model").string();
