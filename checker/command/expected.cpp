@@ -115,11 +115,11 @@ static Expectation model_of(const ExpectedWords& words) {
     if (!stream)
         throw WrongUsage{
             say("--expect ", printable(file, 200), ": the file of the model cannot be read")};
-    if (words.group) throw WrongUsage{"--group is not known of models; leave it out"};
     if (words.verdict && *words.verdict != "minimal")
-        throw WrongUsage{"of a model one can expect --verdict minimal, or --degree N"};
+        throw WrongUsage{"of a model one can expect --verdict minimal, --degree N, or --group S10"};
     ExpectedModel expected{.file = printable(file, 4096), .text = lines_of_model(text)};
     if (words.degree) expected.degree = parse_degree(*words.degree);
+    if (words.group) expected.group = parse_group(*words.group);
     return expected;
 }
 

@@ -28,11 +28,12 @@ struct WholeFamily {
     std::string name{}; // as in FORMAT.md, section 13
 };
 
-/// That a model is minimal, and perhaps its degree.
+/// That a model is minimal, and perhaps its degree, and the group of its solutions.
 struct ExpectedModel {
     std::string file{}; // printable
     std::string text{}; // its lines as certificates have them
     std::optional<ExpectedDegree> degree{};
+    std::string group{}; // as that of ExpectedProblem
 };
 
 /// That each problem of a list has a certificate, perhaps of this verdict.
@@ -59,4 +60,7 @@ inline constexpr std::array<std::string_view, 6> expected_verdicts{
 /// The expectation as a statement; empty if there is none.
 std::string in_words(const Expectation& expectation);
 std::string in_words(const ExpectedProblem& expected);
+
+/// ` has the group S312`, or ` has a group that contains A312`.
+std::string group_in_words(const std::string& group);
 } // namespace checker

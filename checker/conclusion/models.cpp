@@ -1,5 +1,7 @@
 #include "checker/conclusion/models.h"
 
+#include "checker/conclusion/group.h"
+
 namespace checker {
 static void add(ProvedModel& model, const ModelFile& file, const std::string& name) {
     model.name = file.name;
@@ -7,6 +9,8 @@ static void add(ProvedModel& model, const ModelFile& file, const std::string& na
     model.at_least = std::max(model.at_least, file.at_least);
     if (file.at_most)
         model.at_most = std::min(model.at_most.value_or(*file.at_most), *file.at_most);
+    model.cycle_types.insert(model.cycle_types.end(), file.cycle_types.begin(),
+                             file.cycle_types.end());
     if (std::ranges::find(model.files, name) == model.files.end()) model.files.push_back(name);
 }
 
@@ -44,7 +48,10 @@ std::string_view verdict_on(const ProvedModel& model) {
 
 std::string in_words(const ProvedModel& model) {
     const auto solutions = [](std::size_t n) { return counted(n, "solution"); };
-    if (model.exact()) return say(model.name, " has exactly ", solutions(model.at_least));
+    const std::string group = model.group();
+    if (model.exact())
+        return say(model.name, " has exactly ", solutions(model.at_least),
+                   group.empty() ? "" : ", and" + group_in_words(group));
     if (model.excluded())
         return say(model.name, " is not minimal: for generic data it has no solution");
     if (!model.minimal()) return say(model.name, " has at most ", solutions(*model.at_most));
@@ -52,12 +59,9 @@ std::string in_words(const ProvedModel& model) {
     return model.at_most ? say(text, " and at most ", *model.at_most) : text;
 }
 
-/// What the files miss of what is expected; empty if nothing.
-static std::string missing(const ProvedModel& model, const ExpectedModel& expected) {
-    if (model.excluded()) return "it is proved not minimal";
-    if (!model.minimal()) return "no fibre holds, so it is not proved minimal";
-    if (!expected.degree) return {};
-    const auto& [exactly, solutions] = *expected.degree;
+/// What the files miss of an expected number of solutions; empty if nothing.
+static std::string missing(const ProvedModel& model, const ExpectedDegree& expected) {
+    const auto& [exactly, solutions] = expected;
     if (model.at_least < solutions)
         return say("a fibre proves at least ", model.at_least, " solutions only");
     if (!exactly) return {};
@@ -67,6 +71,20 @@ static std::string missing(const ProvedModel& model, const ExpectedModel& expect
     return model.exact() && model.at_least == solutions
                ? ""
                : say("it has at least ", model.at_least, " solutions");
+}
+
+/// What the files miss of what is expected; empty if nothing.
+static std::string missing(const ProvedModel& model, const ExpectedModel& expected) {
+    if (model.excluded()) return "it is proved not minimal";
+    if (!model.minimal()) return "no fibre holds, so it is not proved minimal";
+    if (expected.degree)
+        if (const std::string gap = missing(model, *expected.degree); !gap.empty()) return gap;
+    if (expected.group.empty()) return {};
+    const std::string group = model.group();
+    if (group.empty())
+        return say("no fibres certify its group; add the file that plprove group ", expected.file,
+                   " -o FILE writes");
+    return implies_group(group, expected.group) ? "" : "the group is certified to be " + group;
 }
 
 Judgement judge(const Findings& findings, const ExpectedModel& expected) {
@@ -83,6 +101,8 @@ Judgement judge(const Findings& findings, const ExpectedModel& expected) {
     judgement.files = found->second.files;
     if (!gap.empty()) judgement.statement += ": " + gap;
     judgement.why.push_back(in_words(found->second) + ": proofs/models.md");
+    if (const std::string group = found->second.group(); !group.empty())
+        judgement.why.push_back(say("its group is ", group, ", by fibres: proofs/fibres.md"));
     return judgement;
 }
 } // namespace checker

@@ -19,6 +19,7 @@ ModelFile replay_model(Reader& reader, const Execution& execution) try {
         file.at_most = 0;
         ++file.records;
     }
+    std::vector<Polynomial> separate; // g where all solutions differ in what counts
     while (!reader.at_end() && !reader.comes("elimination")) {
         const std::size_t line = reader.line();
         const ModelFibre fibre = read_fibre(reader, layout);
@@ -26,7 +27,15 @@ ModelFile replay_model(Reader& reader, const Execution& execution) try {
             records.spend(effort_of(layout, fibre));
             file.at_least = std::max(file.at_least, check_fibre(program, layout, fibre));
             ++file.records;
+            if (fibre.distinct == fibre.solutions.lower.size())
+                separate.push_back(fibre.solutions.lower);
         });
+    }
+    std::erase_if(separate, [&](const Polynomial& g) { return g.size() != file.at_least; });
+    if (separate.size() < 2 || file.at_least < 8) separate.clear(); // no group follows
+    for (const Polynomial& g : separate) {
+        records.spend(products_for_cycle_type(g.size()) / products_per_effort);
+        file.cycle_types.push_back(cycle_type_of(g));
     }
     std::uint64_t products = 0;
     const auto spend = [&](std::uint64_t more) {

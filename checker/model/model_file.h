@@ -2,6 +2,7 @@
 #pragma once
 
 #include "checker/effort/execution.h"
+#include "checker/fibres/frobenius.h"
 #include "checker/file/reader.h"
 
 #include <optional>
@@ -14,8 +15,14 @@ struct ModelFile {
     std::size_t claimed = 0;              // by the model's source; 0 if nothing is claimed
     std::size_t at_least = 0;             // solutions, for generic data
     std::optional<std::size_t> at_most{}; // none: no elimination holds
-    std::size_t records = 0;              // fibres and eliminations that hold, and the dimension count
+    std::vector<CycleType> cycle_types{}; // of permutations of as many values that count, by fibres
+    std::size_t records = 0; // fibres and eliminations that hold, and the dimension count
     Refusals refusals{};
+
+    /// The group that the records show (frobenius.h); empty if none.
+    std::string group() const {
+        return at_most == at_least ? group_shown_by(cycle_types, at_least) : "";
+    }
 };
 
 /// Replays a file after its first line. Throws Malformed.

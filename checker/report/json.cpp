@@ -112,7 +112,9 @@ static std::string members(const ModelFile& file) {
     return say(", \"model\": ", json_string(file.name),
                ", \"claimed\": ", file.claimed == 0 ? "null" : say(file.claimed),
                ", \"certified_at_least\": ", file.at_least,
-               ", \"certified_at_most\": ", file.at_most ? say(*file.at_most) : "null");
+               ", \"certified_at_most\": ", file.at_most ? say(*file.at_most) : "null",
+               ", \"certified_group\": ", cell(file.group().empty() ? "-" : file.group()),
+               ", \"records\": ", file.records);
 }
 
 static std::string item(const ReplayedFile& file, const std::vector<std::string>& objections) {

@@ -198,11 +198,12 @@ static std::string tables_of_families(const Report& report) {
 
 /// Of files of models, the one table that there is; empty without such files.
 static std::string table_of_models(const Report& report) {
-    std::vector<Cells> rows{{"model", "claimed", "at least", "at most", "verdict"}};
+    std::vector<Cells> rows{{"model", "claimed", "at least", "at most", "group", "verdict"}};
     const auto number = [](std::size_t n) { return n == 0 ? "-" : say(n); };
     for (const auto& [text, model] : models_of(report.findings))
         rows.push_back({model.name, number(model.claimed), number(model.at_least),
                         model.at_most ? say(*model.at_most) : "-",
+                        model.group().empty() ? "-" : model.group(),
                         report.findings.status > 0 ? "withheld: a file is refused"
                                                    : std::string(verdict_on(model))});
     return rows.size() > 1 ? '\n' + aligned(rows) : "";

@@ -1,6 +1,8 @@
 #include "prover/cli/group_command.h"
 
 #include "prover/cli/arguments.h"
+#include "prover/cli/group_model.h"
+#include "prover/cli/group_report.h"
 #include "prover/cli/group_table.h"
 #include "prover/cli/problem_report.h"
 #include "prover/cli/sections.h"
@@ -42,6 +44,8 @@ constexpr const char* group_examples =
     "  plprove group '3*P/P/P + a/a/a' --json       for machines\n"
     "  plprove group five-point                     two views\n"
     "  plprove group 'projective: 7*P/P'            lists of two more papers\n"
+    "  plprove group models/five_points.model       a problem that is given by equations; -o FILE\n"
+    "                                               certifies the number of solutions, too\n"
     "  plprove group --up-to 300 -o groups.csv      a table of all problems of at most 300\n"
     "                                               solutions; goes on where it was killed\n"
     "  plcheck --expect '2*Pa/Pa/Pa + P/P/P' --group S312 certs/classification.plc chicago.plc\n";
@@ -100,34 +104,14 @@ void require_certifiable(const Asked& problem) {
                        " solutions: too few for a certificate; leave -o out");
 }
 
-/// `10, then 2, then 8 solutions`.
-std::string steps_in_words(const MonodromyGroup& group) {
-    std::string words;
-    for (const GroupStep& step : group.steps)
-        words += (words.empty() ? "" : ", then ") + std::to_string(step.solutions);
-    return words + " solutions";
-}
-
 void write_loops(std::ostream& out, const std::optional<LoopGroup>& found) {
     section(out, "group");
     if (!found) {
         out << "not known: too many paths were lost; try another --seed\n";
         return;
     }
-    const MonodromyGroup& group = found->group;
-    const std::string name = group.name();
-    out << (name.starts_with('<') ? "a subgroup of " + name.substr(1) : name) << ": evidence, by "
-        << found->loops << " loops\n";
-    section(out, "order") << group.order() << '\n';
-    section(out, "steps") << steps_in_words(group) << '\n';
-    section(out, "width") << group.width() << '\n';
-}
-
-std::string lengths_in(const std::vector<int>& cycle_type) {
-    std::string words;
-    for (const int length : cycle_type)
-        words += (words.empty() ? "" : " ") + std::to_string(length);
-    return words;
+    out << in_words(found->group) << ": evidence, by " << found->loops << " loops\n";
+    write_steps(out, found->group);
 }
 
 void write_fibres(std::ostream& out, const GroupSearch& found) {
@@ -136,8 +120,7 @@ void write_fibres(std::ostream& out, const GroupSearch& found) {
         out << "certify no group: no cycle has a prime length l with d/2 < l < d - 2\n";
     else
         out << found.group() << ": certified once plcheck accepts it\n";
-    for (const std::vector<int>& cycle_type : found.cycle_types)
-        section(out, "cycles") << lengths_in(cycle_type) << '\n';
+    write_cycles(out, found.cycle_types);
 }
 
 std::string text_report(const Asked& asked, const Found& found) {
@@ -156,15 +139,8 @@ std::string json_report(const Asked& asked, const Found& found) {
         json["number"] = asked.classes->label;
         json["constraint_class"] = asked.classes->constraint;
     }
-    if (found.by_loops) {
-        const auto& [group, loops] = *found.by_loops;
-        json["evidence"] = {{"group", group.name()},
-                            {"order", group.order()},
-                            {"width", group.width()},
-                            {"loops", loops}};
-        for (const GroupStep& step : group.steps)
-            json["evidence"]["steps"].push_back(step.solutions);
-    }
+    if (found.by_loops)
+        json["evidence"] = evidence_json(found.by_loops->group, found.by_loops->loops);
     if (found.by_fibres)
         json["fibres"] = {{"group", found.by_fibres->group()},
                           {"cycle_types", found.by_fibres->cycle_types}};
@@ -197,6 +173,10 @@ int most_fibres(const GroupRequest& request, const std::optional<LoopGroup>& by_
 }
 
 int find_group_of(const GroupRequest& request, const Deliver& deliver) {
+    if (request.spec.ends_with(".model"))
+        return find_group_of_model({request.spec, request.path, request.options.seed,
+                                    request.options.fibres, request.json},
+                                   deliver);
     const Asked problem = asked(request.spec);
     if (!request.path.empty()) require_certifiable(problem);
     Found found{search_by_loops(problem, request.options.seed), {}};
@@ -282,7 +262,8 @@ Command add_group_command(CLI::App& program, Deliver deliver) {
     CLI::App* command = program.add_subcommand(
         "group", "Find how the solutions of a minimal problem are permuted, with a certificate");
     command->add_option("PROBLEM", request->spec,
-                        "as for `plprove problem`; in general, one of certs/family-degrees.csv");
+                        "as for `plprove problem`; in general, one of certs/family-degrees.csv; or "
+                        "the file of a model, whose name ends with .model");
     command
         ->add_option("--up-to", request->up_to,
                      "in place of a problem: all with at most so many solutions, into a table")

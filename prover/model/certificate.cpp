@@ -110,11 +110,16 @@ std::string write(const Study& study) {
     if (!study.fibre && !study.at_most())
         throw BadInput("nothing was found to certify: " + study.no_fibre + "; " +
                        study.no_elimination);
+    return study.fibre ? write(study, std::span(&*study.fibre, 1)) : write(study, {});
+}
+
+std::string write(const Study& study, std::span<const Fibre> fibres) {
     CertificateText text;
     for (const std::string& line : study.model.lines)
         text.line(line);
     text.line("modulus", modulus);
-    if (study.fibre) append(text, *study.fibre);
+    for (const Fibre& fibre : fibres)
+        append(text, fibre);
     if (study.elimination) append(text, *study.elimination);
     return certificate_file("model", text.take(), "state a smaller problem");
 }

@@ -5,6 +5,7 @@
 #include "prover/model/solution_point.h"
 
 #include <optional>
+#include <span>
 #include <string>
 
 namespace plprove::model {
@@ -36,5 +37,8 @@ Study study(std::string_view text);
 /// The file with what was found. Throws BadInput if that is nothing, and FormatLimit if the file is
 /// larger than the format allows.
 std::string write(const Study& study);
+
+/// The same with these fibres in place of the one that was found.
+std::string write(const Study& study, std::span<const Fibre> fibres);
 
 } // namespace plprove::model

@@ -183,11 +183,10 @@ FibreSearch search(const Program& program, RandomResidues& random, const Attempt
 
 } // namespace
 
-FibreSearch find_fibre(const Model& model, const Program& program) {
+FibreSearch find_fibre(const Model& model, const Program& program, std::uint64_t stream) {
     constexpr std::array attempts{
         Attempt{Saturation::divisors, 300'000'000}, Attempt{Saturation::one, 3'000'000'000},
         Attempt{Saturation::all, 20'000'000'000}, Attempt{Saturation::divisors, 20'000'000'000}};
-    constexpr std::uint64_t stream = 1;
     FibreSearch result;
     for (const Attempt& attempt : attempts) {
         RandomResidues random(model, stream);

@@ -31,7 +31,8 @@ struct FibreSearch {
     std::string reason; ///< why there is none, else empty
 };
 
-/// All solutions of the model with random data. Assumes as many equations as unknowns.
-FibreSearch find_fibre(const Model& model, const Program& program);
+/// All solutions of the model with random data, other ones for each stream (random_residues.h).
+/// Assumes as many equations as unknowns.
+FibreSearch find_fibre(const Model& model, const Program& program, std::uint64_t stream = 1);
 
 } // namespace plprove::model

@@ -15,11 +15,12 @@ struct LoopGroup {
 /// Is told how many loops there are.
 using LoopProgress = std::function<void(int)>;
 
-/// More and more permutations of one set of solutions.
-template <class Loops>
+/// More and more permutations of one set of solutions. Solutions is SolutionLoops, or has the same
+/// functions.
+template <class Solutions>
 class LoopPermutations {
 public:
-    LoopPermutations(SolutionLoops<Loops> solutions, const LoopProgress& progress)
+    LoopPermutations(Solutions solutions, const LoopProgress& progress)
         : solutions_(std::move(solutions)), progress_(progress) {}
 
     /// Adds so many. Whether these are there.
@@ -41,16 +42,15 @@ public:
     const std::vector<Permutation>& permutations() const { return permutations_; }
 
 private:
-    SolutionLoops<Loops> solutions_;
+    Solutions solutions_;
     const LoopProgress& progress_;
     std::vector<Permutation> permutations_;
 };
 
 /// The group by as few edges as will do, if it is S_d. Some more edges are tried for the sake of
 /// the sign: it takes two of either.
-template <class Loops>
-std::optional<LoopGroup> symmetric_group_of(SolutionLoops<Loops>& solutions,
-                                            const LoopProgress& progress) {
+template <class Solutions>
+std::optional<LoopGroup> symmetric_group_of(Solutions& solutions, const LoopProgress& progress) {
     constexpr int fewest = 4;
     constexpr int most = 7;
     for (int edges = fewest; edges <= most; ++edges) {
@@ -64,9 +64,9 @@ std::optional<LoopGroup> symmetric_group_of(SolutionLoops<Loops>& solutions,
 }
 
 /// Follows loops until ten more of these make the group no larger, or until they make it S_d.
-/// Nothing where too many paths are lost.
-template <class Loops>
-std::optional<LoopGroup> group_of(LoopPermutations<Loops> loops) {
+/// Nothing where too many paths are lost, or the group is not transitive.
+template <class Solutions>
+std::optional<LoopGroup> group_of(LoopPermutations<Solutions>& loops) {
     // A jump may make a group larger, not smaller. So what is soon found to be S_d is followed both
     // ways; and a group that seems to be smaller, by more loops.
     constexpr int few = 3;
@@ -76,7 +76,10 @@ std::optional<LoopGroup> group_of(LoopPermutations<Loops> loops) {
     while (loops.count() < most) {
         const bool at_first = loops.count() < 2 * few;
         if (!loops.add(at_first ? few : enough, at_first)) return std::nullopt;
-        if (!is_transitive(loops.permutations())) continue;
+        if (!is_transitive(loops.permutations())) {
+            if (loops.count() > 2 * enough) return std::nullopt;
+            continue;
+        }
         MonodromyGroup larger = monodromy_group(loops.permutations());
         if (larger.is_symmetric() || (!at_first && group == larger))
             return LoopGroup{std::move(larger), loops.count()};
@@ -95,7 +98,8 @@ std::optional<LoopGroup> group_by_loops(std::uint64_t seed, const LoopProgress& 
         auto solutions = solutions_at(most_images * seed + attempt);
         if (!solutions.complete()) continue;
         if (auto group = symmetric_group_of(solutions, progress)) return group;
-        if (auto group = group_of(LoopPermutations(std::move(solutions), progress))) return group;
+        LoopPermutations loops(std::move(solutions), progress);
+        if (auto group = group_of(loops)) return group;
     }
     return std::nullopt;
 }

@@ -31,6 +31,9 @@ public:
 
     bool complete() const { return there_.has_value(); }
 
+    /// The solutions that loops permute.
+    const std::vector<Point>& solutions() const { return monodromy_.solutions().points(); }
+
     /// Follows more edges, those first that it took to find the solutions, until so many are known
     /// whole or many have lost paths. Each path is followed once, in one direction. To be called
     /// before there are loops.

@@ -1,5 +1,7 @@
 """Section 16, fibres: polynomials modulo q, and numbers modulo q and a polynomial g."""
 
+import itertools
+
 from grammar import Q, require
 
 SLOT = 17  # bytes that hold a sum of 2^14 products of residues
@@ -138,6 +140,21 @@ def power_of_variable(ring):
         if bit == "1":
             result = result * ring.variable()
     return result
+
+
+def cycle_type(g):
+    """The degrees of the irreducible factors of g, which has no multiple root, ascending."""
+    ring, degrees, rest, n = Ring(g), [], g, 0
+    image = power_of_variable(ring)
+    images = list(itertools.accumulate(range(1, ring.size), lambda x, _: x * image, initial=ring.number([1])))
+    power = ring.variable()  # t^(q^n)
+    while len(rest) > 1:
+        n += 1
+        power = sum((x * factor for x, factor in zip(images, power.c)), ring.number([0]))
+        factors = common_divisor(rest, (power - ring.variable()).c)
+        degrees += [n] * ((len(factors) - 1) // n)
+        rest = division(rest, factors)[0]
+    return degrees
 
 
 def at(number, place):

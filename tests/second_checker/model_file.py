@@ -4,7 +4,7 @@ import itertools
 import math
 import random
 
-from fibre import is_regular, read_fibre
+from fibre import cycle_type, is_regular, read_fibre
 from grammar import Q, require
 from model import FUNCTIONS, RESERVED, Execution, depth_of, need, scalars
 from model_rings import LARGE, Constants, Large, Polynomial, Tangent, determinant, is_zero, pivots, plus
@@ -143,7 +143,34 @@ class File:
         return len(node["MONOMIAL"])
 
     def conclude(self, held):
-        return 0, bounds_of(held)
+        bounds = bounds_of(held)
+        return 0, bounds | {"group": self.group(held, bounds)}
+
+    def group(self, held, bounds):
+        """What is certified of the group; None if nothing."""
+        degree = bounds.get("at least")
+        if degree is None or degree != bounds.get("at most"):
+            return None
+        fibres = [record.node for record in held if record.kind == "fibre"]
+        types = [cycle_type(node["fibre-lines"][0]["polynomial"][0]["RESIDUE"] + [1]) for node in fibres
+                 if len(fibres) > 1 and set(node["COUNT"]) == {degree}]
+        is_transitive = types and set.intersection(*map(sums_of_parts, types)) == {0, degree}
+        if not is_transitive or not any(degree / 2 < length < degree - 2 and is_prime(length)
+                                        for lengths in types for length in lengths):
+            return None
+        parities = {len(lengths) % 2 for lengths in types}
+        return f"S{degree}" if len(parities) == 2 else f">=A{degree}"
+
+
+def sums_of_parts(numbers):
+    sums = {0}
+    for number in numbers:
+        sums |= {total + number for total in sums}
+    return sums
+
+
+def is_prime(number):
+    return number > 1 and all(number % d for d in range(2, number))
 
 
 def declares_in_loop(statement):

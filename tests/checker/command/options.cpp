@@ -67,8 +67,8 @@ TEST_CASE("wrong words on the command line are refused, each for its reason") {
          "--group A312 is no group; write S312, or '>=A312' in quotes"},
         {{"--expect", "5*P/P", "--group", ">=A0", "f"},
          "--group >=A0 is no group; write S312, or '>=A312' in quotes"},
-        {{"--expect", SOURCE_DIR "/models/p3p.model", "--group", "S8", "f"},
-         "--group is not known of models; leave it out"},
+        {{"--expect", SOURCE_DIR "/models/p3p.model", "--group", "M12", "f"},
+         "--group M12 is no group; write S312, or '>=A312' in quotes"},
         {{"--classification", "--degree", "3", "f"},
          "--classification expects the whole table; leave out --expect, --verdict, --degree and "
          "--group"},
@@ -89,7 +89,7 @@ TEST_CASE("wrong words on the command line are refused, each for its reason") {
     CHECK(
         refusal({"--family", "plm", "f"}).starts_with("unknown family plm; choose one of plmp, "));
     CHECK(refusal({"--expect", SOURCE_DIR "/models/p3p.model", "--verdict", "obstructed", "f"}) ==
-          "of a model one can expect --verdict minimal, or --degree N");
+          "of a model one can expect --verdict minimal, --degree N, or --group S10");
 }
 
 TEST_CASE("numbers at their limits are taken") {
