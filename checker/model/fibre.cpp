@@ -27,20 +27,28 @@ std::uint64_t effort_of(const Layout& layout, const ModelFibre& fibre) {
     return 1 + products * degree * degree / 100'000;
 }
 
-/// The powers 1, x, x^2, ..., `count` of them, are linearly independent.
-static bool powers_are_independent(const Extension& extension, const Polynomial& x,
-                                   std::size_t count) {
+/// The minimal polynomial of x, its highest term left out, if it has this degree; empty if it has a
+/// larger one. Throws Refused if it has a smaller one.
+static Polynomial minimal_polynomial(const Extension& extension, const Polynomial& x,
+                                     std::size_t degree) {
+    const std::size_t size = extension.degree();
     std::vector<std::pair<std::size_t, Polynomial>> echelon; // its pivots, and rows
     Polynomial power = extension.constant({1});
-    for (std::size_t k = 0; k < count; ++k) {
-        Polynomial row = power;
+    for (std::size_t k = 0;; ++k) {
+        Polynomial row = power; // after its `size` coefficients: which powers it is the sum of
+        row.resize(size + degree + 1);
+        row[size + k] = {1};
         for (const auto& [pivot, other] : echelon) {
             const Residue factor = row[pivot];
             for (std::size_t i = 0; i < row.size() && factor != Residue{}; ++i)
                 row[i] = row[i] - factor * other[i];
         }
-        const auto found = std::ranges::find_if(row, [](Residue c) { return c != Residue{}; });
-        if (found == row.end()) return false;
+        const auto sums = row.begin() + std::ptrdiff_t(size);
+        const auto found =
+            std::find_if(row.begin(), sums, [](Residue c) { return c != Residue{}; });
+        if (k == degree) return found == sums ? Polynomial(sums, row.end() - 1) : Polynomial{};
+        if (found == sums)
+            throw Refused("the values that count are not proved to be ", degree, " different ones");
         const Residue scale = found->inverse();
         const auto pivot = static_cast<std::size_t>(found - row.begin());
         for (Residue& coefficient : row)
@@ -48,7 +56,6 @@ static bool powers_are_independent(const Extension& extension, const Polynomial&
         echelon.emplace_back(pivot, std::move(row));
         power = extension.multiply(power, x);
     }
-    return true;
 }
 
 static Given<DualExtension> values_at(const DualExtension& ring, const Extension& extension,
@@ -65,8 +72,8 @@ static Given<DualExtension> values_at(const DualExtension& ring, const Extension
     return given;
 }
 
-static void require_distinct(const Extension& extension, const Outcome<DualExtension>& outcome,
-                             const ModelFibre& fibre) {
+static Polynomial distinct_values(const Extension& extension, const Outcome<DualExtension>& outcome,
+                                  const ModelFibre& fibre) {
     std::vector<Polynomial> values;
     for (const Fraction<DualExtension::Element>& scalar : outcome.counted) {
         Polynomial value = scalar.numerator.value;
@@ -77,12 +84,10 @@ static void require_distinct(const Extension& extension, const Outcome<DualExten
         values.push_back(std::move(value));
     }
     const Polynomial tau = combination_of(extension, fibre.distinct_by, values);
-    if (!powers_are_independent(extension, tau, fibre.distinct))
-        throw Refused("the values that count are not proved to be ", fibre.distinct,
-                      " different ones");
+    return minimal_polynomial(extension, tau, fibre.distinct);
 }
 
-std::size_t check_fibre(const Program& program, const Layout& layout, const ModelFibre& fibre) {
+Polynomial check_fibre(const Program& program, const Layout& layout, const ModelFibre& fibre) {
     const std::size_t unknowns = layout.unknowns.scalars;
     if (layout.equations != unknowns)
         throw Refused("the model has ", layout.equations, " equations for ", unknowns,
@@ -102,7 +107,6 @@ std::size_t check_fibre(const Program& program, const Layout& layout, const Mode
         if (!extension.is_unit(outcome.conditions[i].value))
             throw Refused("condition ", i + 1, " has a common factor with g");
     if (!is_regular(extension, std::move(jacobian))) throw Refused("the Jacobian has no inverse");
-    if (layout.counted > 0) require_distinct(extension, outcome, fibre);
-    return fibre.distinct;
+    return layout.counted > 0 ? distinct_values(extension, outcome, fibre) : fibre.solutions.lower;
 }
 } // namespace checker

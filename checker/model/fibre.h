@@ -15,8 +15,10 @@ struct ModelFibre {
 
 ModelFibre read_fibre(Reader& reader, const Layout& layout);
 
-/// How many solutions the fibre proves. Throws Refused.
-std::size_t check_fibre(const Program& program, const Layout& layout, const ModelFibre& fibre);
+/// Throws Refused unless the fibre proves its number of solutions, as many as `distinct` says. A
+/// polynomial with as many roots, one for each value that counts, its highest term left out; empty
+/// if there may be more of these.
+Polynomial check_fibre(const Program& program, const Layout& layout, const ModelFibre& fibre);
 
 /// The effort of checking a fibre.
 std::uint64_t effort_of(const Layout& layout, const ModelFibre& fibre);

@@ -19,23 +19,22 @@ ModelFile replay_model(Reader& reader, const Execution& execution) try {
         file.at_most = 0;
         ++file.records;
     }
-    std::vector<Polynomial> separate; // g where all solutions differ in what counts
+    std::vector<Polynomial> values; // of each fibre: roots for the values that count
     while (!reader.at_end() && !reader.comes("elimination")) {
         const std::size_t line = reader.line();
         const ModelFibre fibre = read_fibre(reader, layout);
         records.replay(line, "a fibre: ", [&] {
             records.spend(effort_of(layout, fibre));
-            file.at_least = std::max(file.at_least, check_fibre(program, layout, fibre));
+            values.push_back(check_fibre(program, layout, fibre));
+            file.at_least = std::max(file.at_least, fibre.distinct);
             ++file.records;
-            if (fibre.distinct == fibre.solutions.lower.size())
-                separate.push_back(fibre.solutions.lower);
         });
     }
-    std::erase_if(separate, [&](const Polynomial& g) { return g.size() != file.at_least; });
-    if (separate.size() < 2 || file.at_least < 8) separate.clear(); // no group follows
-    for (const Polynomial& g : separate) {
-        records.spend(products_for_cycle_type(g.size()) / products_per_effort);
-        file.cycle_types.push_back(cycle_type_of(g));
+    std::erase_if(values, [&](const Polynomial& h) { return h.size() != file.at_least; });
+    if (values.size() < 2 || file.at_least < 8) values.clear(); // no group follows
+    for (const Polynomial& h : values) {
+        records.spend(products_for_cycle_type(h.size()) / products_per_effort);
+        file.cycle_types.push_back(cycle_type_of(h));
     }
     std::uint64_t products = 0;
     const auto spend = [&](std::uint64_t more) {

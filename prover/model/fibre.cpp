@@ -113,9 +113,8 @@ bool keep_regular(const Program& program, std::span<const Modular> data, Solutio
     return true;
 }
 
-/// How many of the powers 1, x, x^2, ... are independent modulo g.
-std::size_t independent_powers(const Algebra& algebra, const Univariate& x,
-                               RandomResidues& random) {
+/// The minimal polynomial of x modulo g, or one whose roots are their inverses.
+Univariate minimal_polynomial(const Algebra& algebra, const Univariate& x, RandomResidues& random) {
     const std::size_t degree = algebra.polynomial().degree();
     nmod_berlekamp_massey_t massey;
     nmod_berlekamp_massey_init(massey, modulus);
@@ -129,9 +128,10 @@ std::size_t independent_powers(const Algebra& algebra, const Univariate& x,
         power = algebra.product(power, x);
     }
     nmod_berlekamp_massey_reduce(massey);
-    const slong found = nmod_poly_degree(nmod_berlekamp_massey_V_poly(massey));
+    Univariate result;
+    nmod_poly_set(result.get(), nmod_berlekamp_massey_V_poly(massey));
     nmod_berlekamp_massey_clear(massey);
-    return static_cast<std::size_t>(found);
+    return result;
 }
 
 std::vector<int> random_form(RandomResidues& random, std::size_t count) {
@@ -143,6 +143,7 @@ std::vector<int> random_form(RandomResidues& random, std::size_t count) {
 }
 
 void count_distinct(const Program& program, RandomResidues& random, Fibre& fibre) {
+    fibre.values = fibre.polynomial;
     if (!program.counts) return;
     const Algebra algebra(fibre.polynomial);
     const Solutions solutions{fibre.polynomial, fibre.unknowns};
@@ -152,7 +153,8 @@ void count_distinct(const Program& program, RandomResidues& random, Fibre& fibre
     for (std::size_t i = 0; i < program.counted.size(); ++i)
         sum = Algebra::sum(sum, algebra.product(algebra.constant(fibre.counted_form[i]),
                                                 values[program.counted[i]].value));
-    fibre.distinct = independent_powers(algebra, sum, random);
+    fibre.values = minimal_polynomial(algebra, sum, random);
+    fibre.distinct = fibre.values.degree();
 }
 
 /// One way to find the solutions.

@@ -20,6 +20,7 @@ struct Fibre {
     /// the scalars that count that tells them apart.
     std::size_t distinct = 0;
     std::vector<int> counted_form;
+    Univariate values; ///< has a root for each solution, or for each value that counts
 
     /// How many solutions it shows.
     std::size_t count() const { return counted_form.empty() ? polynomial.degree() : distinct; }

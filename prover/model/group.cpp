@@ -12,7 +12,7 @@ namespace {
 CycleType cycle_type_of(const Fibre& fibre) {
     nmod_poly_factor_t factors;
     nmod_poly_factor_init(factors);
-    nmod_poly_factor(factors, fibre.polynomial.get());
+    nmod_poly_factor(factors, fibre.values.get());
     CycleType lengths;
     for (slong i = 0; i < factors->num; ++i)
         lengths.push_back(static_cast<int>(nmod_poly_degree(factors->p + i)));
@@ -38,9 +38,6 @@ std::string why_no_group(const Study& study) {
                " at most";
     if (!has_cycle_length(static_cast<int>(degree)))
         return counted(degree, "solution") + ": that is too few";
-    if (study.fibre->polynomial.degree() != degree)
-        return counted(study.fibre->polynomial.degree(), "zero") + " for " +
-               counted(degree, "solution") + " that count: fibres would have to have as many";
     return {};
 }
 
@@ -59,7 +56,7 @@ GroupSearch find_group(const Study& study, int most,
         auto next =
             find_fibre(study.model, study.program, first_stream + static_cast<std::uint64_t>(n))
                 .fibre;
-        if (!next || next->count() != solutions || next->polynomial.degree() != solutions) continue;
+        if (!next || next->count() != solutions) continue;
         search.cycle_types.push_back(cycle_type_of(*next));
         fibres.push_back(std::move(*next));
         chosen = fewest_that_show(symmetric, search.cycle_types, degree, 2);

@@ -76,10 +76,7 @@ std::optional<LoopGroup> group_of(LoopPermutations<Solutions>& loops) {
     while (loops.count() < most) {
         const bool at_first = loops.count() < 2 * few;
         if (!loops.add(at_first ? few : enough, at_first)) return std::nullopt;
-        if (!is_transitive(loops.permutations())) {
-            if (loops.count() > 2 * enough) return std::nullopt;
-            continue;
-        }
+        if (!is_transitive(loops.permutations())) continue;
         MonodromyGroup larger = monodromy_group(loops.permutations());
         if (larger.is_symmetric() || (!at_first && group == larger))
             return LoopGroup{std::move(larger), loops.count()};

@@ -7,7 +7,7 @@ import random
 from fibre import cycle_type, is_regular, read_fibre
 from grammar import Q, require
 from model import FUNCTIONS, RESERVED, Execution, depth_of, need, scalars
-from model_rings import LARGE, Constants, Large, Polynomial, Tangent, determinant, is_zero, pivots, plus
+from model_rings import LARGE, Constants, Large, Polynomial, Tangent, determinant, is_zero, plus
 
 
 class Record:
@@ -34,6 +34,7 @@ class File:
                  for name, count in {**self.data, **self.unknowns}.items()}
         self.there = Execution(self.model, Large(), place)
         need(len(self.there.equations) <= 1000, "too many equations")
+        self.values = {}  # of a fibre that holds: a polynomial with a root for each value that counts
         self.relations_hold = not any(self.there.relations)
         is_small = len(self.there.equations) < self.unknown_size
         self.records = [Record("count", None)] * is_small + [
@@ -83,6 +84,7 @@ class File:
                 for x in found.equations]
         require(is_regular(ring, rows), "a singular Jacobian")
         if not node["INT"]:
+            self.values[id(node)] = ring.g
             return ring.size
         total = ring.number([0])
         for factor, scalar in zip(node["INT"], found.counted):
@@ -91,9 +93,12 @@ class File:
                 for _ in range(power):
                     value = value * (one * found.divisors[divisor].value).inverse()
             total = total + value * factor
-        powers = itertools.accumulate(range(1, node["COUNT"][1]), lambda power, _: power * total, initial=one)
-        require(pivots([dict(enumerate(power.c)) for power in powers]), "values that are not distinct")
-        return node["COUNT"][1]
+        count = node["COUNT"][1]
+        powers = itertools.accumulate(range(1, count + 1), lambda power, _: power * total, initial=one)
+        relation = first_relation([power.c for power in powers])
+        require(relation is None or len(relation) > count, "values that are not distinct")
+        self.values[id(node)] = relation
+        return count
 
     def bound_above(self, node):
         require(self.relations_hold, "a relation")
@@ -151,9 +156,8 @@ class File:
         degree = bounds.get("at least")
         if degree is None or degree != bounds.get("at most"):
             return None
-        fibres = [record.node for record in held if record.kind == "fibre"]
-        types = [cycle_type(node["fibre-lines"][0]["polynomial"][0]["RESIDUE"] + [1]) for node in fibres
-                 if len(fibres) > 1 and set(node["COUNT"]) == {degree}]
+        fibres = [record for record in held if record.kind == "fibre" and record.number == degree]
+        types = [cycle_type(self.values[id(record.node)]) for record in fibres if len(fibres) > 1]
         is_transitive = types and set.intersection(*map(sums_of_parts, types)) == {0, degree}
         if not is_transitive or not any(degree / 2 < length < degree - 2 and is_prime(length)
                                         for lengths in types for length in lengths):
@@ -171,6 +175,24 @@ def sums_of_parts(numbers):
 
 def is_prime(number):
     return number > 1 and all(number % d for d in range(2, number))
+
+
+def first_relation(rows):
+    """The first combination of rows that is 0, as a list of factors, the last one 1; or None."""
+    echelon = {}  # pivot: row, and the factors of its rows
+    for k, row in enumerate(rows):
+        row, factors = list(row), [0] * k + [1]
+        for pivot, (other, own) in echelon.items():
+            scale = row[pivot]
+            if scale:
+                row = [(x - scale * y) % Q for x, y in zip(row, other)]
+                factors = [(x - scale * y) % Q for x, y in itertools.zip_longest(factors, own, fillvalue=0)]
+        place = next((i for i, x in enumerate(row) if x), None)
+        if place is None:
+            return factors
+        inverse = pow(row[place], -1, Q)
+        echelon[place] = [x * inverse % Q for x in row], [x * inverse % Q for x in factors]
+    return None
 
 
 def declares_in_loop(statement):

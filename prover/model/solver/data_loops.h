@@ -7,6 +7,10 @@
 
 namespace plprove::model {
 
+/// How far ways between data bend: by numbers of size 1; or as far as the data are large, so that
+/// more loops permute solutions.
+enum class Bends : std::uint8_t { usual, wide };
+
 /// Two random data, and ways between them.
 class DataLoops {
 public:
@@ -15,14 +19,19 @@ public:
 
     /// All arguments must outlive the loops.
     DataLoops(const Program& program, const TrackedEquations& equations, Numbers data,
-              Random& random, unsigned threads)
-        : program_(program), equations_(equations), random_(random),
-          threads_(threads), data_{std::move(data),
-                                   random_numbers(program.data, Field::complex, random)} {}
+              Random& random, unsigned threads, Bends bends)
+        : program_(program), equations_(equations), random_(random), threads_(threads),
+          wide_(bends == Bends::wide), data_{std::move(data),
+                                             random_numbers(program.data, Field::complex, random)} {
+    }
 
     const Numbers& data(int node) const { return data_[static_cast<std::size_t>(node)]; }
 
-    void add_edge() { bends_.push_back(random_numbers(program_.data, Field::complex, random_)); }
+    void add_edge() {
+        Numbers& bend = bends_.emplace_back(random_numbers(program_.data, Field::complex, random_));
+        for (std::size_t i = 0; wide_ && i < bend.size(); ++i)
+            bend[i] *= 1 + size(data_[0][i]) + size(data_[1][i]);
+    }
 
     PathEnds<Numbers> follow(Direction direction, const std::vector<Numbers>& starts) const {
         return follow(direction, starts, Care::usual);
@@ -42,6 +51,10 @@ public:
     static std::optional<Numbers> companion(const Numbers&) { return std::nullopt; }
 
 private:
+    static double size(const std::complex<double>& z) {
+        return std::abs(z.real()) + std::abs(z.imag());
+    }
+
     /// Newton's method refines the ends: else two approximations of one solution, where the
     /// Jacobian is nearly singular, might seem to be two.
     PathEnds<Numbers> follow(Direction direction, const std::vector<Numbers>& starts,
@@ -59,6 +72,7 @@ private:
     const TrackedEquations& equations_;
     Random& random_;
     unsigned threads_;
+    bool wide_;
     std::array<Numbers, 2> data_;
     std::vector<Numbers> bends_;
 };

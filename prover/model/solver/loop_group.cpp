@@ -38,12 +38,12 @@ private:
     void number_values(const Program& program) {
         SolutionSet<Numbers> seen(near_at_starts, Nearness::of_coordinates);
         for (const Numbers& solution : loops_.solutions()) {
-            const Numbers what_counts =
-                program.counts
-                    ? values_of(program, program.counted, search_->data(), solution).value_or({})
-                    : solution;
-            const std::optional<int> known = seen.find(what_counts);
-            value_of_.push_back(known ? *known : seen.add(what_counts));
+            const std::optional<Numbers> what_counts =
+                program.counts ? values_of(program, program.counted, search_->data(), solution)
+                               : solution;
+            if (!what_counts) return;
+            const std::optional<int> known = seen.find(*what_counts);
+            value_of_.push_back(known ? *known : seen.add(*what_counts));
         }
         values_ = seen.size();
     }
@@ -120,10 +120,13 @@ std::optional<ModelGroup> group_of_loops(const Program& program, const ModelSize
     constexpr std::uint64_t most_data = 4;
     const TrackedEquations equations(program);
     for (std::uint64_t attempt = 0; attempt < most_data; ++attempt) {
-        auto search = std::make_unique<StartSearch>(
-            program, equations,
-            StartSettings{
-                most_data * seed + attempt, threads, static_cast<std::size_t>(size.solutions), {}});
+        auto search =
+            std::make_unique<StartSearch>(program, equations,
+                                          StartSettings{most_data * seed + attempt,
+                                                        threads,
+                                                        static_cast<std::size_t>(size.solutions),
+                                                        {},
+                                                        Bends::wide});
         search->run();
         CountedLoops solutions(program, std::move(search), size);
         if (!solutions.complete()) continue;

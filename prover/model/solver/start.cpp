@@ -8,11 +8,11 @@ StartSearch::StartSearch(const Program& program, const TrackedEquations& equatio
                          StartSettings settings)
     : program_(program), equations_(equations), settings_(std::move(settings)),
       random_(settings_.seed, 0), first_(first_solution()),
-      monodromy_(DataLoops(program, equations, first_.data, random_, settings_.threads),
-                 near_at_starts, [this](const MonodromyProgress& progress) {
-                     if (settings_.found)
-                         settings_.found(static_cast<std::size_t>(progress.solutions));
-                 }) {
+      monodromy_(
+          DataLoops(program, equations, first_.data, random_, settings_.threads, settings_.bends),
+          near_at_starts, [this](const MonodromyProgress& progress) {
+              if (settings_.found) settings_.found(static_cast<std::size_t>(progress.solutions));
+          }) {
     monodromy_.add(0, first_.unknowns);
 }
 

@@ -19,6 +19,7 @@ struct StartSettings {
     /// loops, and several other solutions, lead to no new ones.
     std::size_t known = 0;
     std::function<void(std::size_t found)> found = {}; ///< told how many are found
+    Bends bends = Bends::usual;
 };
 
 /// The relative distance of approximations of one solution.

@@ -108,7 +108,7 @@ TEST_CASE("solutions that do not move with the data have no group") {
     CHECK(group_of(file_of(equation, one + twice + elimination)).empty());
 }
 
-TEST_CASE("fibres with more solutions than values that count are left out") {
+TEST_CASE("a group is of the values that count, where solutions share them") {
     const auto counted = [](const std::string& what, const std::string& records) {
         return file_of("let s = x * x\nequation x ^ 8 - x = a\ncount " + what + "\n", records);
     };
@@ -128,8 +128,16 @@ TEST_CASE("fibres with more solutions than values that count are left out") {
     CHECK(file.refusals.count == 0);
     CHECK(file.at_least == 8);
     CHECK(file.at_most == 8);
-    CHECK(file.cycle_types.empty());
-    CHECK(file.group().empty());
+    CHECK(file.cycle_types == std::vector<CycleType>{{8}, {3, 5}});
+    CHECK(file.group() == "S8");
+    // Seven values, of at most eight: the eighth may be any.
+    const auto fewer = [&](std::uint64_t a) {
+        return with(distinct(a), "distinct 8", "distinct 7");
+    };
+    const ModelFile seven = outcome(counted("x", fewer(whole) + fewer(five) + elimination));
+    CHECK(seven.refusals.count == 0);
+    CHECK(seven.at_least == 7);
+    CHECK(seven.cycle_types.empty());
 }
 
 TEST_CASE("cycles take an effort") {
