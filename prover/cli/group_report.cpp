@@ -13,7 +13,7 @@ std::string steps_in_words(const MonodromyGroup& group) {
     std::string words;
     for (const GroupStep& step : group.steps)
         words += (words.empty() ? "" : ", then ") + std::to_string(step.solutions);
-    return words + " solutions";
+    return words + (group.degree() == 1 ? " solution" : " solutions");
 }
 
 std::string lengths_in(const CycleType& cycle_type) {
@@ -26,6 +26,8 @@ std::string lengths_in(const CycleType& cycle_type) {
 } // namespace
 
 std::string in_words(const MonodromyGroup& group) {
+    if (group.steps.size() == 1 && group.steps.front().kind == GroupStep::Kind::other)
+        return "a primitive subgroup of S" + std::to_string(group.degree());
     const std::string name = group.name();
     return name.starts_with('<') ? "a subgroup of " + name.substr(1) : name;
 }

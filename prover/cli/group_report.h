@@ -9,7 +9,7 @@
 
 namespace plprove {
 
-/// `S8 wr S2 wr S10`, or `a subgroup of` this.
+/// `S8 wr S2 wr S10`, `a subgroup of` this, or `a primitive subgroup of S27`.
 std::string in_words(const MonodromyGroup& group);
 
 /// The sections `order`, `steps` and `width`.

@@ -9,6 +9,7 @@
 
 namespace {
 
+const std::string models = std::string(SOURCE_DIR) + "/models/";
 const std::string chicago_group = certs + "groups/2394.plc";
 
 /// The groups that plcheck certifies, by class.
@@ -251,6 +252,95 @@ TEST_CASE("fibres of a problem whose group is smaller are certified lower bounds
             "classification.plc " + file);
     CHECK(expected.status == 1);
     CHECK(expected.out.find("no fibres certify its group") != std::string::npos);
+}
+
+TEST_CASE("docs/groups.md has the groups of models, certified where plcheck certifies them") {
+    std::map<std::string, std::string> certified, shown;
+    const Outcome checked = run(plcheck + " --json " + certs + "groups/models/*.plc");
+    REQUIRE(checked.status == 0);
+    const nlohmann::json report = nlohmann::json::parse(checked.out);
+    for (const nlohmann::json& file : report["files"])
+        certified[file["model"]] = file["certified_group"];
+    CHECK(certified.size() > 20);
+    const std::regex row(
+        R"re(\| \[(\w+)\]\(\.\./models/\w+\.model\) \| (\d+) \| `([^`]*)` \| (\d+) \| (.*) \|)re");
+    std::map<std::string, nlohmann::json> decomposing;
+    for (const std::string& line : lines_of(read_file(SOURCE_DIR "/docs/groups.md"))) {
+        std::smatch cells;
+        if (!std::regex_match(line, cells, row)) continue;
+        const std::string name = cells[1], group = cells[3];
+        if (cells[5] == "certified") shown[name] = group;
+        if (!group.starts_with('S') || group.find(' ') != std::string::npos)
+            decomposing[name] = {std::stoi(cells[2]), group, std::stoi(cells[4])};
+        else
+            CHECK("S" + std::string(cells[2]) == group);
+    }
+    CHECK(shown == certified);
+    CHECK(decomposing.size() > 8);
+    for (const auto& [name, expected] : decomposing) {
+        CAPTURE(name);
+        if (expected[0] > 20) continue; // takes long
+        const nlohmann::json found =
+            nlohmann::json::parse(run(plprove + " group --json " + models + name + ".model").out);
+        CHECK(nlohmann::json{found["solutions"], found["evidence"]["group"],
+                             found["evidence"]["width"]} == expected);
+    }
+}
+
+TEST_CASE("plprove group certifies that of a model, and says plainly where it cannot") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "group.plc").string();
+    const std::string model = models + "p3l.model";
+    const Outcome found = run(plprove + " group " + model + " -o " + file);
+    CHECK(found.status == 0);
+    CHECK(found.err.empty());
+    CHECK(found.out.find("\ngroup       S8: evidence, by ") != std::string::npos);
+    CHECK(found.out.find("\nfibres      S8: certified once plcheck accepts it\ncycles      ") !=
+          std::string::npos);
+    CHECK(read_file(file) == read_file(certs + "groups/models/p3l.plc"));
+    CHECK(run(plcheck + " --expect " + model + " --degree 8 --group S8 " + file).status == 0);
+    const std::string text = read_file(file);
+    const std::size_t first = text.find("\nfibre") + 1, second = text.find("\nfibre", first) + 1;
+    // Without a fibre, or with a wrong one, there is no group.
+    write_file(file, text.substr(0, first) + text.substr(second));
+    const Outcome one = run(plcheck + " --expect " + model + " --group S8 " + file);
+    CHECK(one.status == 1);
+    CHECK(one.out.find("no fibres certify its group; add the file that plprove group ") !=
+          std::string::npos);
+    std::string wrong = text;
+    wrong[text.find("polynomial ", second) + 11] ^= 1; // another digit
+    write_file(file, wrong);
+    CHECK(run(plcheck + " --expect " + model + " --group S8 " + file).status == 1);
+    std::filesystem::remove(file);
+    for (const auto& [name, reason] : std::map<std::string, std::string>{
+             {"p3p", "the group does not contain all even permutations, by evidence"},
+             {"gps", "2 solutions: that is too few"}}) {
+        const Outcome none = run(plprove + " group " + models + name + ".model -o " + file);
+        CHECK(none.status == 1);
+        CHECK(none.out.find("\nfibres      none, so there is no certificate: " + reason + "\n") !=
+              std::string::npos);
+        CHECK(!std::filesystem::exists(file));
+    }
+}
+
+TEST_CASE("a model may fall into parts, and must have data that move") {
+    const TemporaryFolder folder;
+    const auto group = [&](const std::string& text) {
+        write_file(folder / "mine.model", "model mine\n" + text);
+        return run(plprove + " group " + (folder / "mine.model").string() + " --json");
+    };
+    const Outcome parts = group("data a, b\nunknown x\nequation (x^2 - a)*(x^3 - x - b) = 0\n");
+    CHECK(parts.status == 0);
+    const nlohmann::json found = nlohmann::json::parse(parts.out)["evidence"]["parts"];
+    CHECK(found == nlohmann::json::parse(R"([{"solutions": 2, "group": "S2"},
+                                             {"solutions": 3, "group": "S3"}])"));
+    // Over the rational numbers the Galois group is S3, but no solution moves.
+    const Outcome still = group("data a\nunknown x\nequation x^3 = x + 1\n");
+    CHECK(nlohmann::json::parse(still.out)["evidence"]["parts"].size() == 3);
+    CHECK(group("unknown x\nequation x^3 = x + 1\n").err.find("has no data") != std::string::npos);
+    CHECK(group("data a\nunknown x, y\nequation x = a*y\n").status == 2);
+    CHECK(group("data a\nequation x = a\n").err.find("mine.model, line 3, column 10") !=
+          std::string::npos);
 }
 
 TEST_CASE("what has no group to look for is refused with advice") {

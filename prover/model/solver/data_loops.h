@@ -7,8 +7,8 @@
 
 namespace plprove::model {
 
-/// How far ways between data bend: by numbers of size 1; or as far as the data are large, so that
-/// more loops permute solutions.
+/// How far ways between data bend: by numbers of size 1; or by several times the size of the data,
+/// as narrow loops may permute few solutions, if any.
 enum class Bends : std::uint8_t { usual, wide };
 
 /// Two random data, and ways between them.
@@ -30,7 +30,7 @@ public:
     void add_edge() {
         Numbers& bend = bends_.emplace_back(random_numbers(program_.data, Field::complex, random_));
         for (std::size_t i = 0; wide_ && i < bend.size(); ++i)
-            bend[i] *= 1 + size(data_[0][i]) + size(data_[1][i]);
+            bend[i] *= 4 * (1 + size(data_[0][i]) + size(data_[1][i]));
     }
 
     PathEnds<Numbers> follow(Direction direction, const std::vector<Numbers>& starts) const {
