@@ -62,6 +62,7 @@ TEST_CASE("cycles of fibres show a group if no set is kept, and one is a long pr
     CHECK(group_shown_by({five, odd_five, seven}, 8) == "S8");
     // A cycle of 7 of 8 says nothing; nor does one of half of the points, or of no prime length.
     CHECK(group_shown_by({whole, seven}, 8).empty());
+    CHECK(group_shown_by({{9}, {2, 7}}, 9).empty());
     CHECK(group_shown_by({{10}, {5, 5}}, 10).empty());
     CHECK(group_shown_by({{16}, {1, 15}, {7, 9}}, 16).empty());
     CHECK(group_shown_by({{16}, {3, 13}}, 16) == "S16");
