@@ -23,121 +23,31 @@ using model::NodeIndex;
 using model::Program;
 using model::ScalarIndex;
 
-constexpr std::string_view words_of_cpp[] = {
-    // keywords, and what else a compiler may know
-    "alignas",
-    "alignof",
-    "and",
-    "and_eq",
-    "asm",
-    "atomic_cancel",
-    "atomic_commit",
-    "atomic_noexcept",
-    "auto",
-    "bitand",
-    "bitor",
-    "bool",
-    "break",
-    "case",
-    "catch",
-    "char",
-    "char16_t",
-    "char32_t",
-    "char8_t",
-    "class",
-    "co_await",
-    "co_return",
-    "co_yield",
-    "compl",
-    "concept",
-    "const",
-    "const_cast",
-    "consteval",
-    "constexpr",
-    "constinit",
-    "continue",
-    "decltype",
-    "default",
-    "delete",
-    "do",
-    "double",
-    "dynamic_cast",
-    "else",
-    "enum",
-    "explicit",
-    "export",
-    "extern",
-    "false",
-    "far",
-    "float",
-    "for",
-    "friend",
-    "goto",
-    "if",
-    "inline",
-    "int",
-    "linux",
-    "long",
-    "main",
-    "mutable",
-    "namespace",
-    "near",
-    "new",
-    "noexcept",
-    "not",
-    "not_eq",
-    "nullptr",
-    "operator",
-    "or",
-    "or_eq",
-    "private",
-    "protected",
-    "public",
-    "reflexpr",
-    "register",
-    "reinterpret_cast",
-    "requires",
-    "return",
-    "short",
-    "signed",
-    "sizeof",
-    "static",
-    "static_assert",
-    "static_cast",
-    "std",
-    "struct",
-    "switch",
-    "synchronized",
-    "template",
-    "this",
-    "thread_local",
-    "throw",
-    "true",
-    "try",
-    "typedef",
-    "typeid",
-    "typename",
-    "union",
-    "unix",
-    "unsigned",
-    "using",
-    "virtual",
-    "void",
-    "volatile",
-    "wchar_t",
-    "while",
-    "xor",
-    "xor_eq"};
+/// Keywords of C++, and what else a compiler may know, with a blank before and after each.
+constexpr std::string_view words_of_cpp =
+    " "
+    "alignas alignof and and_eq asm atomic_cancel atomic_commit atomic_noexcept "
+    "auto bitand bitor bool break case catch char char16_t char32_t char8_t "
+    "class co_await co_return co_yield compl concept const const_cast consteval "
+    "constexpr constinit continue decltype default delete do double dynamic_cast "
+    "else enum explicit export extern false far float for friend goto if inline "
+    "int linux long main mutable namespace near new noexcept not not_eq nullptr "
+    "operator or or_eq private protected public reflexpr register "
+    "reinterpret_cast requires return short signed sizeof static static_assert "
+    "static_cast std struct switch synchronized template this thread_local throw "
+    "true try typedef typeid typename union unix unsigned using virtual void "
+    "volatile wchar_t while xor xor_eq ";
 
 /// Names that the header itself gives.
-constexpr std::string_view own_words[] = {"detail",   "real",        "residual", "rotation",
-                                          "solution", "translation", "Data"};
+constexpr std::string_view own_words = " detail real residual rotation solution translation Data ";
+
+bool is_among(std::string_view words, const std::string& name) {
+    return words.find(' ' + name + ' ') != std::string_view::npos;
+}
 
 /// What a member is called.
 std::string member(const std::string& name) {
-    const bool is_taken = std::ranges::find(words_of_cpp, name) != std::end(words_of_cpp) ||
-                          std::ranges::find(own_words, name) != std::end(own_words);
-    return is_taken ? name + '_' : name;
+    return is_among(words_of_cpp, name) || is_among(own_words, name) ? name + '_' : name;
 }
 
 std::string in_brackets(const std::vector<int>& shape) {
@@ -491,7 +401,7 @@ bool is_name_of_namespace(const std::string& name) {
     const auto fits = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
     return !name.empty() && name.size() <= longest && is_letter(name.front()) &&
            std::ranges::all_of(name, fits) && name.find("__") == std::string::npos &&
-           std::ranges::find(words_of_cpp, name) == std::end(words_of_cpp);
+           !is_among(words_of_cpp, name);
 }
 
 std::string name_of_namespace(const std::string& model) {
