@@ -35,6 +35,9 @@ struct CameraModel {
     /// Theorems on projective cameras are about this kind.
     bool all_matrices = false;
 
+    /// Whether a rotation of space about any line takes cameras to such cameras.
+    bool may_turn = false;
+
     /// Why a record may not place a camera so; empty if it may.
     std::string_view (*objection)(std::span<const int> numbers, bool second) = nullptr;
 

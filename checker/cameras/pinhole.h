@@ -96,6 +96,7 @@ template <std::size_t shared_numbers, bool upright, bool own_focal> struct Pinho
                 .shared = shared_numbers,
                 .unknowns = static_cast<int>(numbers) - 1,
                 .unknowns_of_second = static_cast<int>(numbers) - 2,
+                .may_turn = !upright,
                 .objection = objection,
                 .place_modulo = place<Residue>,
                 .place = place<mpz_class>,

@@ -131,17 +131,19 @@ static Indices read_joins(Reader& reader, const Problem& problem) {
 
 /// Takes the lines `about ...`, if they come.
 static std::vector<Element> read_elements(Reader& reader, const Problem& problem) {
-    constexpr std::size_t most = 24;                                          // two of each view
-    constexpr std::array<std::string_view, 3> names{"point", "line", "view"}; // as Element::Centre
+    constexpr std::size_t most = 24;                                         // two of each view
+    constexpr std::array<std::string_view, 4> names{"point", "line", "view", // as Element::Centre
+                                                    "axis"};
     std::vector<Element> elements;
     do {
         reader.take("about");
         const std::string_view name = reader.word();
         const auto found = std::ranges::find(names, name);
-        if (found == names.end()) reader.fail(name, "`point`, `line` or `view`");
+        if (found == names.end()) reader.fail(name, "`point`, `line`, `view` or `axis`");
         Element element{.kind = static_cast<Element::Centre>(found - names.begin())};
-        const std::array<std::size_t, 3> limits{problem.points.size(), problem.lines.size(),
-                                                static_cast<std::size_t>(problem.view_count())};
+        const std::array<std::size_t, 4> limits{problem.points.size(), problem.lines.size(),
+                                                static_cast<std::size_t>(problem.view_count()),
+                                                problem.lines.size()};
         const std::size_t limit = limits[static_cast<std::size_t>(element.kind)];
         element.centre =
             static_cast<std::size_t>(reader.small_integer(1, static_cast<int>(limit))) - 1;

@@ -1,6 +1,7 @@
 #include "checker/reasons/motions.h"
 
 #include <algorithm>
+#include <map>
 
 namespace checker {
 /// What moves with an element.
@@ -17,27 +18,29 @@ static Views views_that_keep(const Element& element) {
     return element.views | centre;
 }
 
-/// Whether the centre lies on the line: then the element moves the line in itself.
+/// Whether the element moves the line in itself: one through its centre, or the axis.
 static bool is_through_centre(const Problem& part, std::size_t line, const Element& element) {
-    if (element.kind == Element::Centre::line) return element.centre == line;
-    return element.kind == Element::Centre::point &&
-           contains(part.lines[line].points, element.centre);
+    if (element.kind == Element::Centre::point)
+        return contains(part.lines[line].points, element.centre);
+    return element.kind != Element::Centre::view && element.centre == line;
 }
 
-/// What moves: points that moving views see, but those in W and the centre; lines with such a
-/// point, and lines that only these views see, with all points on them that are not in W. Throws
-/// Refused if another view sees such a point.
+/// What moves: points that moving views see, but those in W, the centre and those on the axis;
+/// lines with such a point, and lines that only these views see, with all such points on them.
+/// Throws Refused if another view sees such a point.
 static Moved moved_with(const Problem& part, const Element& element, const Span& span) {
     const Views keeping = views_that_keep(element);
+    const auto is_fixed = [&](std::size_t p) {
+        using enum Element::Centre;
+        if (element.kind == axis) return contains(part.lines[element.centre].points, p);
+        return span.points[p] || (element.kind == point && element.centre == p);
+    };
     Moved moved{std::vector<bool>(part.points.size()), std::vector<bool>(part.lines.size())};
-    for (std::size_t p = 0; p < part.points.size(); ++p) {
-        const bool is_centre = element.kind == Element::Centre::point && element.centre == p;
-        const bool is_seen = (part.points[p].seen_by & element.views) != 0;
-        moved.points[p] = is_seen && !span.points[p] && !is_centre;
-    }
+    for (std::size_t p = 0; p < part.points.size(); ++p)
+        moved.points[p] = count_seen(part, {p}, element.views) > 0 && !is_fixed(p);
     const auto moves = [&](std::size_t p) { return moved.points[p]; };
     const auto may_move = [&](std::size_t p) {
-        return span.points[p] || (part.points[p].seen_by & ~keeping) == 0;
+        return is_fixed(p) || (part.points[p].seen_by & ~keeping) == 0;
     };
     for (bool grows = true; grows;) {
         grows = false;
@@ -49,7 +52,7 @@ static Moved moved_with(const Problem& part, const Element& element, const Span&
             if (!alone && std::ranges::none_of(line.points, moves)) continue;
             moved.lines[n] = grows = true;
             for (const std::size_t p : line.points)
-                moved.points[p] = !span.points[p];
+                moved.points[p] = !is_fixed(p);
         }
     }
     for (std::size_t p = 0; p < part.points.size(); ++p)
@@ -60,28 +63,30 @@ static Moved moved_with(const Problem& part, const Element& element, const Span&
 
 /// Throws Refused unless different parameters are different motions of cameras: a view belongs to
 /// one element about a point and one other at most; and two views rest, or move about the same
-/// point alone.
+/// point alone. An element with an axis is alone, and a view rests.
 static void require_independent(const Problem& part, const std::vector<Element>& elements) {
-    const std::size_t none = part.points.size();
-    std::array<std::size_t, most_views> point{};
-    std::array<bool, most_views> other{};
-    point.fill(none);
-    for (const Element& element : elements)
-        for (std::size_t view = 0; view < most_views; ++view) {
-            if ((element.views >> view & 1) == 0) continue;
-            const bool about_point = element.kind == Element::Centre::point;
-            if (about_point ? point[view] != none : other[view])
-                throw Refused("view ", view + 1, " belongs to two elements of a kind");
-            if (about_point) point[view] = element.centre;
-            other[view] = other[view] || !about_point;
+    using enum Element::Centre;
+    std::map<std::size_t, Views> about; // a point
+    Views about_points = 0, others = 0;
+    for (const Element& element : elements) {
+        if (element.kind == axis) {
+            if (!part.cameras->may_turn) throw Refused(part.cameras->name, " cameras do not turn");
+            if (elements.size() > 1) throw Refused("an element with an axis is not the only one");
+            if (element.views == part.views) throw Refused("no view rests");
+            return;
         }
-    for (std::size_t v = 0; v < most_views; ++v)
-        for (std::size_t w = 0; w < v; ++w) {
-            const bool in_part = (part.views >> v & part.views >> w & 1) != 0;
-            const bool alike = point[v] == point[w] || point[v] == none || point[w] == none;
-            if (in_part && alike && !other[v] && !other[w]) return;
-        }
-    throw Refused("no two views rest, or move about the same point alone");
+        Views& such = element.kind == point ? about_points : others;
+        if (const Views twice = such & element.views; twice != 0)
+            throw Refused("view ", std::countr_zero(twice) + 1,
+                          " belongs to two elements of a kind");
+        such |= element.views;
+        if (element.kind == point) about[element.centre] |= element.views;
+    }
+    int together = 0; // plain views that move about the same point
+    for (const auto& [centre, views] : about)
+        together = std::max(together, std::popcount(views & ~others));
+    if (std::popcount(part.views & ~others & ~about_points) + together < 2)
+        throw Refused("no two views rest, or move about the same point alone");
 }
 
 /// The conditions on the parameters so that the images of a line stay: in each view in which an

@@ -64,11 +64,6 @@ static int excess_of_scene(const Problem& part, const Selection& core) {
     return surplus(alone) + camera_columns(alone);
 }
 
-static int count_seen(const Problem& part, const Indices& points, Views view) {
-    const auto sees = [&](std::size_t p) { return (part.points[p].seen_by & view) != 0; };
-    return static_cast<int>(std::ranges::count_if(points, sees));
-}
-
 /// What a view outside the core says of directions in it: of its lines, and of joins that connect
 /// those points that it sees and no line connects.
 static int directions_seen(const Problem& part, const Selection& core, Views view) {

@@ -39,26 +39,23 @@ Span span_of(const Problem& problem, const Indices& points, const Indices& lines
     return span;
 }
 
-bool arises(Problem problem, const Selection& part) {
+bool arises(const Problem& problem, const Selection& part) {
     std::vector<bool> point_out(problem.points.size()), line_out(problem.lines.size());
-    const auto points_on = [&](std::size_t line) {
-        return std::ranges::count_if(problem.lines[line].points,
-                                     [&](std::size_t p) { return !point_out[p]; });
-    };
-    const auto lines_through = [&](std::size_t point) {
-        return std::ranges::count_if(problem.points[point].lines,
-                                     [&](std::size_t n) { return !line_out[n]; });
-    };
-    for (bool changes = true; changes;) {
-        changes = false;
-        for (std::size_t n = 0; n < line_out.size(); ++n) {
-            if (line_out[n] || contains(part.lines, n) || points_on(n) > 2) continue;
-            line_out[n] = changes = true;
+    // What is not in the part and has at most two neighbours that are still there.
+    const auto leave_out = [](auto& out, const Indices& kept, const auto& others_out,
+                              const auto& neighbours_of) {
+        const auto is_there = [&](std::size_t i) { return !others_out[i]; };
+        bool changes = false;
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            if (out[i] || contains(kept, i)) continue;
+            if (std::ranges::count_if(neighbours_of(i), is_there) <= 2) out[i] = changes = true;
         }
-        for (std::size_t p = 0; p < point_out.size(); ++p) {
-            if (point_out[p] || contains(part.points, p) || lines_through(p) > 2) continue;
-            point_out[p] = changes = true;
-        }
+        return changes;
+    };
+    const auto points_on = [&](std::size_t n) { return problem.lines[n].points; };
+    const auto lines_through = [&](std::size_t p) { return problem.points[p].lines; };
+    while (leave_out(line_out, part.lines, point_out, points_on) ||
+           leave_out(point_out, part.points, line_out, lines_through)) {
     }
     const auto left_out = std::ranges::count(point_out, true) + std::ranges::count(line_out, true);
     return left_out + std::ssize(part.points) + std::ssize(part.lines) ==
@@ -105,7 +102,7 @@ static Element element_in(const Selection& part, Element element) {
     if ((views & ~part.views) != 0) throw Refused("a view is not in the part");
     if (element.kind == Element::Centre::point)
         element.centre = place_in(part.points, element.centre, "point");
-    if (element.kind == Element::Centre::line)
+    if (element.kind == Element::Centre::line || element.kind == Element::Centre::axis)
         element.centre = place_in(part.lines, element.centre, "line");
     return element;
 }
@@ -193,10 +190,8 @@ static int loose_parameters(const Problem& part, const Selection& moved) {
 static int camera_parameters(const Problem& part, Views view) {
     if (part.view_count() < 3) throw Refused("fewer than two cameras of the part rest");
     int free = part.cameras->unknowns - image_dimension(part, view);
-    for (const Line& line : part.lines) {
-        const auto sees = [&](std::size_t p) { return (part.points[p].seen_by & view) != 0; };
-        free += std::max(0, static_cast<int>(std::ranges::count_if(line.points, sees)) - 3);
-    }
+    for (const Line& line : part.lines)
+        free += std::max(0, count_seen(part, line.points, view) - 3);
     return free;
 }
 

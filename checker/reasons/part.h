@@ -15,12 +15,12 @@ struct Selection {
     Indices lines{};
 };
 
-/// Cameras that move as by a central collineation: one that keeps the lines through a centre, and
-/// the generators of a motion.
+/// Cameras that move as by a central collineation, one that keeps the lines through a centre, and
+/// the generators of a motion; or that turn about an axis.
 struct Element {
-    enum class Centre { point, line, view };
+    enum class Centre { point, line, view, axis };
     Centre kind = Centre::point;
-    std::size_t centre = 0; // a point; a line, on it a generic point; a view, its camera's centre
+    std::size_t centre = 0; // a point; a line, on it a generic point; a view's camera; an axis
     Views views = 0;
 };
 
@@ -68,9 +68,15 @@ inline bool contains(const Indices& list, std::size_t index) {
     return std::ranges::find(list, index) != list.end();
 }
 
+/// How many of the points a view sees.
+inline int count_seen(const Problem& part, const Indices& points, Views view) {
+    const auto sees = [&](std::size_t p) { return (part.points[p].seen_by & view) != 0; };
+    return static_cast<int>(std::ranges::count_if(points, sees));
+}
+
 /// Whether one can get from the problem to the part: leaves out what may be left out, a line with
 /// at most two points, a point on at most two lines, as long as anything may.
-bool arises(Problem problem, const Selection& part);
+bool arises(const Problem& problem, const Selection& part);
 
 /// The part as a problem. Its points and lines have new numbers.
 Problem part_of(const Problem& problem, const Selection& part);

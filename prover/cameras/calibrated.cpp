@@ -72,6 +72,7 @@ constinit const CameraModel calibrated_cameras =
                                         .prefix = "",
                                         .unknowns = 6,
                                         .unknowns_of_second = 5,
+                                        .may_turn = true,
                                         .scaled = quaternion,
                                         .scaled_in_second = quaternion_and_translation,
                                         .normalise = normalise,

@@ -51,6 +51,8 @@ struct CameraModel {
     /// Whether all matrices of rank 3 are such cameras. Then a camera may also move so that it
     /// keeps the images of a plane, or of a subspace (certs/FORMAT.md, section 13, *Not minimal*).
     bool all_matrices = false;
+    /// Whether a rotation of space about any line takes cameras to such cameras.
+    bool may_turn = false;
 
     /// The first numbers of the second camera, where they are always the same.
     std::span<const std::int64_t> start_of_second{};

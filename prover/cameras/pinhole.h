@@ -149,6 +149,7 @@ struct Pinhole {
                                   .prefix = prefix,
                                   .unknowns = numbers - 1,
                                   .unknowns_of_second = numbers - 2,
+                                  .may_turn = !upright,
                                   .scaled = scaled,
                                   .scaled_in_second = scaled_in_second,
                                   .normalise = normalise,

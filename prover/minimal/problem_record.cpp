@@ -96,6 +96,9 @@ struct Explain {
             return all_matrices ? "looks the same when cameras move and keep the images of a plane"
                                 : "looks the same when cameras move and do not turn";
         const std::optional<int> centre = point_of_star(motion);
+        if (!centre && motion.elements.front().kind == CentralElement::Centre::axis)
+            return "looks the same when some cameras turn about line " +
+                   std::to_string(motion.elements.front().centre + 1) + ", with what they see";
         if (!centre)
             return "looks the same when some cameras slide towards centres, with what they see";
         const std::string point = " point " + std::to_string(*centre + 1);

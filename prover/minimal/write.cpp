@@ -148,6 +148,7 @@ struct WriteClaim {
         for (const CentralElement& element : motion.elements) {
             const char* const kind = element.kind == CentralElement::Centre::point  ? "point"
                                      : element.kind == CentralElement::Centre::line ? "line"
+                                     : element.kind == CentralElement::Centre::axis ? "axis"
                                                                                     : "view";
             text.line("about", kind, element.centre + 1, "views", numbered_views(element.views));
         }

@@ -105,7 +105,22 @@ std::vector<CameraMotion> generators_of(const Problem& problem, const Subproblem
     return all;
 }
 
+/// A motion in which some cameras turn about a line of the part, with all that they see.
+static std::optional<CameraMotion> find_turn(const Problem& problem, const Subproblem& part) {
+    if (!problem.cameras->may_turn) return std::nullopt;
+    const CameraMotion none{.kind = MotionKind::central};
+    for (const int line : part.lines)
+        for (const CentralElement& element :
+             elements_about(problem, part, none, CentralElement::Centre::axis, line)) {
+            CameraMotion motion = none;
+            motion.elements = {element};
+            if (excess(problem, part, motion) > 0) return motion;
+        }
+    return std::nullopt;
+}
+
 std::optional<CameraMotion> find_central_motion(const Problem& problem, const Subproblem& part) {
+    if (std::optional<CameraMotion> turn = find_turn(problem, part)) return turn;
     for (const CameraMotion& generators : generators_of(problem, part, MotionKind::central)) {
         const Elements elements(problem, part, generators);
         std::vector<std::vector<int>> centres{{}};

@@ -121,9 +121,7 @@ public:
                                                                  : ViewSet{0})),
           points_(problem.points.size(), false), lines_(problem.lines.size(), false) {
         for (const int point : part.points) {
-            const bool is_centre =
-                element.kind == CentralElement::Centre::point && element.centre == point;
-            if (!is_centre && (seen(point) & element.views) != 0) carry(point);
+            if ((seen(point) & element.views) != 0) carry(point);
         }
         for (bool changed = true; changed;) {
             changed = false;
@@ -147,7 +145,9 @@ public:
         return has_line(number) ? static_cast<ViewSet>(~keeping_) : element_.views;
     }
     bool passes_centre(int number) const {
-        return (element_.kind == CentralElement::Centre::line && element_.centre == number) ||
+        return ((element_.kind == CentralElement::Centre::line ||
+                 element_.kind == CentralElement::Centre::axis) &&
+                element_.centre == number) ||
                (element_.kind == CentralElement::Centre::point &&
                 contains(problem_.lines[static_cast<std::size_t>(number)], element_.centre));
     }
@@ -156,8 +156,15 @@ private:
     ViewSet seen(int point) const {
         return problem_.points[static_cast<std::size_t>(point)] & part_.views;
     }
+    /// Whether the point lies in W, or is the centre or on the axis.
+    bool is_fixed(int point) const {
+        if (element_.kind == CentralElement::Centre::axis)
+            return contains(problem_.lines[static_cast<std::size_t>(element_.centre)], point);
+        return span_.has_point(point) ||
+               (element_.kind == CentralElement::Centre::point && element_.centre == point);
+    }
     void carry(int point) {
-        if (!span_.has_point(point)) points_[static_cast<std::size_t>(point)] = true;
+        if (!is_fixed(point)) points_[static_cast<std::size_t>(point)] = true;
     }
     /// A line moves with a point of it, or alone if no other view sees anything of it.
     bool carry_line(int number) {
@@ -167,7 +174,7 @@ private:
         for (const int point : line.points) {
             if (!is_in(part_.points, point)) continue;
             moves = moves || points_[static_cast<std::size_t>(point)];
-            alone = alone && (span_.has_point(point) || (seen(point) & ~keeping_) == 0);
+            alone = alone && (is_fixed(point) || (seen(point) & ~keeping_) == 0);
         }
         if (!moves && !alone) return false;
         lines_[static_cast<std::size_t>(number)] = true;
@@ -186,10 +193,15 @@ private:
 };
 
 /// Whether different parameters of the elements are different motions: a view has one element about
-/// a point and one other at most, and two views rest, or move about the same point alone.
-bool are_independent(const Subproblem& part, const std::vector<CentralElement>& elements) {
+/// a point and one other at most, and two views rest, or move about the same point alone. An
+/// element with an axis is alone, and a view rests.
+bool are_independent(const Problem& problem, const Subproblem& part,
+                     const std::vector<CentralElement>& elements) {
     ViewSet about_points = 0, others = 0;
     for (const CentralElement& element : elements) {
+        if (element.kind == CentralElement::Centre::axis)
+            return problem.cameras->may_turn && elements.size() == 1 &&
+                   element.views != part.views && (element.views & ~part.views) == 0;
         ViewSet& such = element.kind == CentralElement::Centre::point ? about_points : others;
         if ((such & element.views) != 0 || (element.views & ~part.views) != 0) return false;
         if (element.kind == CentralElement::Centre::view && contains(element.views, element.centre))
@@ -215,7 +227,7 @@ std::optional<int> central_motions(const Problem& problem, const Subproblem& par
     const bool projective = problem.cameras->all_matrices;
     const Span span = spanned_by(problem, part, motion);
     if (span.rank() > (projective ? 3 : 0)) return std::nullopt;
-    if (!are_independent(part, motion.elements)) return std::nullopt;
+    if (!are_independent(problem, part, motion.elements)) return std::nullopt;
     std::vector<Carried> carried;
     for (const CentralElement& element : motion.elements) {
         carried.emplace_back(problem, part, span, element);

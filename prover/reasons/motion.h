@@ -18,11 +18,13 @@ namespace plprove {
 /// part of which all parameters count.
 enum class MotionKind : std::uint8_t { none, loose, camera, plane, central, directions, pencils };
 
-/// Cameras that slide towards a centre, each as far as the others, with all that they alone see.
+/// Cameras that slide towards a centre, each as far as the others, with all that they alone see; or
+/// that turn about a line, the axis.
 struct CentralElement {
-    enum class Centre : std::uint8_t { point, line, view };
+    enum class Centre : std::uint8_t { point, line, view, axis };
     Centre kind = Centre::point;
-    int centre = 0; ///< a point; a line, on it a generic point; a view: the centre of its camera
+    /// A point; a line, on it a generic point; a view: the centre of its camera; or a line.
+    int centre = 0;
     ViewSet views = 0;
 
     bool operator==(const CentralElement&) const = default;

@@ -7,6 +7,8 @@ IN_PART = {"shared-focal": (1, 4, 0), "focal": (1, 4, 1), "shared-focal-center":
            "shared-k": (5, 4, 0), "upright": (0, 2, 0), "upright-shared-focal": (1, 2, 0),
            "upright-focal": (1, 2, 1)}
 KINDS = {"calibrated", "projective", *IN_PART}
+# A turn about any line takes them to such cameras.
+TURNING = {"calibrated", *(kind for kind, (_, turn, _) in IN_PART.items() if turn == 4)}
 
 
 def counts(kind):

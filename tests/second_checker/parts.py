@@ -1,6 +1,6 @@
 """Section 13: why a problem in general is not minimal: parts and their motions."""
 
-from cameras import dimension, unknowns_of_one
+from cameras import TURNING, dimension, unknowns_of_one
 from grammar import require
 
 
@@ -160,6 +160,8 @@ def moves_with(problem, part, on, within, element):
     (views, points, lines), (_, points_within, lines_within) = part, within
     kind, centre, own = element
     free = points - points_within
+    if kind == "axis":
+        free -= set(on[centre])
     keeping = own | ({centre} if kind == "view" else set())
     moved = {i for i in free if problem.points[i] & own and (kind, centre) != ("point", i)}
     moved_lines, others = set(), {j for j in lines - lines_within if not holds(element, j, on)}
@@ -176,14 +178,17 @@ def moves_with(problem, part, on, within, element):
 
 def holds(element, line, on):
     kind, centre, _ = element
-    return kind == "line" and centre == line or kind == "point" and centre in on[line]
+    return kind in ("line", "axis") and centre == line or kind == "point" and centre in on[line]
 
 
-def require_independent(part, elements):
+def require_independent(part, elements, may_turn):
     views, points, lines = part
-    among = {"point": points, "line": lines, "view": views}
+    among = {"point": points, "line": lines, "view": views, "axis": lines}
     require(all(own <= views and centre in among[kind] and (kind != "view" or centre not in own)
                 for kind, centre, own in elements), "an element of other things")
+    if any(kind == "axis" for kind, _, _ in elements):
+        require(len(elements) == 1 and elements[0][2] != views and may_turn, "an axis")
+        return
     plain = []
     for view in views:
         kinds = [kind for kind, _, own in elements if view in own]
@@ -198,7 +203,7 @@ def require_independent(part, elements):
 def central(problem, part, on, within, elements, projective):
     """The kappa of a central motion."""
     (views, points, lines), (rank, points_within, lines_within) = part, within
-    require_independent(part, elements)
+    require_independent(part, elements, not projective and problem.cameras in TURNING)
     moved = [moves_with(problem, part, on, within, element) for element in elements]
     moving = set().union(*(own for _, _, own in elements))
     scale = 4 - rank if projective else 1

@@ -359,7 +359,7 @@ TEST_CASE(
           "about view 4 views 1\n", "about point 9 views 1\n", "about line 1 views 1\n", ""})
         CHECK(altered(pairs, "about view 3 views 1\n", wrong).starts_with("syntax"));
     CHECK(contains(altered(pairs, "about view 3", "about camera 3"),
-                   "found `camera`, expected `point`, `line` or `view`"));
+                   "found `camera`, expected `point`, `line`, `view` or `axis`"));
     // A line that view 2 sees, too, through a point that view 1 sees.
     CHECK(contains(outcome_of_record("problem upright-shared-focal: 4*-/P/P + 2*P/-/P + Pa/a/P\n"
                                      "excess 1\n"
@@ -429,6 +429,41 @@ TEST_CASE("a point slides along a camera's ray, and cameras towards the point") 
     CHECK(contains(altered(ray, "central points 3 4 5", "central points 1 3 4 5"),
                    "the rank of the generators is 4"));
     CHECK(contains(altered(ray, "about view 3 views 1 2\n", ""), "the excess is 0"));
+}
+
+TEST_CASE("cameras turn about a line with all that they see and that is not on it") {
+    const std::string turn = "problem 2*-/-/P/P/- + P/P/-/-/P + 3*PL/PL/PL/PL/PL\n"
+                             "excess 1\n"
+                             "part views 1 2 3 4 5 points 1 2 3 4 5 6 lines 1\n"
+                             "motion central points lines\n"
+                             "about axis 1 views 3 4\n";
+    CHECK(outcome_of_record(turn) == "holds");
+    CHECK(outcome_of_record(with(turn, "views 3 4\n", "views 1 2 5\n")) == "holds");
+    CHECK(contains(altered(turn, "excess 1", "excess 2"), "the excess is 1"));
+    CHECK(contains(altered(turn, "views 3 4\n", "views 3\n"),
+                   "the motion does not keep the image of point 1"));
+    CHECK(contains(altered(turn, "views 3 4\n", "views 1 2 3 4 5\n"), "no view rests"));
+    CHECK(contains(altered(turn, "views 3 4\n", "views 3 4\nabout point 4 views 1\n"),
+                   "an element with an axis is not the only one"));
+    CHECK(contains(altered(turn, "about axis 1", "about line 1"),
+                   "the motion does not keep the image of point 4"));
+    CHECK(altered(turn, "about axis 1", "about axis 2").starts_with("syntax"));
+    CHECK(contains(altered(turn, "motion central", "motion projective central"),
+                   "projective cameras do not turn"));
+    const auto of = [&](const std::string& features, int lines) {
+        std::string record = with(turn, "2*-/-/P/P/- + P/P/-/-/P + 3*PL/PL/PL/PL/PL", features);
+        if (lines > 1) record = with(record, "lines 1\n", "lines 1 2\n");
+        return outcome_of_record(record);
+    };
+    CHECK(contains(of("upright: 2*-/-/P/P/- + P/P/-/-/P + 3*PL/PL/PL/PL/PL", 1),
+                   "upright cameras do not turn"));
+    // The line through a point of the axis: seen from both sides it rests, and changes.
+    CHECK(contains(of("2*-/-/P/P/- + P/P/-/-/P + PLa/PLa/PLa/PLa/PLa + 2*PL/PL/PL/PL/PL", 2),
+                   "the excess is "));
+    // Without points, it moves so that two views see it as before; three do not.
+    const std::string same = "2*-/-/P/P/- + P/P/-/-/P + 3*PL/PL/PL/PL/PL + ";
+    CHECK(of(same + "a/-/a/-/-", 2) == "holds");
+    CHECK(contains(of(same + "a/a/a/-/-", 2), "the excess is "));
 }
 
 TEST_CASE("a camera that sees a line of four points turns about it") {
