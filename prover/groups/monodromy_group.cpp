@@ -5,7 +5,6 @@
 #include "prover/groups/stabilizer_chain.h"
 
 #include <algorithm>
-#include <ranges>
 #include <sstream>
 #include <utility>
 
@@ -133,8 +132,8 @@ std::string MonodromyGroup::name() const {
     });
     std::ostringstream out;
     const char* before = whole ? "" : "<";
-    for (const GroupStep& step : std::views::reverse(steps))
-        out << std::exchange(before, " wr ") << letter(step.kind) << step.solutions;
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step)
+        out << std::exchange(before, " wr ") << letter(step->kind) << step->solutions;
     return out.str();
 }
 
@@ -142,10 +141,10 @@ std::string MonodromyGroup::order() const {
     std::ostringstream out;
     const char* before = "";
     Factored index;
-    for (const GroupStep& step : std::views::reverse(steps)) {
-        out << std::exchange(before, "*") << step.solutions << '!';
-        if (step.copies > 1) out << '^' << step.copies;
-        multiply(index, step.index, 1);
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+        out << std::exchange(before, "*") << step->solutions << '!';
+        if (step->copies > 1) out << '^' << step->copies;
+        multiply(index, step->index, 1);
     }
     if (index.empty()) return out.str();
     const bool is_product = index.size() > 1;
@@ -204,8 +203,8 @@ bool shows_alternating(const std::vector<Permutation>& generators) {
 
 std::vector<Permutation> loops_of_edges(const std::vector<Permutation>& bijections) {
     std::vector<Permutation> result;
-    for (const Permutation& other : bijections | std::views::drop(1))
-        result.push_back(then(bijections.front(), inverse(other)));
+    for (std::size_t i = 1; i < bijections.size(); ++i)
+        result.push_back(then(bijections.front(), inverse(bijections[i])));
     return result;
 }
 
