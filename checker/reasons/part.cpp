@@ -43,19 +43,17 @@ bool arises(const Problem& problem, const Selection& part) {
     std::vector<bool> point_out(problem.points.size()), line_out(problem.lines.size());
     // What is not in the part and has at most two neighbours that are still there.
     const auto leave_out = [](auto& out, const Indices& kept, const auto& others_out,
-                              const auto& neighbours_of) {
+                              const auto& items, auto neighbours) {
         const auto is_there = [&](std::size_t i) { return !others_out[i]; };
         bool changes = false;
         for (std::size_t i = 0; i < out.size(); ++i) {
             if (out[i] || contains(kept, i)) continue;
-            if (std::ranges::count_if(neighbours_of(i), is_there) <= 2) out[i] = changes = true;
+            if (std::ranges::count_if(items[i].*neighbours, is_there) <= 2) out[i] = changes = true;
         }
         return changes;
     };
-    const auto points_on = [&](std::size_t n) { return problem.lines[n].points; };
-    const auto lines_through = [&](std::size_t p) { return problem.points[p].lines; };
-    while (leave_out(line_out, part.lines, point_out, points_on) ||
-           leave_out(point_out, part.points, line_out, lines_through)) {
+    while (leave_out(line_out, part.lines, point_out, problem.lines, &Line::points) ||
+           leave_out(point_out, part.points, line_out, problem.points, &Point::lines)) {
     }
     const auto left_out = std::ranges::count(point_out, true) + std::ranges::count(line_out, true);
     return left_out + std::ssize(part.points) + std::ssize(part.lines) ==
