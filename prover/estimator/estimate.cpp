@@ -83,13 +83,6 @@ std::optional<SeenImages> images_of(const Sample& sample, const Features& proble
     return images;
 }
 
-Poses poses_of(const Solution& solution) {
-    Poses cameras;
-    for (const ComplexPose& pose : solution.cameras)
-        cameras.push_back({pose.R.real(), pose.t.real()});
-    return cameras;
-}
-
 /// How well cameras explain matches.
 struct Consensus {
     Poses cameras;
@@ -100,9 +93,9 @@ struct Consensus {
 /// One search for the cameras of the matches.
 class Search {
 public:
-    Search(const Matches& matches, const Solver& solver, const EstimateOptions& options)
+    Search(const Matches& matches, const SampleSolver& solver, const EstimateOptions& options)
         : matches_(matches), solver_(solver), options_(options), tests_(tests_of(matches)),
-          sampler_(solver.plan().problem, matches) {}
+          sampler_(solver.problem(), matches) {}
 
     std::optional<Estimate> run() {
         Consensus best;
@@ -130,7 +123,7 @@ private:
         Poses cameras;
     };
 
-    const Features& problem() const { return solver_.plan().problem; }
+    const Features& problem() const { return solver_.problem(); }
 
     /// The best cameras of the samples that cost less than all before, the least first; at most a
     /// few, as to refine takes longer than a sample.
@@ -153,12 +146,7 @@ private:
         const auto sample = sampler_.draw(options_.seed, number);
         const auto images = sample ? images_of(*sample, problem(), matches_) : std::nullopt;
         if (!images) return best;
-        SolveOptions how;
-        how.search.effort = Effort::real;
-        how.complex = false;
-        how.conditions = false;
-        for (const Solution& solution : solver_.solve(*images, how).solutions) {
-            Poses cameras = poses_of(solution);
+        for (Poses& cameras : solver_.solve(*images)) {
             const double cost =
                 bounded_cost(cameras, matches_, tests_, options_.threshold, best.cost);
             if (cost < best.cost) best = {cost, std::move(cameras)};
@@ -170,7 +158,7 @@ private:
     /// matches, and useful.
     double samples_needed(const Consensus& best) const {
         constexpr double useful = 0.5; // noise spoils the others
-        double right = useful;
+        double right = useful * solver_.success();
         for (std::size_t f = 0; f < problem().size(); ++f) {
             const std::vector<std::size_t>& pool = sampler_.candidates(f);
             right *= problem()[f].has_point ? share(best.inliers.points, tests_.points, pool)
@@ -264,7 +252,7 @@ private:
     }
 
     const Matches& matches_;
-    const Solver& solver_;
+    const SampleSolver& solver_;
     const EstimateOptions& options_;
     Inliers tests_;
     Sampler sampler_;
@@ -272,7 +260,7 @@ private:
 
 } // namespace
 
-std::optional<Estimate> estimate(const Matches& matches, const Solver& solver,
+std::optional<Estimate> estimate(const Matches& matches, const SampleSolver& solver,
                                  const EstimateOptions& options) {
     return Search(matches, solver, options).run();
 }

@@ -5,7 +5,7 @@
 
 #include "prover/estimator/refinement.h"
 #include "prover/problem/feature.h"
-#include "prover/solver/solve.h"
+#include "prover/solver/sample_solver.h"
 
 #include <cstdint>
 
@@ -31,7 +31,7 @@ struct Estimate {
 
 /// The cameras that explain most, by samples of the problem that the solver solves. Nothing where
 /// no sample led to cameras that explain more than it.
-std::optional<Estimate> estimate(const Matches& matches, const Solver& solver,
+std::optional<Estimate> estimate(const Matches& matches, const SampleSolver& solver,
                                  const EstimateOptions& options);
 
 } // namespace plprove

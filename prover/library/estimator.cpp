@@ -20,14 +20,14 @@ namespace pointline {
 /// Solvers are made once for each problem.
 struct Estimator::Content {
     std::mutex mutex;
-    std::map<std::string, plprove::Solver> solvers;
+    std::map<std::string, plprove::SampleSolver> solvers;
 
-    const plprove::Solver& solver(const plprove::Features& problem) {
+    const plprove::SampleSolver& solver(const plprove::Features& problem) {
         const std::lock_guard lock(mutex);
         const std::string name = plprove::notation(problem);
         const auto known = solvers.find(name);
         if (known != solvers.end()) return known->second;
-        return solvers.emplace(name, plprove::make_solver(problem)).first->second;
+        return solvers.try_emplace(name, problem).first->second;
     }
 };
 

@@ -50,6 +50,13 @@ Quaternion quaternion(const Matrix3d& rotation) {
 
 } // namespace
 
+Images complex_images(const std::vector<Vector3d>& images) {
+    Images result;
+    for (const Vector3d& x : images)
+        result.push_back({x[0], x[1], x[2]});
+    return result;
+}
+
 Alignment align(const CameraSystem& system, const Images& start,
                 const std::vector<Vector3d>& images) {
     constexpr int turns = 20;
@@ -80,13 +87,14 @@ Alignment align(const CameraSystem& system, const Images& start,
     return result;
 }
 
-QuaternionCameras turned_back(const Alignment& alignment, const QuaternionCameras& cameras) {
+QuaternionCameras turned_back(const std::array<Eigen::Matrix3d, 3>& turn,
+                              const QuaternionCameras& cameras) {
     // A turned view sees Q x, so its camera has Q_v R_v Q_1^T and the centre Q_1 c.
-    const Quaternion first = quaternion(alignment.turn[0]);
-    const Matrix3d back = alignment.turn[0].transpose();
+    const Quaternion first = quaternion(turn[0]);
+    const Matrix3d back = turn[0].transpose();
     QuaternionCameras result;
     for (std::size_t v = 0; v < 2; ++v) {
-        const Quaternion inverse = quaternion(alignment.turn[v + 1].transpose());
+        const Quaternion inverse = quaternion(turn[v + 1].transpose());
         result.quaternion[v] = inverse * cameras.quaternion[v] * first;
         const Complex3& c = cameras.centre[v];
         const Vector3cd centre = back.cast<Complex>() * Vector3cd(c[0], c[1], c[2]);

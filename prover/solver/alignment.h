@@ -11,6 +11,9 @@
 
 namespace plprove {
 
+/// Real images for the tracker.
+Images complex_images(const std::vector<Eigen::Vector3d>& images);
+
 struct Alignment {
     std::array<Eigen::Matrix3d, 3> turn; ///< of each view: a rotation
     std::vector<Eigen::Vector3d> turned; ///< the images, turned
@@ -22,7 +25,8 @@ struct Alignment {
 Alignment align(const CameraSystem& system, const Images& start,
                 const std::vector<Eigen::Vector3d>& images);
 
-/// The cameras for the images as they were before, from cameras for turned ones.
-QuaternionCameras turned_back(const Alignment& alignment, const QuaternionCameras& cameras);
+/// The cameras for the images as they were before each view was turned, from those for turned ones.
+QuaternionCameras turned_back(const std::array<Eigen::Matrix3d, 3>& turn,
+                              const QuaternionCameras& cameras);
 
 } // namespace plprove

@@ -5,7 +5,7 @@
 
 #include "prover/solver/extension.h"
 #include "prover/solver/start.h"
-#include "prover/three_views/path_follower.h"
+#include "prover/solver/zeros_at_rest.h"
 
 #include <Eigen/Core>
 
@@ -22,10 +22,8 @@ struct FoundCameras {
 };
 
 /// How much to do: `once` follows each path once; `thorough` follows lost paths again, with more
-/// digits, and all paths on other ways while some are lost. `real` is `once` without what leads to
-/// no real cameras, or to none with all points in front, as far as that is seen on the way:
-/// extensions of the five-point problem then take a fraction of the time.
-enum class Effort { real, once, thorough };
+/// digits, and all paths on other ways while some are lost.
+enum class Effort { once, thorough };
 
 struct SearchOptions {
     Effort effort = Effort::thorough;
@@ -46,21 +44,18 @@ public:
     FoundCameras solve(const std::vector<Eigen::Vector3d>& images,
                        const SearchOptions& options) const;
 
-    const CameraSystem& system() const { return system_; }
+    const CameraSystem& system() const { return equations_.system; }
     const Start& start() const { return start_; }
 
 private:
-    class Search;
-
-    /// Adds what templates find to the search, or what paths find; returns the steps of the paths.
+    /// Adds what templates find, or what paths find; returns the steps of the paths.
     void register_cameras(const std::vector<Eigen::Vector3d>& images, const SearchOptions& options,
-                          Search& search) const;
+                          ZerosAtRest& zeros) const;
     std::uint64_t follow_paths(const Images& images, const SearchOptions& options,
-                               Search& search) const;
+                               ZerosAtRest& zeros) const;
 
     Start start_;
-    CameraSystem system_;
-    TrackedSystem tracked_;
+    ChartedEquations equations_;
     std::optional<ExtensionSolver> extension_;
 };
 

@@ -1,5 +1,6 @@
 #include "prover/solver/condition.h"
 
+#include "prover/solver/alignment.h"
 #include "prover/solver/decompositions.h"
 #include "prover/three_views/images.h"
 
@@ -113,13 +114,10 @@ double value(const CameraSystem& system, const CameraEquation& equation,
 
 VectorXd values(const CameraSystem& system, const std::vector<Vector3d>& images,
                 const Cameras& cameras) {
-    Images complex_images;
-    for (const Vector3d& x : images)
-        complex_images.push_back({x[0], x[1], x[2]});
     // The auxiliary lines and points do not matter to solutions, so neither to their derivatives.
     const std::vector<Complex3> constants(static_cast<std::size_t>(system.constants),
                                           {0.36, 0.48, 0.8});
-    const std::vector<Complex3> vectors = image_vectors(system, constants, complex_images);
+    const std::vector<Complex3> vectors = image_vectors(system, constants, complex_images(images));
     VectorXd result(static_cast<Index>(system.equations.size()));
     for (std::size_t e = 0; e < system.equations.size(); ++e)
         result[static_cast<Index>(e)] = value(system, system.equations[e], vectors, cameras);

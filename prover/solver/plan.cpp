@@ -134,6 +134,15 @@ Eigen::Vector3d far_point(const Eigen::Vector3d& line, const Eigen::Vector3d& po
 
 } // namespace
 
+std::array<std::array<Eigen::Vector3d, 5>, 2> five_points(const SolvePlan& plan,
+                                                          const Observation& observation) {
+    std::array<std::array<Eigen::Vector3d, 5>, 2> points;
+    for (std::size_t view = 0; view < 2; ++view)
+        for (std::size_t k = 0; k < 5; ++k)
+            points[view][k] = observation[plan.sources[k].feature][view].point->normalized();
+    return points;
+}
+
 std::vector<Eigen::Vector3d> class_images(const SolvePlan& plan, const CameraSystem& system,
                                           const Observation& observation) {
     const Eigen::Vector3d through(0.36, 0.48, 0.8); // any vector gives a line through a point

@@ -35,9 +35,13 @@ struct SolvePlan {
 /// Throws BadInput where the problem is neither minimal nor camera-minimal: it says why.
 SolvePlan plan(const Features& problem);
 
-/// The images for the camera equations of the class: a unit vector for each free vector of
-/// `system`. What the class sees and the problem does not is a line through a seen point; the
-/// cameras do not depend on which, so any is taken.
+/// In two views: the directions of the five points, in each of the views.
+std::array<std::array<Eigen::Vector3d, 5>, 2> five_points(const SolvePlan& plan,
+                                                          const Observation& observation);
+
+/// In three views: the images for the camera equations of the class: a unit vector for each free
+/// vector of `system`. What the class sees and the problem does not is a line through a seen point;
+/// the cameras do not depend on which, so any is taken.
 std::vector<Eigen::Vector3d> class_images(const SolvePlan& plan, const CameraSystem& system,
                                           const Observation& observation);
 

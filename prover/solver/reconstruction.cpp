@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
 
 namespace plprove {
 
@@ -217,6 +218,23 @@ int mark_in_front(const SeenImages& images, const std::vector<Pose<double>>& pos
     return behind;
 }
 
+/// How far, in pixels, what is seen reaches from the origin of the images.
+double reach(const SeenImages& images) {
+    double largest = 0;
+    for (const FeatureSightings& sightings : images.observation)
+        for (std::size_t v = 0; v < sightings.size(); ++v) {
+            const Eigen::Matrix3d& K = images.calibration[v];
+            if (const auto& point = sightings[v].point)
+                largest = std::max(largest, (K * *point).eval().hnormalized().norm());
+            for (const auto& line : sightings[v].lines) {
+                if (!line) continue;
+                const Eigen::Vector3d in_pixels = K.inverse().transpose() * *line;
+                largest = std::max(largest, std::abs(in_pixels[2]) / in_pixels.head<2>().norm());
+            }
+        }
+    return largest;
+}
+
 } // namespace
 
 Solution real_solution(const SeenImages& images, std::vector<Pose<double>> poses) {
@@ -229,6 +247,11 @@ Solution real_solution(const SeenImages& images, std::vector<Pose<double>> poses
     }
     solution.real = true;
     return solution;
+}
+
+bool explains(const Solution& solution, const SeenImages& images) {
+    constexpr double most = 0.01;
+    return solution.residual <= most * reach(images);
 }
 
 Solution complex_solution(const SeenImages& images, const std::vector<ComplexPose>& poses) {

@@ -6,10 +6,7 @@
 #include "prover/solver/poses.h"
 #include "prover/system/exit.h"
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace plprove {
@@ -47,29 +44,10 @@ void sort(std::vector<Solution>& solutions) {
     std::ranges::stable_sort(solutions, {}, key);
 }
 
-/// How far, in pixels, what is seen reaches from the origin of the images.
-double reach(const SeenImages& images) {
-    double largest = 0;
-    for (const FeatureSightings& sightings : images.observation)
-        for (std::size_t v = 0; v < sightings.size(); ++v) {
-            const Eigen::Matrix3d& K = images.calibration[v];
-            if (const auto& point = sightings[v].point)
-                largest = std::max(largest, (K * *point).eval().hnormalized().norm());
-            for (const auto& line : sightings[v].lines) {
-                if (!line) continue;
-                const Eigen::Vector3d in_pixels = K.inverse().transpose() * *line;
-                largest = std::max(largest, std::abs(in_pixels[2]) / in_pixels.head<2>().norm());
-            }
-        }
-    return largest;
-}
-
 /// Drops what rounding errors have made of images of extreme size: it explains nothing.
 void drop_what_explains_nothing(Answer& answer, const SeenImages& images) {
-    constexpr double most = 0.01; // of the images; solutions have some 10^-13, seldom 10^-5
-    const double bound = most * reach(images);
     const auto dropped = std::erase_if(
-        answer.solutions, [&](const Solution& solution) { return !(solution.residual <= bound); });
+        answer.solutions, [&](const Solution& solution) { return !explains(solution, images); });
     if (dropped == 0) return;
     answer.found -= static_cast<int>(dropped);
     answer.lost += static_cast<int>(dropped);
@@ -130,12 +108,7 @@ Answer Solver::solve(const SeenImages& images, const std::vector<Eigen::Vector3d
 }
 
 Answer Solver::solve_two_views(const SeenImages& images, const SolveOptions& options) const {
-    std::array<Eigen::Vector3d, 5> first, second;
-    for (std::size_t k = 0; k < 5; ++k) {
-        const FeatureSightings& sightings = images.observation[plan_.sources[k].feature];
-        first[k] = sightings[0].point->normalized();
-        second[k] = sightings[1].point->normalized();
-    }
+    const auto [first, second] = five_points(plan_, images.observation);
     Answer answer;
     for (const ComplexPose& pose : five_point_poses(first, second)) {
         ++answer.found;

@@ -7,6 +7,7 @@
 //     correct<Moving>(time, step)         one Newton correction of step.point, which this adds, and
 //                                         returns its relative size, squared; with step.speed if
 //                                         Moving
+//     begin(lane, path)                   optional: hears which path the lane follows from now on
 //
 // No function of the standard library is used here: see lanes.h.
 #pragma once
@@ -58,7 +59,11 @@ private:
         attempts_[lane] = 0;
         arrived_[lane] = false;
         const double* z = starts_ + place_of(path_[lane] == idle ? 0 : path_[lane]);
-        if (path_[lane] != idle) ++active_;
+        if (path_[lane] != idle) {
+            ++active_;
+            if constexpr (requires { system_.begin(lane, path_[lane]); })
+                system_.begin(lane, path_[lane]);
+        }
         for (int k = 0; k < system_.unknowns(); ++k) {
             put(history_.point[0][k].re, lane, z[2 * k]);
             put(history_.point[0][k].im, lane, z[2 * k + 1]);

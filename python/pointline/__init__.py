@@ -325,7 +325,8 @@ class Offer:
     problem: str  #: in notation
     degree: int  #: how many complex solutions it has
     milliseconds: float  #: that a sample takes on one core, about
-    #: milliseconds until a sample without wrong matches may be expected, where 30 % are wrong
+    #: milliseconds until a sample may be expected to give the true cameras, where 30 % of the
+    #: matches are wrong
     expected: float
 
 
@@ -365,7 +366,6 @@ def estimate_poses(
     seed: the same estimate for the same seed.
     threads: how many threads share the work; the estimate does not depend on it.
 
-    The first call for a problem in three views makes its start, which may take some seconds.
     Raises ValueError where the matches have no sample, or no sample leads to cameras that explain
     more matches than the sample.
     """

@@ -44,8 +44,8 @@ struct Matches {
 struct Offer {
     std::string problem; ///< in notation
     int degree = 0;
-    /// About how many milliseconds of one core a sample takes, and how many pass until a sample
-    /// without wrong matches may be expected, where 30 % are wrong.
+    /// About how many milliseconds of one core a sample takes, and how many pass until one may be
+    /// expected to give the true cameras, where 30 % of the matches are wrong.
     double milliseconds = 0, expected = 0;
 };
 
@@ -84,7 +84,6 @@ public:
     static Result<std::vector<Offer>> offers(const Matches& matches) noexcept;
 
     /// Fails with no_estimate where no sample leads to cameras that explain more than the sample.
-    /// The first time for a problem in three views makes its start, which may take some seconds.
     Result<Estimate> estimate(const Matches& matches,
                               const EstimatorOptions& options = {}) const noexcept;
 

@@ -66,12 +66,28 @@ private:
     }
 };
 
+/// The coefficient of a power of time: that of images which all lanes share.
+[[gnu::always_inline]] inline Number coefficient(const TrackedImages& images, int vector,
+                                                 int coordinate, int power) {
+    return constant(images.coefficient[vector][coordinate][power]);
+}
+
+/// Images of its own for each lane.
+struct LaneImages {
+    Number coefficient[max_vectors][3][3]; ///< [vector][coordinate][power of t]
+};
+[[gnu::always_inline]] inline Number coefficient(const LaneImages& images, int vector,
+                                                 int coordinate, int power) {
+    return images.coefficient[vector][coordinate][power];
+}
+
 /// An image vector at a time.
-Vector image_vector(const TrackedImages& images, int index, Real time) {
+template <class Images>
+Vector image_vector(const Images& images, int index, Real time) {
     Vector x;
     for (int k = 0; k < 3; ++k) {
-        const double(*c)[2] = images.coefficient[index][k];
-        const auto c0 = constant(c[0]), c1 = constant(c[1]), c2 = constant(c[2]);
+        const Number c0 = coefficient(images, index, k, 0), c1 = coefficient(images, index, k, 1),
+                     c2 = coefficient(images, index, k, 2);
         x.x[k] = {fma(time, fma(time, c2.re, c1.re), c0.re),
                   fma(time, fma(time, c2.im, c1.im), c0.im)};
     }
@@ -79,9 +95,10 @@ Vector image_vector(const TrackedImages& images, int index, Real time) {
 }
 
 /// Evaluates the equations and their Jacobian and, if Moving, the derivatives with respect to time.
+template <class Images>
 class Evaluator {
 public:
-    Evaluator(const TrackedSystem& system, const TrackedImages& images, const Number* point)
+    Evaluator(const TrackedSystem& system, const Images& images, const Number* point)
         : system_(system), images_(images), cameras_(system, point) {}
 
     template <bool Moving>
@@ -114,8 +131,8 @@ private:
         if constexpr (Moving) {
             Vector speed;
             for (int k = 0; k < 3; ++k) {
-                const double(*c)[2] = images_.coefficient[index][k];
-                const Number c1 = constant(c[1]), c2 = constant(c[2]);
+                const Number c1 = coefficient(images_, index, k, 1),
+                             c2 = coefficient(images_, index, k, 2);
                 speed.x[k] = {fma(time, c2.re + c2.re, c1.re), fma(time, c2.im + c2.im, c1.im)};
             }
             speed_[index] = cameras_.back(view, speed);
@@ -223,7 +240,7 @@ private:
     }
 
     const TrackedSystem& system_;
-    const TrackedImages& images_;
+    const Images& images_;
     MovingCameras cameras_;
     Vector direction_[max_vectors];
     Vector speed_[max_vectors];

@@ -37,6 +37,12 @@ using TrackFunction = TrackCost(const TrackedSystem& system, const TrackedImages
                                 const CameraPoint* starts, CameraPoint* ends,
                                 TrackOutcome* outcomes);
 
+/// The same, where each path has images of its own: an array of `count`.
+using TrackEachFunction = TrackCost(const TrackedSystem& system, const TrackedImages* images,
+                                    const TrackSettings& settings, std::size_t count,
+                                    const CameraPoint* starts, CameraPoint* ends,
+                                    TrackOutcome* outcomes);
+
 /// Computes values[zero][equation], at images at rest: the zeros of these are approximate, and made
 /// precise to about 32 digits first; the values are those for `others`.
 using RefinedValuesFunction = void(const TrackedSystem& system, const TrackedImages& images,
@@ -45,20 +51,25 @@ using RefinedValuesFunction = void(const TrackedSystem& system, const TrackedIma
 
 namespace avx512 {
 TrackFunction track, track_double_double, track_triple_double;
+TrackEachFunction track_each;
 RefinedValuesFunction refined_values;
 } // namespace avx512
 namespace avx2 {
 TrackFunction track, track_double_double, track_triple_double;
+TrackEachFunction track_each;
 RefinedValuesFunction refined_values;
 } // namespace avx2
 namespace portable {
 TrackFunction track, track_double_double, track_triple_double;
+TrackEachFunction track_each;
 RefinedValuesFunction refined_values;
 } // namespace portable
 
 /// The one with most lanes that this machine can run. All give the same results, to the bit.
 TrackFunction* fastest_tracker();
-/// The same, with about 32 digits throughout, some ten times as slow; starts and ends are
+/// The same for images of each path's own.
+TrackEachFunction* fastest_tracker_of_each();
+/// fastest_tracker(), with about 32 digits throughout, some ten times as slow; starts and ends are
 /// doubles.
 TrackFunction* fastest_double_double_tracker();
 /// The same, with about 48 digits; a few times as slow again.

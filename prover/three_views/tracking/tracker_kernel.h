@@ -30,9 +30,10 @@ inline Real relative_size(const Number* correction, const Number* point) {
 }
 
 /// The camera equations of moving images, as a Tracker wants them.
+template <class Images>
 class MovingEquations {
 public:
-    MovingEquations(const TrackedSystem& system, const TrackedImages& images)
+    MovingEquations(const TrackedSystem& system, const Images& images)
         : system_(system), images_(images) {}
 
     struct History {
@@ -49,7 +50,7 @@ public:
     template <bool Moving>
     Real correct(Real time, Step& step) {
         Number correction[n];
-        Evaluator(system_, images_, step.point).evaluate<Moving>(time, equations_);
+        Evaluator<Images>(system_, images_, step.point).template evaluate<Moving>(time, equations_);
         if constexpr (Moving)
             solve(equations_, correction, step.speed);
         else
@@ -62,9 +63,33 @@ public:
 
 private:
     const TrackedSystem& system_;
-    const TrackedImages& images_;
+    const Images& images_;
     Equations equations_;
 };
+
+#if !defined(PLC_DOUBLE_DOUBLE) && !defined(PLC_TRIPLE_DOUBLE)
+/// The same, where each path has images of its own.
+class EquationsOfPaths : public MovingEquations<LaneImages> {
+public:
+    EquationsOfPaths(const TrackedSystem& system, const TrackedImages* images)
+        : MovingEquations(system, lanes_), vectors_(system.vectors), images_(images) {}
+
+    void begin(int lane, std::size_t path) {
+        for (int v = 0; v < vectors_; ++v)
+            for (int k = 0; k < 3; ++k)
+                for (int power = 0; power < 3; ++power) {
+                    const double* c = images_[path].coefficient[v][k][power];
+                    put(lanes_.coefficient[v][k][power].re, lane, c[0]);
+                    put(lanes_.coefficient[v][k][power].im, lane, c[1]);
+                }
+    }
+
+private:
+    int vectors_;
+    const TrackedImages* images_;
+    LaneImages lanes_{};
+};
+#endif
 
 } // namespace
 
@@ -77,11 +102,23 @@ TrackCost track(
 #endif
     const TrackedSystem& system, const TrackedImages& images, const TrackSettings& settings,
     std::size_t count, const CameraPoint* starts, CameraPoint* ends, TrackOutcome* outcomes) {
-    MovingEquations equations(system, images);
-    return Tracker<MovingEquations>(equations, settings, count,
-                                    reinterpret_cast<const double*>(starts),
-                                    reinterpret_cast<double*>(ends), outcomes)
+    using System = MovingEquations<TrackedImages>;
+    System equations(system, images);
+    return Tracker<System>(equations, settings, count, reinterpret_cast<const double*>(starts),
+                           reinterpret_cast<double*>(ends), outcomes)
         .run();
 }
+
+#if !defined(PLC_DOUBLE_DOUBLE) && !defined(PLC_TRIPLE_DOUBLE)
+TrackCost track_each(const TrackedSystem& system, const TrackedImages* images,
+                     const TrackSettings& settings, std::size_t count, const CameraPoint* starts,
+                     CameraPoint* ends, TrackOutcome* outcomes) {
+    EquationsOfPaths equations(system, images);
+    return Tracker<EquationsOfPaths>(equations, settings, count,
+                                     reinterpret_cast<const double*>(starts),
+                                     reinterpret_cast<double*>(ends), outcomes)
+        .run();
+}
+#endif
 
 } // namespace plprove::PLC_LANES

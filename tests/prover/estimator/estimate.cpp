@@ -122,7 +122,7 @@ TEST_CASE("the covariance is that of many draws of the noise") {
 TEST_CASE("a third of the matches is wrong, and the cameras are found") {
     Scene truth = scene(40, 20, 0.5, 11);
     spoil(truth.matches);
-    const Solver solver = make_solver(parse_features("3*P/P/P + 2*P/P/-"));
+    const SampleSolver solver(parse_features("3*P/P/P + 2*P/P/-"));
     EstimateOptions options;
     options.most_samples = 200;
     options.covariance = true;
@@ -153,7 +153,7 @@ TEST_CASE("matches that are wrong alike explain nothing") {
     matches.lines.clear();
     for (auto& lines : matches.lines_through)
         lines.clear();
-    const Solver solver = make_solver(parse_features("3*P/P/P + 2*P/P/-"));
+    const SampleSolver solver(parse_features("3*P/P/P + 2*P/P/-"));
     EstimateOptions options;
     options.threshold = 0.5;
     options.most_samples = 16;

@@ -26,13 +26,6 @@ double squared_distance(const Images& a, const Images& b) {
     return sum;
 }
 
-Images complex_images(const std::vector<Vector3d>& images) {
-    Images result;
-    for (const Vector3d& x : images)
-        result.push_back({x[0], x[1], x[2]});
-    return result;
-}
-
 /// Random images of the Chicago problem, and random images of a start.
 struct Instance {
     CameraSystem system = camera_system(label_classes()[2394]);
@@ -98,7 +91,7 @@ TEST_CASE("cameras are turned back: they see the scene where the images were") {
             x = random.complex();
     for (Complex3& centre : cameras.centre)
         centre = random.complex3();
-    const QuaternionCameras back = turned_back(alignment, cameras);
+    const QuaternionCameras back = turned_back(alignment.turn, cameras);
     // A point of the turned frame of camera 1, and the same point in the frame before.
     const Vector3d turned_point = random_unit(random);
     const Vector3d point = alignment.turn[0].transpose() * turned_point;

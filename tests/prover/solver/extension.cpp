@@ -72,41 +72,6 @@ TEST_CASE("templates find the cameras that paths find") {
     }
 }
 
-TEST_CASE("who wants real cameras with the points in front gets all of these") {
-    for (const Extension& extension : extensions) {
-        CAPTURE(extension.problem);
-        const Features problem = parse_features(extension.problem);
-        const SolvePlan how = plan(problem);
-        const Solver solver(how, find_start(*how.number, 0));
-        int wanted = 0, given = 0;
-        for (std::uint64_t seed = 0; seed < 5; ++seed) {
-            CAPTURE(seed);
-            const SyntheticScene scene = synthetic_scene(problem, seed);
-            SolveOptions options;
-            options.complex = options.conditions = false;
-            const Answer all = solver.solve(scene.images, options);
-            options.search.effort = Effort::real;
-            const Answer real = solver.solve(scene.images, options);
-            const auto is_given = [&](const Solution& solution) {
-                return std::ranges::any_of(real.solutions, [&](const Solution& other) {
-                    return (other.cameras[1].R - solution.cameras[1].R).norm() < 1e-6 &&
-                           (other.cameras[2].t - solution.cameras[2].t).norm() < 1e-5;
-                });
-            };
-            const auto points = std::ranges::count_if(problem, &Feature::has_point);
-            for (const Solution& solution : all.solutions) {
-                if (solution.in_front < points) continue;
-                ++wanted;
-                CHECK(is_given(solution));
-            }
-            given += static_cast<int>(real.solutions.size());
-            CHECK(real.solutions.size() < all.solutions.size());
-        }
-        CHECK(wanted >= 5);
-        CHECK(given >= wanted);
-    }
-}
-
 TEST_CASE("what is not a number is no camera") {
     // In this scene a template has solutions that overflow.
     const SolvePlan how = plan(parse_features("a/Pa/Pa + 4*-/P/P + 4*P/-/P"));
