@@ -23,9 +23,9 @@ constexpr const char* recommend_examples =
     "minimal problem. Or it is a file for `plprove solve`: only what each photo sees counts, not "
     "where.\n"
     "The columns: how many solutions the problem has; the time of one sample, on one core; the\n"
-    "time until one may be expected to give the true cameras, where 30 % of the matches are wrong;\n"
-    "and how far off the rotations of the best solution are (median), if half a pixel of noise is on\n"
-    "images with a focal length of 800 pixels.\n\n"
+    "time until one may be expected to lead to rotations within 5 degrees of the truth, where 30 %\n"
+    "of the matches are wrong; and how far off the rotations of the best solution are (median).\n"
+    "Half a pixel of noise is on images with a focal length of 800 pixels.\n\n"
     "Examples:\n"
     "  plprove recommend '9*Pa/Pa/Pa + 4*P/P/-'     13 points, nine with a line each\n"
     "  plprove recommend images.json --json         for machines\n";

@@ -45,7 +45,8 @@ struct Offer {
     std::string problem; ///< in notation
     int degree = 0;
     /// About how many milliseconds of one core a sample takes, and how many pass until one may be
-    /// expected to give the true cameras, where 30 % of the matches are wrong.
+    /// expected to lead to rotations within 5 degrees of the truth: where 30 % of the matches are
+    /// wrong, and half a pixel of noise is on images with a focal length of 800 pixels.
     double milliseconds = 0, expected = 0;
 };
 
