@@ -63,13 +63,21 @@ std::string quoted(const std::string& text) {
     return "'" + std::regex_replace(text, std::regex("'"), "'\\''") + "'";
 }
 
+/// What CMake is told by the environment: not to compile again what this build has like the action.
+std::string compiled_before() {
+    if (!fs::exists(BUILD_DIR "/build.ninja") || !has_program("python3")) return {};
+    return " CMAKE_GENERATOR=Ninja CMAKE_CXX_COMPILER_LAUNCHER='python3;" SOURCE_DIR
+           "/tests/packaging/compiled_before.py;" BUILD_DIR "'";
+}
+
 /// Runs one step in the workspace, with `sudo` replaced by a program that writes down its words.
 Outcome run_step(const YAML::Node& step, const Inputs& inputs, const TemporaryFolder& runner) {
     REQUIRE(step["shell"].as<std::string>() == "bash");
     write_file(runner / "step", step["run"].as<std::string>());
     std::string environment =
         "env PATH=" + (runner / "bin").string() +
-        ":$PATH GITHUB_ACTION_PATH=" + SOURCE_DIR " RUNNER_TEMP=" + (runner / "temp").string();
+        ":$PATH GITHUB_ACTION_PATH=" + SOURCE_DIR " RUNNER_TEMP=" + (runner / "temp").string() +
+        compiled_before();
     for (const auto& variable : step["env"])
         environment += ' ' + variable.first.as<std::string>() + '=' +
                        quoted(substituted(variable.second.as<std::string>(), inputs));
