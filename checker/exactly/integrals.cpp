@@ -59,17 +59,19 @@ Residue WeightedSum::of(const Factors& factors,
     products_.resize(kept);
     for (std::size_t i = kept; i + 1 < factors.size(); ++i) {
         const std::vector<Residue>& values = values_of(factors[i], *classes[factors[i]]);
-        Product product{factors[i], i == 0 ? weights_ : products_[i - 1].values};
+        const std::vector<Residue>& others = i == 0 ? weights_ : products_[i - 1].values;
+        Product product{factors[i], std::vector<Residue>(values.size())};
         for (std::size_t n = 0; n < values.size(); ++n)
-            product.values[n] = product.values[n] * values[n];
-        products_.push_back(product);
+            product.values[n] = others[n] * values[n];
+        products_.push_back(std::move(product));
     }
     const std::vector<Residue>& values = values_of(factors.back(), *classes[factors.back()]);
     const std::vector<Residue>& others = factors.size() == 1 ? weights_ : products_.back().values;
     Residue sum;
-    for (std::size_t n = 0; n < values.size(); ++n)
-        sum = sum + others[n] * values[n];
-    return sum;
+    std::size_t n = 0;
+    for (; n + 1 < values.size(); n += 2)
+        sum = sum + Residue::sum_of_products(others[n], values[n], others[n + 1], values[n + 1]);
+    return n == values.size() ? sum : sum + others[n] * values[n];
 }
 
 /// The integer of least absolute value with this residue.
@@ -79,13 +81,15 @@ static std::int64_t signed_value(Residue residue) {
     return value > q / 2 ? value - q : value;
 }
 
-/// The number of points that two views or more see: as the class of each is linear in the Gamma_uv
-/// together, products of them have this degree at most.
-static unsigned points_in_two_views(const Signature& signature) {
+/// Whether the two views other than this one share three points or more. Else no class of a feature
+/// times others has a power of their Gamma beyond the second: each is linear in it, and without it
+/// where they do not share the point.
+static bool has_powers(const Signature& signature, std::size_t third) {
+    const Views pair = all_views ^ 1U << third;
     unsigned points = 0;
     for (std::size_t i = 0; i < feature_count; ++i)
-        if (std::popcount(features[i].point) >= 2) points += signature[i];
-    return points;
+        if ((features[i].point & pair) == pair) points += signature[i];
+    return points >= 3;
 }
 
 Integrals::Integrals(std::size_t most_shared, std::uint64_t seed)
@@ -106,7 +110,7 @@ Integrals::Integrals(std::size_t most_shared, std::uint64_t seed)
             for (unsigned j = 0; j < of_one.size(); ++j) {
                 std::array<unsigned, 3> gamma{};
                 gamma[third] = j;
-                with_one_.add(c, gamma, weight * of_one[j]);
+                with_one_[third].add(c, gamma, weight * of_one[j]);
             }
         }
         for (std::size_t third = 0; third < 3; ++third) {
@@ -116,7 +120,7 @@ Integrals::Integrals(std::size_t most_shared, std::uint64_t seed)
                     std::array<unsigned, 3> gamma{};
                     gamma[third] = i;
                     gamma[next] = j;
-                    with_two_.add(c, gamma, weight * of_two[third][i] * of_two[next][j]);
+                    with_two_[third].add(c, gamma, weight * of_two[third][i] * of_two[next][j]);
                 }
         }
     }
@@ -142,8 +146,13 @@ std::int64_t Integrals::over_second_blow_up(const Signature& signature) {
 
 std::int64_t Integrals::over_third_blow_up(const Signature& signature) {
     const Factors factors = factors_of(signature);
-    Residue sum = without_centres_.of(factors, classes_) + with_one_.of(factors, classes_);
-    if (points_in_two_views(signature) >= 6) sum = sum + with_two_.of(factors, classes_);
+    Residue sum = without_centres_.of(factors, classes_);
+    for (std::size_t third = 0; third < 3; ++third) {
+        if (!has_powers(signature, third)) continue;
+        sum = sum + with_one_[third].of(factors, classes_);
+        if (has_powers(signature, (third + 1) % 3))
+            sum = sum + with_two_[third].of(factors, classes_);
+    }
     return signed_value(sum);
 }
 } // namespace checker::exactly

@@ -61,8 +61,10 @@ private:
 
     std::vector<Chart> charts_{};
     std::array<std::optional<ClassAtCharts>, feature_count> classes_{};
-    WeightedSum without_centres_{}; // Gamma = 0
-    WeightedSum with_one_{};        // the powers of one Gamma_uv beyond the second
-    WeightedSum with_two_{};        // the products of such powers of two. Of three, they are 0
+    WeightedSum without_centres_{};         // Gamma = 0
+    std::array<WeightedSum, 3> with_one_{}; // the powers of one Gamma_uv beyond the second, by the
+                                            // third view
+    std::array<WeightedSum, 3> with_two_{}; // the products of such powers of it and of the next.
+                                            // Of three, they are 0
 };
 } // namespace checker::exactly
