@@ -25,6 +25,7 @@ struct ModelRequest {
     std::string output;
     bool json = false;
     bool macaulay2 = false, julia = false;
+    bool lift = false;
 };
 
 std::string claim_report(const model::Study& study) {
@@ -60,7 +61,7 @@ std::string rank_report(const model::Study& study) {
 }
 
 std::string text_report(const model::Study& study, const ModelSource& source,
-                        const std::string& output) {
+                        const std::string& output, bool lifted) {
     std::ostringstream out;
     section(out, "model") << study.model.name << '\n';
     for (const std::string& comment : source.comments)
@@ -72,6 +73,9 @@ std::string text_report(const model::Study& study, const ModelSource& source,
     if (const std::string ranks = rank_report(study); !ranks.empty())
         section(out, "evidence") << ranks << '\n';
     section(out, "solutions") << claim_report(study) << '\n';
+    if (!study.only_one.empty())
+        section(out, "lower bound") << "one solution only: " << study.only_one
+                                    << (lifted ? "" : "; --lift may find all") << '\n';
     if (!study.no_elimination.empty() && !study.at_most())
         section(out, "upper bound") << "none: " << study.no_elimination << '\n';
     section(out, "certificate");
@@ -104,6 +108,7 @@ std::string json_report(const model::Study& study, const ModelSource& source) {
                               {"regular_rank", study.program.unknowns},
                               {"error_probability_digits", study.ranks.digits}};
     if (!study.no_fibre.empty()) report["no_fibre"] = study.no_fibre;
+    if (!study.only_one.empty()) report["only_one"] = study.only_one;
     if (!study.no_elimination.empty()) report["no_elimination"] = study.no_elimination;
     return report.dump(2) + '\n';
 }
@@ -136,11 +141,13 @@ int prove_model(const ModelRequest& request, const Deliver& deliver) {
     if (!request.problem.empty() || !request.imported.empty()) return write_model(request, deliver);
     if (request.macaulay2 || request.julia) return write_script(request, deliver);
     const ModelSource source = read_model_source(request.file);
-    const model::Study study = in_model_file(request.file, [&] { return studied(source.text); });
+    const model::Study study = in_model_file(request.file, [&] {
+        return studied(source.text, request.lift ? Fibres::by_lifting : Fibres::by_basis);
+    });
     if (!request.output.empty()) deliver(request.output, model::write(study));
     if (request.output != "-")
         deliver("-", request.json ? json_report(study, source)
-                                  : text_report(study, source, request.output));
+                                  : text_report(study, source, request.output, request.lift));
     return 0;
 }
 
@@ -180,11 +187,19 @@ Command add_model_command(CLI::App& program, Deliver deliver) {
             ->excludes(json)
             ->excludes(from)
             ->excludes(import);
-    app->add_flag("--julia", request->julia, "print a script for HomotopyContinuation.jl")
-        ->excludes(json)
+    CLI::Option* julia =
+        app->add_flag("--julia", request->julia, "print a script for HomotopyContinuation.jl")
+            ->excludes(json)
+            ->excludes(from)
+            ->excludes(import)
+            ->excludes(macaulay2);
+    app->add_flag("--lift", request->lift,
+                  "find solutions by paths, to many digits: where they are too many for a Gröbner "
+                  "basis")
         ->excludes(from)
         ->excludes(import)
-        ->excludes(macaulay2);
+        ->excludes(macaulay2)
+        ->excludes(julia);
     app->footer(
         "A model is a text with data, unknowns and equations: docs/models.md explains it, and "
         "models/ has\nproblems of the literature.\n\n"

@@ -1,10 +1,13 @@
 #include "prover/cli/model_source.h"
 
+#include "prover/model/solver/lifted_fibre.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
+#include "prover/system/words.h"
 
 #include <fstream>
 #include <iostream>
+#include <thread>
 
 namespace plprove {
 
@@ -33,10 +36,20 @@ ModelSource read_model_source(const std::string& path) {
     return source;
 }
 
-model::Study studied(const std::string& text) {
+model::Study studied(const std::string& text, Fibres fibres) {
     ProgressLine line("looking for solutions, then for all", 0);
     line.show(0);
-    return model::study(text);
+    if (fibres == Fibres::by_basis) return model::study(text);
+    std::size_t found = 0;
+    const model::LiftOptions options{
+        std::max(1U, std::thread::hardware_concurrency()),
+        [&](std::size_t solutions) { line.show(found = solutions); },
+        [&](long bits) {
+            line.show(found, ", to " + counted(static_cast<std::size_t>(bits), "bit"));
+        }};
+    return model::study(text, [&](const model::Model& model, const model::Program& program) {
+        return model::lifted_fibre(model, program, options);
+    });
 }
 
 } // namespace plprove

@@ -27,7 +27,11 @@ auto in_model_file(const std::string& path, const Work& work) {
     }
 }
 
+/// How to find all solutions modulo a prime: by a Gröbner basis, or by paths and many digits
+/// (lifted_fibre.h).
+enum class Fibres : std::uint8_t { by_basis, by_lifting };
+
 /// model::study, with a progress meter.
-model::Study studied(const std::string& text);
+model::Study studied(const std::string& text, Fibres fibres = Fibres::by_basis);
 
 } // namespace plprove

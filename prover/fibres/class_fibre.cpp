@@ -1,8 +1,9 @@
 #include "prover/fibres/class_fibre.h"
 
-#include "prover/fibres/eliminant.h"
+#include "prover/fibres/camera_digits.h"
 #include "prover/format/certificate_text.h"
 #include "prover/model/fibre_text.h"
+#include "prover/model/lifting/eliminant.h"
 #include "prover/three_views/degree_text.h"
 #include "prover/three_views/random.h"
 
@@ -28,11 +29,12 @@ std::optional<model::Solutions> exact_solutions(const DegreeCertificate& certifi
                                                 const std::vector<int>& form,
                                                 const std::function<void(long)>& progress) {
     constexpr slong most_bits = 4'000'000;
-    Refinement refinement(certificate);
+    const CameraDigits equations(certificate);
+    model::Refinement refinement(equations, starting_points(certificate));
     while (refinement.bits() < most_bits) {
         refinement.double_digits();
         progress(refinement.bits());
-        auto solutions = eliminant(refinement.solutions(), form, refinement.bits());
+        auto solutions = model::eliminant(refinement.solutions(), form, refinement.bits());
         if (solutions) return solutions;
     }
     return std::nullopt;

@@ -37,17 +37,17 @@ std::string why_no_fibre(const Program& program) {
 
 /// Sets the fibre: all solutions, or, where these are too many, one, which shows that the model is
 /// minimal.
-void look_for_fibre(Study& study) {
+void look_for_fibre(Study& study, const FibreFinder& find) {
     study.no_fibre = why_no_fibre(study.program);
     if (!study.no_fibre.empty()) return;
-    FibreSearch search = find_fibre(study.model, study.program);
+    FibreSearch search = find(study.model, study.program);
     study.fibre = std::move(search.fibre);
     study.no_fibre = std::move(search.reason);
     if (study.fibre) return;
     PointSearch point = find_solution_point(study.model, study.program);
     study.fibre = std::move(point.fibre);
     study.ranks = point.seen;
-    if (study.fibre) study.no_fibre.clear();
+    if (study.fibre) study.only_one.swap(study.no_fibre);
 }
 
 void look_for_elimination(Study& study) {
@@ -96,12 +96,16 @@ std::optional<std::size_t> Study::at_most() const {
     return elimination->basis.size();
 }
 
-Study study(std::string_view text) {
+FibreSearch fibre_by_basis(const Model& model, const Program& program) {
+    return find_fibre(model, program);
+}
+
+Study study(std::string_view text, const FibreFinder& find) {
     Study result;
     result.model = read_model(text);
     result.program = compile(result.model);
     check_relations(result.model, result.program);
-    look_for_fibre(result);
+    look_for_fibre(result, find);
     look_for_elimination(result);
     return result;
 }

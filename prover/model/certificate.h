@@ -4,6 +4,7 @@
 #include "prover/model/elimination.h"
 #include "prover/model/solution_point.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@ struct Study {
     Program program;
     std::optional<Fibre> fibre;
     std::string no_fibre; ///< why there is no fibre, else empty
+    std::string only_one; ///< why the fibre has one solution, where there may be more; else empty
     RanksSeen ranks;      ///< if there is no fibre, and as many equations as unknowns
     std::optional<Elimination> elimination;
     std::string no_elimination; ///< why there is no elimination, else empty
@@ -30,9 +32,15 @@ struct Study {
     std::optional<std::size_t> at_most() const;
 };
 
+/// How to find a fibre of a model with as many equations as unknowns.
+using FibreFinder = std::function<FibreSearch(const Model&, const Program&)>;
+
+/// By a Gröbner basis.
+FibreSearch fibre_by_basis(const Model& model, const Program& program);
+
 /// Reads a model, and looks for a fibre and an elimination. Throws ModelError where the text is not
 /// well-formed, and BadInput if a relation does not hold.
-Study study(std::string_view text);
+Study study(std::string_view text, const FibreFinder& find = fibre_by_basis);
 
 /// The file with what was found. Throws BadInput if that is nothing, and FormatLimit if the file is
 /// larger than the format allows.

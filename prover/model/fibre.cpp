@@ -164,23 +164,13 @@ struct Attempt {
 };
 
 FibreSearch search(const Program& program, RandomResidues& random, const Attempt& attempt) {
-    Fibre fibre;
-    fibre.data = random.residues(program.data);
-    fibre.form = random_form(random, program.unknowns);
+    std::vector<Modular> data = random.residues(program.data);
+    std::vector<int> form = random_form(random, program.unknowns);
     GroebnerLimits limits;
     limits.operations = attempt.operations;
-    auto solutions =
-        solutions_of(system_of(program, fibre.data, attempt.saturation), fibre.form, limits);
+    auto solutions = solutions_of(system_of(program, data, attempt.saturation), form, limits);
     if (!solutions) return {{}, "the equations have no solutions, or infinitely many"};
-    if (solutions->polynomial.degree() > 0) keep_conditions(program, fibre.data, *solutions);
-    if (solutions->polynomial.degree() > 0 && !keep_regular(program, fibre.data, *solutions))
-        return {{}, "the equations do not hold at the solutions that were found"};
-    if (solutions->polynomial.degree() == 0)
-        return {{}, "no solution keeps the conditions and is regular"};
-    fibre.polynomial = std::move(solutions->polynomial);
-    fibre.unknowns = std::move(solutions->unknowns);
-    count_distinct(program, random, fibre);
-    return {std::move(fibre), {}};
+    return fibre_of(program, std::move(data), std::move(form), std::move(*solutions), random);
 }
 
 } // namespace
@@ -200,6 +190,22 @@ FibreSearch find_fibre(const Model& model, const Program& program, std::uint64_t
         if (result.fibre) break;
     }
     return result;
+}
+
+FibreSearch fibre_of(const Program& program, std::vector<Modular> data, std::vector<int> form,
+                     Solutions solutions, RandomResidues& random) {
+    if (solutions.polynomial.degree() > 0) keep_conditions(program, data, solutions);
+    if (solutions.polynomial.degree() > 0 && !keep_regular(program, data, solutions))
+        return {{}, "the equations do not hold at the solutions that were found"};
+    if (solutions.polynomial.degree() == 0)
+        return {{}, "no solution keeps the conditions and is regular"};
+    Fibre fibre;
+    fibre.data = std::move(data);
+    fibre.form = std::move(form);
+    fibre.polynomial = std::move(solutions.polynomial);
+    fibre.unknowns = std::move(solutions.unknowns);
+    count_distinct(program, random, fibre);
+    return {std::move(fibre), {}};
 }
 
 } // namespace plprove::model

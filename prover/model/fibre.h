@@ -3,8 +3,8 @@
 #pragma once
 
 #include "prover/model/program.h"
+#include "prover/model/quotient.h"
 #include "prover/model/random_residues.h"
-#include "prover/model/univariate.h"
 
 #include <optional>
 #include <string>
@@ -35,5 +35,10 @@ struct FibreSearch {
 /// All solutions of the model with random data, other ones for each stream (random_residues.h).
 /// Assumes as many equations as unknowns.
 FibreSearch find_fibre(const Model& model, const Program& program, std::uint64_t stream = 1);
+
+/// The fibre of solutions for these data; t is the sum of the unknowns, each times its integer of
+/// `form`. Solutions where conditions fail, or that are not regular, are left out.
+FibreSearch fibre_of(const Program& program, std::vector<Modular> data, std::vector<int> form,
+                     Solutions solutions, RandomResidues& random);
 
 } // namespace plprove::model

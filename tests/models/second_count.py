@@ -4,7 +4,7 @@ Usage: second_count.py PLPROVE FOLDER_OF_MODELS docs/models.md
 
 For each row of the table in docs/models.md, compares what Macaulay2 finds over a finite field, for
 random data, with the column "at least". Prints each model, and the ones that differ at the end; the
-status is 1 if some do.
+status is 1 if some do. Models with too many solutions for Macaulay2 are left out.
 """
 
 import pathlib
@@ -27,6 +27,9 @@ ZEROS_OF_ONE_SOLUTION = {
     "six_points_one_focal": 4,
 }
 
+# Macaulay2 counts none of these in half an hour.
+TOO_MANY = {"rig_four_points", "rig_six_lines", "three_generalised_views"}
+
 
 def solutions_in_table(page):
     """The column "at least", by model."""
@@ -45,7 +48,7 @@ def zeros(plprove, model, folder):
 def main():
     plprove, models, page = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
     expected = solutions_in_table(page)
-    files = sorted(models.glob("*.model"))
+    files = sorted(model for model in models.glob("*.model") if model.stem not in TOO_MANY)
     wrong = [model.stem for model in files if model.stem not in expected]
     with tempfile.TemporaryDirectory() as folder:
         for model in files:

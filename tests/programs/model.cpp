@@ -8,6 +8,7 @@
 #include <string>
 
 namespace {
+const std::string plcheck = PLCHECK;
 const std::string plprove = PLPROVE;
 const std::string models = std::string(SOURCE_DIR) + "/models/";
 const std::string committed = std::string(SOURCE_DIR) + "/certs/models/";
@@ -209,6 +210,21 @@ TEST_CASE("plprove model refuses what is no model, and writes nothing") {
               .starts_with("plprove: a model has at most 1048576 bytes"));
     CHECK(run(plprove + " model " + file + ".none").status == 2);
     CHECK(run(plprove + " model").status == 3);
+}
+
+TEST_CASE("plprove model --lift writes another certificate of the same, each time the same") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "lifted.plc").string();
+    const std::string model = models + "p3p.model";
+    const Outcome found = run(plprove + " model " + model + " --lift -o " + file);
+    CHECK(found.status == 0);
+    CHECK(found.err.empty());
+    CHECK(found.out.find("claimed 8, at least 8, at most 8: exactly 8\n") != std::string::npos);
+    const std::string written = read_file(file);
+    CHECK(written != read_file(committed + "p3p.plc"));
+    CHECK(written == run(plprove + " model " + model + " --lift -o -").out);
+    CHECK(run(plcheck + " --quiet --expect " + model + " --degree 8 " + file).status == 0);
+    CHECK(run(plprove + " model " + model + " --lift --julia").status == 3);
 }
 
 TEST_CASE("plprove template writes a solver, the same each time, and reports its size") {

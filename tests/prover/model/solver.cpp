@@ -1,5 +1,6 @@
 // Numeric solutions of models: derivatives against those of GradientRing, numbers of solutions
 // against the certificates.
+#include "prover/model/solver/lifted_fibre.h"
 #include "prover/model/solver/model_solver.h"
 #include "prover/model/solver/random_solutions.h"
 #include "prover/model/solver/tracked_equations.h"
@@ -194,4 +195,45 @@ TEST_CASE("models that cannot be solved are refused") {
                          "1 equation for 2 unknowns: solve takes equally many", BadInput);
     CHECK_THROWS_AS(ModelSolver("model m\nunknown x\nequation x^2 = 2\n"), BadInput);
     CHECK_THROWS_AS(ModelSolver("model m\ndata a\nunknown x\nequation (x - a)^2 = 0\n"), BadInput);
+}
+
+TEST_CASE("a fibre by lifting has all solutions that a Gröbner basis finds") {
+    for (const std::string name : {"p3p", "five_points", "gp3p"}) {
+        CAPTURE(name);
+        const Model model = read_model(text_of(name));
+        const model::Program program = compile(model);
+        const auto expected = find_fibre(model, program).fibre;
+        const auto lifted = lifted_fibre(model, program, {.threads = 2}).fibre;
+        REQUIRE(expected);
+        REQUIRE(lifted);
+        CHECK(lifted->count() == expected->count());
+        CHECK(lifted->polynomial.degree() == expected->polynomial.degree());
+        CHECK(lifted_fibre(model, program).fibre->unknowns[0].coefficient(0) ==
+              lifted->unknowns[0].coefficient(0));
+    }
+}
+
+TEST_CASE(
+    "lifting tries larger data where small ones are special, and leaves out what is singular") {
+    const auto count = [](const std::string& body) {
+        const Model model = read_model("model m\ndata a\nunknown x\n" + body);
+        const auto fibre = lifted_fibre(model, compile(model)).fibre;
+        return fibre ? fibre->count() : 0;
+    };
+    CHECK(count("equation x^2 = a\nnonzero (a^2 - 1)*(a^2 - 4)\n") == 2);
+    CHECK(count("equation x^3 = a/3\n") == 3);
+    CHECK(count("equation x*(x^2 - a)*(x - a)^2 = 0\n") == 3);
+    CHECK(count("equation x^6 = a\ncount x^2\n") == 3);
+}
+
+TEST_CASE("a model without data, or without a solution, is not lifted") {
+    const auto lift = [](const std::string& text) {
+        const Model model = read_model(text);
+        return lifted_fibre(model, compile(model));
+    };
+    CHECK_THROWS_WITH_AS(lift("model m\nunknown x\nequation x^2 = 2\n"),
+                         "the model has no data that could move solutions to others: make numbers "
+                         "of the equations data, or do without --lift",
+                         BadInput);
+    CHECK_THROWS_AS(lift("model m\ndata a\nunknown x\nequation (x - a)^2 = 0\n"), BadInput);
 }

@@ -1,6 +1,5 @@
-#include "prover/fibres/refine.h"
+#include "prover/model/lifting/refinement.h"
 
-#include "prover/fibres/cameras_over.h"
 #include "prover/system/in_parts.h"
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace plprove {
+namespace plprove::model {
 
 namespace {
 
@@ -41,33 +40,22 @@ slong exponent(acb_srcptr x, slong least) {
     return result;
 }
 
-std::vector<BigComplex> start(const StartingValues& solution) {
-    std::vector<BigComplex> result(camera_dimension);
-    auto value = solution.values.begin();
-    for (BigComplex& x : result) {
-        arb_set_si(acb_realref(x.get()), *value++);
-        if (!solution.real) arb_set_si(acb_imagref(x.get()), *value++);
-        acb_mul_2exp_si(x.get(), x.get(), -solution.bits);
-    }
-    return result;
-}
-
 /// A Newton step with so many bits; for the derivatives half of them do. Returns the exponent of
 /// its largest change.
-slong step(const CameraImages& images, std::vector<BigComplex>& point, slong bits) {
+slong step(const DigitEquations& equations, std::vector<BigComplex>& point, slong bits) {
     const auto size = static_cast<slong>(point.size());
     const ManyDigits fine{bits}, coarse{bits / 2 + margin};
     std::vector<BigComplex> rounded = point;
     for (BigComplex& x : rounded)
         acb_set_round(x.get(), x.get(), coarse.bits);
-    CamerasOver values(fine, images, point);
-    CamerasOver slopes(coarse, images, rounded);
     Matrix jacobian(size, size), right(size, 1), change(size, 1);
     slong row = 0;
-    for (const CameraEquation& equation : images.system.equations) {
-        acb_set(right.entry(row, 0), values.value(equation).get());
+    for (const BigComplex& value : equations.values(point, fine))
+        acb_set(right.entry(row++, 0), value.get());
+    row = 0;
+    for (const std::vector<BigComplex>& slopes : equations.slopes(rounded, coarse)) {
         slong column = 0;
-        for (const BigComplex& slope : slopes.gradient(equation))
+        for (const BigComplex& slope : slopes)
             acb_set(jacobian.entry(row, column++), slope.get());
         ++row;
     }
@@ -83,32 +71,30 @@ slong step(const CameraImages& images, std::vector<BigComplex>& point, slong bit
     return largest;
 }
 
-std::vector<BigComplex> refined(const CameraImages& images, const StartingValues& solution) {
-    std::vector<BigComplex> point = start(solution);
+void refine(const DigitEquations& equations, std::vector<BigComplex>& point) {
     constexpr int most_steps = 40;
     int steps = 0;
-    while (step(images, point, first_bits) > -first_bits / 2)
+    while (step(equations, point, first_bits) > -first_bits / 2)
         if (++steps == most_steps) throw std::runtime_error("Newton's method does not converge");
-    return point;
 }
 
 } // namespace
 
-Refinement::Refinement(const DegreeCertificate& certificate)
-    : images_(camera_images(certificate)), bits_(first_bits) {
-    for (const StartingValues& solution : certificate.solutions)
-        solutions_.push_back({solution.real, refined(images_, solution)});
+Refinement::Refinement(const DigitEquations& equations, std::vector<RefinedSolution> approximations)
+    : equations_(equations), bits_(first_bits), solutions_(std::move(approximations)) {
+    for (RefinedSolution& solution : solutions_)
+        refine(equations_, solution.coordinates);
 }
 
 void Refinement::double_digits() {
     bits_ = 2 * (bits_ - margin);
     const auto refine_some = [&](std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n)
-            if (step(images_, solutions_[n].coordinates, bits_) > -bits_ / 2 + margin)
+            if (step(equations_, solutions_[n].coordinates, bits_) > -bits_ / 2 + margin)
                 throw std::runtime_error("Newton's method loses too many digits");
         flint_cleanup(); // what FLINT keeps for a thread
     };
     in_parts(solutions_.size(), std::thread::hardware_concurrency(), refine_some);
 }
 
-} // namespace plprove
+} // namespace plprove::model

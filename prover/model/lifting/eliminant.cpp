@@ -1,11 +1,11 @@
-#include "prover/fibres/eliminant.h"
+#include "prover/model/lifting/eliminant.h"
 
 #include "prover/geometry/flint.h"
 #include "prover/model/fields.h"
 
 #include <flint/fmpq.h>
 
-namespace plprove {
+namespace plprove::model {
 
 namespace {
 
@@ -156,7 +156,7 @@ bool simplest_in(Rational& result, const arb_t interval) {
 }
 
 /// The polynomial modulo q, whose coefficients are rational numbers.
-std::optional<model::Univariate> modulo_q(const RealPolynomial& polynomial, slong bits) {
+std::optional<Univariate> modulo_q(const RealPolynomial& polynomial, slong bits) {
     constexpr slong near = -40; // an integer, surely, with an error below this power of two
     const slong length = arb_poly_length(polynomial.get());
     Integer common, integer;
@@ -184,7 +184,7 @@ std::optional<model::Univariate> modulo_q(const RealPolynomial& polynomial, slon
     if (!known) return std::nullopt;
     for (std::size_t i = 0; i < coefficients.size(); ++i)
         coefficients[i] = Modular::of(residues[i]) * Modular::of(denominators[i]).inverse();
-    return model::Univariate(coefficients);
+    return Univariate(coefficients);
 }
 
 /// Whether so many bits seem to determine the coefficients: they do for the constant one of g.
@@ -198,19 +198,19 @@ bool suffice(const std::vector<RefinedSolution>& solutions, const Parts& parts, 
 
 } // namespace
 
-std::optional<model::Solutions> eliminant(const std::vector<RefinedSolution>& solutions,
-                                          const std::vector<int>& factors, slong bits) {
+std::optional<Solutions> eliminant(const std::vector<RefinedSolution>& solutions,
+                                   const std::vector<int>& factors, slong bits) {
     const Parts parts(solutions, factors, bits);
     if (!suffice(solutions, parts, bits)) return std::nullopt;
     const Part part = parts.of(0, solutions.size());
     auto g = modulo_q(part.product, bits);
     if (!g) return std::nullopt;
     if (nmod_poly_is_squarefree(g->get()) == 0) return std::nullopt;
-    const model::Algebra algebra(*g);
-    model::Univariate slope;
+    const Algebra algebra(*g);
+    Univariate slope;
     nmod_poly_derivative(slope.get(), g->get());
-    const model::Univariate inverse = algebra.inverse(slope);
-    model::Solutions result{*g, {}};
+    const Univariate inverse = algebra.inverse(slope);
+    Solutions result{*g, {}};
     for (const RealPolynomial& sum : part.sums) {
         const auto numerator = modulo_q(sum, bits);
         if (!numerator) return std::nullopt;
@@ -219,4 +219,4 @@ std::optional<model::Solutions> eliminant(const std::vector<RefinedSolution>& so
     return result;
 }
 
-} // namespace plprove
+} // namespace plprove::model

@@ -1,6 +1,8 @@
 // Complex numbers of many digits. No error is bounded: what is made of them is tested exactly.
 #pragma once
 
+#include "prover/model/prime_field.h"
+
 #include <cstdint>
 #include <utility>
 // FLINT 3 has Arb inside.
@@ -12,7 +14,7 @@
 #include <arb_poly.h>
 #endif
 
-namespace plprove {
+namespace plprove::model {
 
 class BigComplex {
 public:
@@ -63,6 +65,14 @@ struct ManyDigits {
         acb_mul(result.get(), a.get(), b.get(), bits);
         return middle(std::move(result));
     }
+    /// Throws NotInvertible if a is 0.
+    BigComplex inverse(const BigComplex& a) const {
+        if (is_zero(a)) throw NotInvertible();
+        BigComplex result;
+        acb_inv(result.get(), a.get(), bits);
+        return middle(std::move(result));
+    }
+    static bool is_zero(const BigComplex& a) { return acb_is_zero(a.get()) != 0; }
 
 private:
     static BigComplex middle(BigComplex a) {
@@ -72,4 +82,4 @@ private:
     }
 };
 
-} // namespace plprove
+} // namespace plprove::model
