@@ -6,6 +6,7 @@
 #include "prover/system/exit.h"
 #include "prover/system/words.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -101,53 +102,38 @@ std::vector<int> random_integers(RandomResidues& random, std::size_t count, int 
 /// The solutions modulo q, from as many digits as this takes. Throws std::runtime_error where
 /// Newton's method fails, as near a singular solution.
 std::optional<Solutions> exact_solutions(const DigitEquations& equations,
-                                         std::vector<RefinedSolution> start,
+                                         const std::vector<ModelSolution>& solutions,
                                          const std::vector<int>& form, const LiftOptions& options) {
-    constexpr slong most_bits = 2'000'000;
-    Refinement refinement(equations, std::move(start));
-    while (refinement.bits() < most_bits) {
+    // Where solutions are missing, no digits suffice: let that show within hours.
+    constexpr std::size_t most_bits = 2'000'000, most_in_all = 400'000'000;
+    Refinement refinement(equations, approximations(solutions));
+    while (static_cast<std::size_t>(refinement.bits()) <
+           std::min(most_bits, most_in_all / solutions.size())) {
         refinement.double_digits();
         if (options.bits) options.bits(refinement.bits());
-        auto solutions = eliminant(refinement.solutions(), form, refinement.bits());
-        if (solutions) return solutions;
+        auto exact = eliminant(refinement.solutions(), form, refinement.bits());
+        if (exact) return exact;
     }
     return std::nullopt;
 }
 
-/// Paths to some data.
-class Lift {
-public:
-    Lift(const Program& program, const LiftOptions& options)
-        : program_(program), options_(options), equations_(program),
-          start_(find_start(program, equations_, {0, options.threads, 0, options.found})) {}
-
-    FibreSearch at(const std::vector<int>& data, RandomResidues& random) const {
-        constexpr int largest_factor = 3;
-        const Numbers numbers(data.begin(), data.end());
-        SolutionCollection solutions(program_, numbers);
-        solutions.follow(start_, equations_, 0, options_.threads);
-        const std::size_t found = solutions.all().size(), expected = start_.solutions.size();
-        if (found != expected)
+/// The fibre of the solutions for these data.
+FibreSearch fibre_of_solutions(const Program& program, const std::vector<int>& data,
+                               const std::vector<ModelSolution>& solutions, RandomResidues& random,
+                               const LiftOptions& options) {
+    constexpr int largest_factor = 3;
+    const std::vector<int> form = random_integers(random, program.unknowns, largest_factor);
+    try {
+        auto exact = exact_solutions(ProgramDigits(program, data), solutions, form, options);
+        if (!exact)
             return {{},
-                    counted(expected, "solution") + " for random complex data, but " +
-                        std::to_string(found) + " for integer data"};
-        const std::vector<int> form = random_integers(random, program_.unknowns, largest_factor);
-        try {
-            auto exact = exact_solutions(ProgramDigits(program_, data),
-                                         approximations(solutions.all()), form, options_);
-            if (!exact) return {{}, "the coefficients of a fibre have too many digits"};
-            return fibre_of(program_, {data.begin(), data.end()}, form, std::move(*exact), random);
-        } catch (const std::runtime_error& error) {
-            return {{}, error.what()};
-        }
+                    "the coefficients of a fibre have too many digits, or paths did not find "
+                    "all solutions"};
+        return fibre_of(program, {data.begin(), data.end()}, form, std::move(*exact), random);
+    } catch (const std::runtime_error& error) {
+        return {{}, error.what()};
     }
-
-private:
-    const Program& program_;
-    const LiftOptions& options_;
-    TrackedEquations equations_;
-    Start start_;
-};
+}
 
 } // namespace
 
@@ -158,14 +144,22 @@ FibreSearch lifted_fibre(const Model& model, const Program& program, const LiftO
     if (program.data == 0)
         throw BadInput("the model has no data that could move solutions to others: make numbers of "
                        "the equations data, or do without --lift");
-    const Lift lift(program, options);
+    const TrackedEquations equations(program);
+    const Start start = find_start(program, equations, {0, options.threads, 0, options.found});
     RandomResidues random(model, stream);
-    FibreSearch result;
+    std::size_t found = 0;
     for (const int bound : bounds) {
-        result = lift.at(random_integers(random, program.data, bound), random);
-        if (result.fibre) break;
+        const std::vector<int> data = random_integers(random, program.data, bound);
+        const Numbers numbers(data.begin(), data.end());
+        SolutionCollection solutions(program, numbers);
+        solutions.follow(start, equations, 0, options.threads);
+        found = solutions.all().size();
+        if (found == start.solutions.size())
+            return fibre_of_solutions(program, data, solutions.all(), random, options);
     }
-    return result;
+    return {{},
+            counted(start.solutions.size(), "solution") + " for random complex data, but " +
+                std::to_string(found) + " for integer data"};
 }
 
 } // namespace plprove::model

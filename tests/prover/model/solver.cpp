@@ -216,14 +216,14 @@ TEST_CASE("a fibre by lifting has all solutions that a Gröbner basis finds") {
 TEST_CASE(
     "lifting tries larger data where small ones are special, and leaves out what is singular") {
     const auto count = [](const std::string& body) {
-        const Model model = read_model("model m\ndata a\nunknown x\n" + body);
+        const Model model = read_model("model m\ndata a, b\nunknown x\n" + body);
         const auto fibre = lifted_fibre(model, compile(model)).fibre;
         return fibre ? fibre->count() : 0;
     };
     CHECK(count("equation x^2 = a\nnonzero (a^2 - 1)*(a^2 - 4)\n") == 2);
     CHECK(count("equation x^3 = a/3\n") == 3);
     CHECK(count("equation x*(x^2 - a)*(x - a)^2 = 0\n") == 3);
-    CHECK(count("equation x^6 = a\ncount x^2\n") == 3);
+    CHECK(count("equation x^4 + a*x^2 = b\ncount x^2\n") == 2);
 }
 
 TEST_CASE("a model without data, or without a solution, is not lifted") {
