@@ -58,11 +58,13 @@ pointline::Images images_of(const Solver& solver, const Array& points, const Arr
         require_shape(lines, {solver.lines(), views, 2, 2}, "lines");
     else
         require_shape(lines, {solver.lines(), views, 3}, "lines");
-    require_shape(K, {views, 4}, "K");
     pointline::Images images;
-    const auto k = K.unchecked<2>();
-    for (py::ssize_t v = 0; v < views; ++v)
-        images.cameras.push_back({k(v, 0), k(v, 1), k(v, 2), k(v, 3)});
+    if (K.size() > 0) {
+        require_shape(K, {views, 4}, "K");
+        const auto k = K.unchecked<2>();
+        for (py::ssize_t v = 0; v < views; ++v)
+            images.cameras.push_back({k(v, 0), k(v, 1), k(v, 2), k(v, 3)});
+    }
     const auto point = points.unchecked<3>();
     py::ssize_t line = 0;
     for (py::ssize_t f = 0; f < solver.features(); ++f) {
@@ -118,7 +120,7 @@ py::dict arrays_of(const Solver& solver, const pointline::Answer& answer) {
     result["conditions"] = conditions;
     result["degree"] = answer.degree;
     result["found"] = answer.found;
-    const std::array<const char*, 2> words{"certified", "unknown"};
+    const std::array<const char*, 3> words{"certified", "unknown", "evidence"};
     result["complete"] = words[static_cast<std::size_t>(answer.complete)];
     result["moved"] = answer.moved;
     return result;
@@ -201,6 +203,7 @@ PYBIND11_MODULE(_pointline, module) {
     py::class_<pointline::Problem>(module, "Problem")
         .def_readonly("notation", &pointline::Problem::notation)
         .def_readonly("views", &pointline::Problem::views)
+        .def_readonly("calibrated", &pointline::Problem::calibrated)
         .def_readonly("verdict", &pointline::Problem::verdict)
         .def_readonly("reasons", &pointline::Problem::reasons)
         .def_readonly("degree", &pointline::Problem::degree)

@@ -147,11 +147,10 @@ Answer solve_general_images(const SolveRequest& request, const Problem& problem,
     if (degree > many)
         std::cerr << "plprove: finding " << degree << " solutions takes some minutes\n";
     ProgressLine line("finding solutions of random images", static_cast<std::size_t>(degree));
-    GeneralOptions options;
-    options.complex = request.options.complex;
+    GeneralSolver::Options options;
     options.threads = threads();
     options.found = [&](int found) { line.show(static_cast<std::size_t>(found)); };
-    return solve_in_general(problem, images, options);
+    return GeneralSolver(problem, options).solve(images, request.options.complex, options.threads);
 }
 
 int solve_images(const SolveRequest& request, const Deliver& deliver) {

@@ -1,6 +1,7 @@
 #include "prover/library/seen_images.h"
 
 #include "prover/solver/consistency.h"
+#include "prover/solver/images.h"
 #include "prover/system/exit.h"
 
 #include <Eigen/Dense>
@@ -35,13 +36,15 @@ void require_seen(const Feature& feature, int view, const pointline::Sighting& s
         if (!sees && given) throw BadInput(place + ": leave " + what + " out");
     };
     expect(feature.sees_point(view), sighting.point.has_value(), "the point");
-    for (int line = 0; line < feature.lines; ++line) {
-        const char letter = static_cast<char>('a' + line);
+    // Lines through several points are not given: the points show them.
+    const int shared = static_cast<int>(feature.shared.size());
+    for (int line = shared; line < feature.lines; ++line) {
+        const char letter = letter_of(feature, line);
         expect(feature.sees_line(view, line), sighting.lines.contains(letter),
                std::string("line ") + letter);
     }
     for (const auto& [letter, line] : sighting.lines) {
-        if (letter < 'a' || letter >= 'a' + feature.lines)
+        if (letter < 'a' || letter >= 'a' + feature.lines - shared)
             throw BadInput(place + ": there is no line " + letter + ": leave it out");
         require_finite(line.coefficients, place);
         if (line.coefficients[0] == 0 && line.coefficients[1] == 0)
@@ -79,34 +82,83 @@ void require_different(const SeenImages& images) {
                        " at the same point: give images with different ones");
 }
 
-} // namespace
-
-MovedImages seen_images(const Features& problem, const pointline::Images& images) {
+/// Refuses images that are not what the problem says that the views see.
+void require_images(const Features& problem, const pointline::Images& images) {
     const auto views = static_cast<std::size_t>(problem.front().views());
     if (!images.cameras.empty() && images.cameras.size() != views)
         throw BadInput("give intrinsics of " + std::to_string(views) + " cameras, or of none");
     if (images.features.size() != problem.size())
         throw BadInput("give " + std::to_string(problem.size()) + " features: these are " +
                        std::to_string(images.features.size()));
-    MovedImages result;
-    for (std::size_t v = 0; v < views; ++v)
-        result.images.calibration.push_back(
-            matrix(images.cameras.empty() ? pointline::Intrinsics{} : images.cameras[v], v));
     for (std::size_t f = 0; f < problem.size(); ++f) {
         const std::string name = "feature " + std::to_string(f + 1);
         if (images.features[f].size() != views)
             throw BadInput(name + ": give what " + std::to_string(views) + " views see");
-        auto& sightings = result.images.observation.emplace_back();
-        for (std::size_t v = 0; v < views; ++v) {
-            const pointline::Sighting& given = images.features[f][v];
-            require_seen(problem[f], static_cast<int>(v), given,
+        for (std::size_t v = 0; v < views; ++v)
+            require_seen(problem[f], static_cast<int>(v), images.features[f][v],
                          name + ", view " + std::to_string(v + 1));
-            sightings.push_back(
-                normalised(given, result.images.calibration[v], problem[f].lines, result.moved));
-        }
+    }
+}
+
+std::vector<Eigen::Matrix3d> calibration(const pointline::Images& images, int views) {
+    std::vector<Eigen::Matrix3d> result(static_cast<std::size_t>(views),
+                                        Eigen::Matrix3d::Identity());
+    for (std::size_t v = 0; v < images.cameras.size(); ++v)
+        result[v] = matrix(images.cameras[v], v);
+    return result;
+}
+
+/// The numbers as they are.
+GivenSighting exact(const pointline::Sighting& given, const Feature& feature) {
+    GivenSighting result;
+    if (given.point) result.point = ExactVector{(*given.point)[0], (*given.point)[1], 1};
+    result.lines.resize(static_cast<std::size_t>(feature.lines));
+    for (int line = static_cast<int>(feature.shared.size()); line < feature.lines; ++line) {
+        const auto found = given.lines.find(letter_of(feature, line));
+        if (found == given.lines.end()) continue;
+        const auto& [a, b, c] = found->second.coefficients;
+        GivenLine& exact = result.lines[static_cast<std::size_t>(line)].emplace();
+        exact.coefficients = {a, b, c};
+        for (const pointline::Point& point : found->second.points)
+            exact.points.push_back({point[0], point[1]});
+    }
+    return result;
+}
+
+} // namespace
+
+MovedImages seen_images(const Features& problem, const pointline::Images& images) {
+    require_images(problem, images);
+    MovedImages result;
+    result.images.calibration = calibration(images, problem.front().views());
+    for (std::size_t f = 0; f < problem.size(); ++f) {
+        auto& sightings = result.images.observation.emplace_back();
+        for (std::size_t v = 0; v < images.features[f].size(); ++v)
+            sightings.push_back(normalised(images.features[f][v], result.images.calibration[v],
+                                           problem[f].lines, result.moved));
     }
     require_different(result.images);
     return result;
+}
+
+MovedImages seen_images(const Problem& problem, const pointline::Images& images) {
+    if (problem.cameras == &projective_cameras && !images.cameras.empty())
+        throw BadInput("the cameras are uncalibrated: give no intrinsics");
+    GivenImages given{features_of(problem), problem, {}, {}, {}};
+    require_images(given.problem, images);
+    given.names.resize(given.problem.size());
+    for (const Eigen::Matrix3d& K : calibration(images, problem.views))
+        given.calibration.push_back({ExactVector{K(0, 0), K(0, 1), K(0, 2)},
+                                     ExactVector{K(1, 0), K(1, 1), K(1, 2)},
+                                     ExactVector{K(2, 0), K(2, 1), K(2, 2)}});
+    for (std::size_t f = 0; f < given.problem.size(); ++f) {
+        auto& views = given.features.emplace_back();
+        for (const pointline::Sighting& sighting : images.features[f])
+            views.push_back(exact(sighting, given.problem[f]));
+    }
+    refuse_degenerate(given);
+    const ConsistentImages moved = consistent(given);
+    return {rounded(given, moved), moved.moved};
 }
 
 } // namespace plprove

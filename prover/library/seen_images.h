@@ -3,6 +3,7 @@
 
 #include "prover/library/pointline/solver.h"
 #include "prover/problem/notation.h"
+#include "prover/problem/problem.h"
 #include "prover/solver/reconstruction.h"
 
 namespace plprove {
@@ -15,5 +16,9 @@ struct MovedImages {
 /// The images in normalised coordinates, with lines that meet their points. Throws BadInput where
 /// they are not what the problem says that the views see.
 MovedImages seen_images(const Features& problem, const pointline::Images& images);
+
+/// The same of a problem with shared lines, more views or uncalibrated cameras: a third point of a
+/// line is moved onto the line through the first two.
+MovedImages seen_images(const Problem& problem, const pointline::Images& images);
 
 } // namespace plprove

@@ -4,6 +4,7 @@
 #include "prover/library/in_arrays.h"
 #include "prover/library/seen_images.h"
 #include "prover/problem/spec.h"
+#include "prover/solver/general.h"
 #include "prover/solver/solve.h"
 
 #include <atomic>
@@ -12,26 +13,29 @@
 #include <iterator>
 #include <system_error>
 #include <thread>
+#include <variant>
 
 namespace pointline {
 
 struct Solver::Content {
     std::string problem;
-    plprove::Solver solver;
+    plprove::Features features;
+    std::variant<plprove::Solver, plprove::GeneralSolver> solver;
 };
 
 namespace {
 
-Solution solution(const plprove::Solution& found) {
+Solution solution(const plprove::Features& features, const plprove::Solution& found) {
     Solution result;
     for (const plprove::ComplexPose& pose : found.cameras)
         result.cameras.push_back(camera({pose.R.real(), pose.t.real()}));
-    for (const plprove::SpaceFeature& feature : found.features) {
+    for (std::size_t f = 0; f < features.size(); ++f) {
+        const plprove::SpaceFeature& feature = found.features[f];
         result.points.emplace_back();
         if (feature.point) result.points.back() = vector(feature.point->real());
         auto& lines = result.lines.emplace_back();
-        for (std::size_t line = 0; line < feature.lines.size(); ++line) {
-            auto& entry = lines[static_cast<char>('a' + line)];
+        for (std::size_t line = features[f].shared.size(); line < feature.lines.size(); ++line) {
+            auto& entry = lines[plprove::letter_of(features[f], static_cast<int>(line))];
             if (const auto& in_space = feature.lines[line])
                 entry =
                     SpaceLine{vector(in_space->point.real()), vector(in_space->direction.real())};
@@ -47,7 +51,8 @@ Complete complete(plprove::Completeness completeness) {
     switch (completeness) {
     case plprove::Completeness::certified:
         return Complete::certified;
-    case plprove::Completeness::evidence: // of problems that this library does not take
+    case plprove::Completeness::evidence:
+        return Complete::evidence;
     case plprove::Completeness::unknown:
         return Complete::unknown;
     }
@@ -74,36 +79,65 @@ Solver::Solver(std::shared_ptr<const Content> content) : content_(std::move(cont
 
 Result<Solver> Solver::make(std::string_view problem) noexcept {
     return guarded<Solver>(Failure::bad_problem, [&] {
+        if (const auto general = plprove::parse_general_spec(problem))
+            return Solver(std::make_shared<const Content>(
+                Content{plprove::notation(*general), plprove::features_of(*general),
+                        plprove::GeneralSolver(*general, {})}));
         const plprove::Features parsed = plprove::parse_spec(problem);
         return Solver(std::make_shared<const Content>(
-            Content{plprove::notation(parsed), plprove::make_solver(parsed)}));
+            Content{plprove::notation(parsed), parsed, plprove::make_solver(parsed)}));
     });
 }
 
 Result<Solver> Solver::load(std::string_view problem, const std::string& start) noexcept {
-    auto plan = guarded<plprove::SolvePlan>(
-        Failure::bad_problem, [&] { return plprove::plan(plprove::parse_spec(problem)); });
+    auto plan = guarded<plprove::SolvePlan>(Failure::bad_problem, [&] {
+        if (plprove::parse_general_spec(problem))
+            throw plprove::BadInput(
+                "starts are kept of two or three calibrated views and lines with "
+                "at most one point: leave the start out");
+        return plprove::plan(plprove::parse_spec(problem));
+    });
     if (!plan) return plan.error();
     return guarded<Solver>(Failure::bad_start, [&] {
         return Solver(std::make_shared<const Content>(
-            Content{plprove::notation(plan->problem),
+            Content{plprove::notation(plan->problem), plan->problem,
                     plprove::Solver(*plan, plprove::read_start(content_of(start), start))}));
     });
 }
 
+namespace {
+
+/// What a solver finds, and how far images were moved before.
+struct FoundAnswer {
+    plprove::Answer answer;
+    double moved = 0;
+};
+
+FoundAnswer found(const plprove::Solver& solver, const Images& images, const Options& options) {
+    const plprove::MovedImages seen = plprove::seen_images(solver.plan().problem, images);
+    plprove::SolveOptions how;
+    how.search.effort = options.quick ? plprove::Effort::once : plprove::Effort::thorough;
+    how.search.threads = options.threads;
+    how.complex = false;
+    how.conditions = options.conditions;
+    return {solver.solve(seen.images, how), seen.moved};
+}
+
+FoundAnswer found(const plprove::GeneralSolver& solver, const Images& images,
+                  const Options& options) {
+    const plprove::MovedImages seen = plprove::seen_images(solver.problem(), images);
+    return {solver.solve(seen.images, false, static_cast<int>(options.threads)), seen.moved};
+}
+
+} // namespace
+
 Result<Answer> Solver::solve(const Images& images, const Options& options) const noexcept {
     return guarded<Answer>(Failure::bad_images, [&] {
-        const plprove::MovedImages moved =
-            plprove::seen_images(content_->solver.plan().problem, images);
-        plprove::SolveOptions how;
-        how.search.effort = options.quick ? plprove::Effort::once : plprove::Effort::thorough;
-        how.search.threads = options.threads;
-        how.complex = false;
-        how.conditions = options.conditions;
-        const plprove::Answer found = content_->solver.solve(moved.images, how);
-        Answer answer{found.degree, found.found, complete(found.complete), moved.moved, {}};
-        for (const plprove::Solution& one : found.solutions)
-            answer.solutions.push_back(solution(one));
+        const auto [all, moved] = std::visit(
+            [&](const auto& solver) { return found(solver, images, options); }, content_->solver);
+        Answer answer{all.degree, all.found, complete(all.complete), moved, {}};
+        for (const plprove::Solution& one : all.solutions)
+            answer.solutions.push_back(solution(content_->features, one));
         return answer;
     });
 }
@@ -135,7 +169,7 @@ const std::string& Solver::problem() const {
 }
 
 int Solver::degree() const {
-    return content_->solver.degree();
+    return std::visit([](const auto& solver) { return solver.degree(); }, content_->solver);
 }
 
 } // namespace pointline

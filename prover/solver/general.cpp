@@ -1,6 +1,5 @@
 #include "prover/solver/general.h"
 
-#include "prover/many_views/degrees_on_file.h"
 #include "prover/many_views/scene_loops.h"
 #include "prover/many_views/standard_chart.h"
 #include "prover/solver/general_images.h"
@@ -14,10 +13,9 @@ namespace plprove {
 
 namespace {
 
-using many_views::Images;
 using many_views::Point;
 using many_views::System;
-using ComplexImages = Images<many_views::Complex>;
+using ComplexImages = many_views::Images<many_views::Complex>;
 
 bool is_projective(const Problem& problem) {
     return problem.cameras == &projective_cameras;
@@ -34,48 +32,6 @@ many_views::DegreeOnFile known_degree(const Problem& problem) {
                        "most three views those with one point on a line: " +
                        name + " is none of these");
     return *known;
-}
-
-/// Random images with all their solutions.
-struct RandomImages {
-    System system;
-    ComplexImages images;
-    std::vector<Point> solutions;
-};
-
-RandomImages solved_images(const Problem& problem, int degree, const GeneralOptions& options) {
-    constexpr int most_edges = 8;
-    auto monodromy =
-        many_views::scene_monodromy(many_views::SceneLoops(problem, options.seed, options.threads),
-                                    [&](const MonodromyProgress& progress) {
-                                        if (options.found) options.found(progress.solutions);
-                                    });
-    monodromy.reach(degree, most_edges);
-    return {monodromy.loops().system(), monodromy.loops().images(0),
-            monodromy.solutions().points()};
-}
-
-/// The solutions of these images in the standard chart, each once.
-std::vector<Point> follow_to(const ComplexImages& images, const System& standard,
-                             const RandomImages& from, int degree, const GeneralOptions& options) {
-    constexpr int most_ways = 5;
-    constexpr std::uint64_t stream = 3; // another one than that of monodromy
-    Random random(options.seed, stream);
-    const Images<many_views::Moving> still = many_views::on_the_way(images, images, 0);
-    many_views::Evaluation room;
-    SolutionSet<Point> found(1e-7, Nearness::of_coordinates);
-    for (int way = 0; way < most_ways && found.size() < degree; ++way) {
-        const auto care = way == 0 ? many_views::Care::usual : many_views::Care::careful;
-        const ComplexImages to = many_views::rephased(standard.problem(), images, random);
-        for (const auto& end : many_views::follow_all(from.system, from.images, to, from.solutions,
-                                                      care, options.threads)) {
-            if (!end || !from.system.has_cameras(*end)) continue;
-            const auto point = many_views::refined(
-                standard, still, many_views::in_standard_chart(from.system, *end), room);
-            if (point && !found.find(*point)) found.add(*point);
-        }
-    }
-    return found.points();
 }
 
 /// [M | t] with a rotation M, where the cameras are calibrated.
@@ -147,22 +103,57 @@ int degree_to_solve(const Problem& problem) {
     return known_degree(problem).degree;
 }
 
-Answer solve_in_general(const Problem& problem, const SeenImages& images,
-                        const GeneralOptions& options) {
-    const many_views::DegreeOnFile known = known_degree(problem);
-    const bool projective = is_projective(problem);
+GeneralSolver::GeneralSolver(const Problem& problem, const Options& options)
+    : known_(known_degree(problem)), seed_(options.seed),
+      from_(solved_images(problem, known_.degree, options)) {}
+
+GeneralSolver::RandomImages GeneralSolver::solved_images(const Problem& problem, int degree,
+                                                         const Options& options) {
+    constexpr int most_edges = 8;
+    auto monodromy =
+        many_views::scene_monodromy(many_views::SceneLoops(problem, options.seed, options.threads),
+                                    [&](const MonodromyProgress& progress) {
+                                        if (options.found) options.found(progress.solutions);
+                                    });
+    monodromy.reach(degree, most_edges);
+    return {monodromy.loops().system(), monodromy.loops().images(0),
+            monodromy.solutions().points()};
+}
+
+std::vector<Point> GeneralSolver::follow_to(const ComplexImages& images, const System& standard,
+                                            int threads) const {
+    constexpr int most_ways = 5;
+    constexpr std::uint64_t stream = 3; // another one than that of monodromy
+    Random random(seed_, stream);
+    const many_views::Images<many_views::Moving> still = many_views::on_the_way(images, images, 0);
+    many_views::Evaluation room;
+    SolutionSet<Point> found(1e-7, Nearness::of_coordinates);
+    for (int way = 0; way < most_ways && found.size() < degree(); ++way) {
+        const auto care = way == 0 ? many_views::Care::usual : many_views::Care::careful;
+        const ComplexImages to = many_views::rephased(standard.problem(), images, random);
+        for (const auto& end : many_views::follow_all(from_.system, from_.images, to,
+                                                      from_.solutions, care, threads)) {
+            if (!end || !from_.system.has_cameras(*end)) continue;
+            const auto point = many_views::refined(
+                standard, still, many_views::in_standard_chart(from_.system, *end), room);
+            if (point && !found.find(*point)) found.add(*point);
+        }
+    }
+    return found.points();
+}
+
+Answer GeneralSolver::solve(const SeenImages& images, bool complex, int threads) const {
+    const bool projective = is_projective(problem());
     const SeenImages seen = projective ? centred(images) : images;
-    const RandomImages from = solved_images(problem, known.degree, options);
-    const System standard(problem,
-                          many_views::CameraChart::standard(*problem.cameras, problem.views));
-    const Features features = features_of(problem);
+    const System standard(problem(),
+                          many_views::CameraChart::standard(*problem().cameras, problem().views));
+    const Features features = features_of(problem());
     Answer answer;
-    answer.degree = known.degree;
-    for (const Point& point :
-         follow_to(images_for_equations(problem, seen), standard, from, known.degree, options)) {
+    answer.degree = degree();
+    for (const Point& point : follow_to(images_for_equations(problem(), seen), standard, threads)) {
         ++answer.found;
         const bool real = many_views::is_real(point);
-        if (!real && !options.complex) continue;
+        if (!real && !complex) continue;
         Solution& solution =
             answer.solutions.emplace_back(solution_at(standard, point, seen, real));
         add_shared_lines(features, solution);
@@ -171,7 +162,7 @@ Answer solve_in_general(const Problem& problem, const SeenImages& images,
     answer.lost = answer.degree - answer.found;
     if (answer.lost == 0)
         answer.complete =
-            known.status == "certified" ? Completeness::certified : Completeness::evidence;
+            known_.status == "certified" ? Completeness::certified : Completeness::evidence;
     finish(answer, seen);
     return answer;
 }

@@ -35,7 +35,9 @@ class Answer:
     With n solutions, V views, F features and L lines:
     """
 
-    R: np.ndarray  #: (n, V, 3, 3); camera 1 is the identity
+    #: (n, V, 3, 3); camera 1 is the identity. Uncalibrated cameras are the matrices [R | t], up to a
+    #: factor, and R is any matrix: they take points to pixels
+    R: np.ndarray
     t: np.ndarray  #: (n, V, 3); the distance from camera 1 to camera 2 is 1
     points: np.ndarray  #: (n, F, 3); nan where the images leave the point open
     line_points: np.ndarray  #: (n, L, 3): a point of each line
@@ -45,7 +47,9 @@ class Answer:
     conditions: np.ndarray  #: (n,): 0 unless asked for
     degree: int  #: how many complex solutions generic images have, as far as is known
     found: int  #: how many were found
-    complete: str  #: why these are all: "certified" or "unknown"
+    #: why these are all: their number is the degree, which is "certified" or known by "evidence"; or
+    #: "unknown"
+    complete: str
     moved: float  #: pixels that something was moved at most to make lines meet their points
 
     def __len__(self):
@@ -68,12 +72,18 @@ class Problem:
 
     @property
     def views(self):
-        """Two or three."""
+        """How many."""
         return self._content.views
 
     @property
+    def calibrated(self):
+        """Whether the cameras are calibrated."""
+        return self._content.calibrated
+
+    @property
     def verdict(self):
-        """"minimal", "camera-minimal", or why it is neither."""
+        """"minimal", "camera-minimal", or why it is neither; "not minimal", or "open" where that is not
+        known, with lines through several points, more than three views or uncalibrated cameras."""
         return self._content.verdict
 
     @property
@@ -100,8 +110,10 @@ class Problem:
     def solver(self, start=None):
         """A solver; `start` is a file that `plprove start` wrote, or None for the cache.
 
-        In three views the first solver of a problem makes its start, which may take a while.
-        Raises ValueError where the problem is neither minimal nor camera-minimal.
+        In three views the first solver of a problem makes its start, which may take a while. With
+        lines through several points, more than three views or uncalibrated cameras each solver makes
+        one: seconds for 1,000 solutions. Raises ValueError where the problem is neither minimal nor
+        camera-minimal, or its degree is not known.
         """
         return Solver(self, start)
 
@@ -132,12 +144,15 @@ class Solver:
         points: (F, V, 2), pixels: what the V views see of the F features, in the order of the
             notation; nan where a view sees no point. May be left out where the problem has no points.
         lines: (L, V, 2, 2), two points each, in pixels; or (L, V, 3), the coefficients a, b, c of
-            a x + b y + c = 0. L counts the lines of all features, in the order of the notation;
-            nan where a view does not see the line. May be left out where the problem has no lines.
+            a x + b y + c = 0. L counts the lines of all features, in the order of the notation,
+            without those through several points, which these show; nan where a view does not see
+            the line. May be left out where the problem has no such lines.
         K: (3, 3) or (V, 3, 3), in pixels, without skew; or None, and points and lines are in
-            normalised coordinates: K^-1 times pixels. Warns where these look like pixels.
+            normalised coordinates: K^-1 times pixels. Warns where these look like pixels. None for
+            uncalibrated cameras: then all is in pixels.
         quick: let lost paths go, which is faster; hardly a real solution is lost.
         conditions: also estimate the conditions: radians of the cameras a radian of the images.
+            Both are for two or three calibrated views and lines with at most one point.
         threads: how many threads share the work, 1 to 1024; the answer does not depend on it.
 
         Raises ValueError where the images are not what the problem says that the views see.
@@ -150,7 +165,7 @@ class Solver:
         if lines is None:
             lines = np.full((count, views, 3), np.nan)
         points, lines = _reals(points, "points"), _reals(lines, "lines")
-        if K is None and _look_like_pixels(points, lines):
+        if self.problem.calibrated and K is None and _look_like_pixels(points, lines):
             warnings.warn(
                 "points or lines look like pixels, and without K they count as normalised "
                 "coordinates: give K",
@@ -448,8 +463,10 @@ def _look_like_pixels(points, lines):
 
 
 def _intrinsics(K, views):
-    """fx, fy, cx, cy of each view."""
-    K = np.eye(3) if K is None else _reals(K, "K")
+    """fx, fy, cx, cy of each view; none where there is no K."""
+    if K is None:
+        return np.empty((0, 4))
+    K = _reals(K, "K")
     if K.shape not in [(3, 3), (views, 3, 3)]:
         raise ValueError(f"K has the shape {K.shape}: give (3, 3) or ({views}, 3, 3)")
     K = np.broadcast_to(K, (views, 3, 3))

@@ -5,6 +5,7 @@ from numpy import ndarray
 class Problem:
     notation: str
     views: int
+    calibrated: bool
     verdict: str
     reasons: list[str]
     degree: Optional[int]

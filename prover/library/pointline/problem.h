@@ -13,14 +13,17 @@ namespace pointline {
 struct Problem {
     std::string notation; ///< such as 2*Pa/Pa/Pa + P/P/P
     int views = 0;
+    bool calibrated = true; ///< whether the cameras are
     /// `minimal`, `camera-minimal`, or why it is neither: `obstructed`, `under-constrained`,
-    /// `over-constrained`.
+    /// `over-constrained`. With lines through several points, more than three views or uncalibrated
+    /// cameras `minimal` or `not minimal`; `open` where that is not known.
     std::string verdict;
     std::vector<std::string> reasons; ///< sentences
     /// The degree on file, or 20 for five points in two views; nothing where none is known.
     std::optional<int> degree;
     std::string picture; ///< SVG: what each view sees
-    /// For each feature whether it has a point, and its lines by their letters.
+    /// For each feature whether it has a point, and its lines by their letters, without those
+    /// through several points.
     std::vector<bool> points;
     std::vector<std::string> lines;
 };

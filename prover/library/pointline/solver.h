@@ -52,7 +52,8 @@ struct Images {
 };
 
 /// It takes the point X of space to R X + t; R by rows. Camera 1 is [I | 0], the distance from
-/// camera 1 to camera 2 is 1, with the sign that puts more points in front.
+/// camera 1 to camera 2 is 1, with the sign that puts more points in front. Uncalibrated cameras
+/// take X to the pixel R X + t, up to a factor: R is any matrix, and nothing is in front.
 struct Camera {
     std::array<double, 9> R{};
     std::array<double, 3> t{};
@@ -75,17 +76,18 @@ struct Solution {
     double condition = 0;
 };
 
-enum class Complete { certified, unknown };
+enum class Complete { certified, unknown, evidence };
 
 struct Answer {
     int degree = 0; ///< how many complex solutions generic images have, as far as is known
     int found = 0;  ///< how many were found
-    /// Why these are all: their number is the degree, which is certified.
+    /// Why these are all: their number is the degree, which is certified, or known by evidence.
     Complete complete = Complete::unknown;
     double moved = 0; ///< pixels that a point or line was moved at most to make lines meet points
     std::vector<Solution> solutions; ///< the real ones, those with most points in front first
 };
 
+/// `quick` and `conditions` are for two or three calibrated views and lines with at most one point.
 struct Options {
     /// Follow each path once, and let those that are lost go: faster, and hardly a real solution
     /// is lost.
@@ -98,7 +100,9 @@ struct Options {
 class Solver {
 public:
     /// The solver of a problem (notation, a name, or the authors' number) with the start from the
-    /// cache; in three views the start is made if it is not there, which may take long.
+    /// cache; in three views the start is made if it is not there, which may take long. No start is
+    /// kept of problems with lines through several points, more than three views or uncalibrated
+    /// cameras: it is made each time, seconds for 1,000 solutions.
     static Result<Solver> make(std::string_view problem) noexcept;
     /// The same with the start in a file that `plprove start` wrote.
     static Result<Solver> load(std::string_view problem, const std::string& start) noexcept;

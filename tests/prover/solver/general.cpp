@@ -16,7 +16,7 @@ using namespace plprove;
 namespace {
 
 Answer answer_for(const SyntheticScene& scene) {
-    return solve_in_general(*scene.general, scene.images, {});
+    return GeneralSolver(*scene.general, {}).solve(scene.images, true, 1);
 }
 
 /// A scene with images in pixels, as a file has them, if cameras are uncalibrated.
