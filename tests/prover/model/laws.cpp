@@ -185,7 +185,9 @@ TEST_CASE("each model of the literature has a solution that is found by solving 
                                            "homography_distortions",
                                            "homography_motion",
                                            "conics_points_conics",
-                                           "homography_error"};
+                                           "homography_error",
+                                           "depth_priors",
+                                           "depth_priors_focals"};
     for (const auto& [name, model] : models_of_literature()) {
         CAPTURE(name);
         const auto found = find_solution_point(model, compile(model)).fibre;
