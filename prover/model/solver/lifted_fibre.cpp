@@ -141,11 +141,14 @@ FibreSearch lifted_fibre(const Model& model, const Program& program, const LiftO
     // Small numbers make small coefficients, but may be special: solutions are then missing.
     constexpr std::array bounds{2, 4, 9, 30, 99};
     constexpr std::uint64_t stream = 5;
-    if (program.data == 0)
-        throw BadInput("the model has no data that could move solutions to others: make numbers of "
-                       "the equations data, or do without --lift");
+    if (program.data == 0) return {{}, "there are no data that could move solutions to others"};
     const TrackedEquations equations(program);
-    const Start start = find_start(program, equations, {0, options.threads, 0, options.found});
+    Start start;
+    try {
+        start = find_start(program, equations, {0, options.threads, 0, options.found});
+    } catch (const BadInput& error) {
+        return {{}, error.what()};
+    }
     RandomResidues random(model, stream);
     std::size_t found = 0;
     for (const int bound : bounds) {

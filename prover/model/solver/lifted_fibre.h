@@ -15,8 +15,7 @@ struct LiftOptions {
     std::function<void(long bits)> bits = {};          ///< told how many bits they have
 };
 
-/// All solutions that are found, for small integer data. Throws BadInput where there are no data,
-/// or not even one solution is found. Assumes as many equations as unknowns.
+/// All solutions that are found, for small integer data. Assumes as many equations as unknowns.
 FibreSearch lifted_fibre(const Model& model, const Program& program,
                          const LiftOptions& options = {});
 

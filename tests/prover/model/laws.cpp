@@ -116,6 +116,17 @@ TEST_CASE("only solutions that are regular and keep the conditions count") {
     CHECK(count("equation x^6 = a\ncount x^2\n") == 3);
 }
 
+TEST_CASE("where not all solutions are found, there is one, and the reason") {
+    const Study found = study("model m\ndata a\nunknown x\nequation x^2 = a\n",
+                              [](const Model&, const Program&) -> FibreSearch {
+                                  return {{}, "a reason"};
+                              });
+    CHECK(found.at_least() == 1);
+    CHECK(found.at_most() == 2);
+    CHECK(found.no_fibre.empty());
+    CHECK(found.only_one == "a reason");
+}
+
 TEST_CASE("a relation that does not hold is refused") {
     CHECK_THROWS_WITH_AS(
         study("model m\ndata a\nunknown x\nlet y = x^2\nequation y = a\nrelation y = x\n"),
