@@ -162,6 +162,48 @@ def test_messages_say_what_to_give(tmp_path):
             chicago.solver(path)
 
 
+def test_lines_through_several_points():
+    problem = pointline.problem("3*PL/PL/PL + P/P/P")
+    assert (problem.verdict, problem.views, problem.degree, problem.calibrated) == ("minimal", 3, 64, True)
+    solver = problem.solver()
+    for seed in range(3):
+        R, t = scene_cameras(3, seed)
+        X = random_points(4, seed)
+        X[2] = 0.3 * X[0] + 0.7 * X[1]  # on the line L
+        answer = solver.solve(points=project(X, R, t), K=K)
+        index, error = nearest(answer, R, t)
+        assert error < 1e-6
+        assert (answer.found, answer.complete, answer.in_front[index]) == (64, "certified", 4)
+        assert np.allclose(answer.points[index], X, atol=1e-5)
+        assert answer.line_points.shape == (len(answer), 0, 3)
+
+
+def test_uncalibrated_cameras():
+    problem = pointline.problem("projective: 6*P/P/P")
+    assert (problem.verdict, problem.degree, problem.calibrated) == ("minimal", 3, False)
+    solver = problem.solver()
+    R, t = scene_cameras(3, 1)
+    pixels = project(random_points(6, 1), R, t)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        answer = solver.solve(points=pixels)
+    assert (answer.found, answer.complete) == (3, "certified")
+    for R, t, X in zip(answer.R, answer.t, answer.points):
+        images = np.einsum("vij,nj->nvi", R, X) + t
+        assert np.abs(images[..., :2] / images[..., 2:] - pixels).max() < 1e-5
+    with pytest.raises(ValueError, match="the cameras are uncalibrated: give no intrinsics"):
+        solver.solve(points=pixels, K=K)
+
+
+def test_four_views_and_problems_that_are_not_solved():
+    assert pointline.problem("3*PL/PL/PL/PL + a/a/a/a").degree == 32
+    assert pointline.problem("7*P/P/P/P").verdict == "not minimal"
+    with pytest.raises(ValueError, match="is none of these"):
+        pointline.problem("7*P/P/P/P").solver()
+    with pytest.raises(ValueError, match="leave the start out"):
+        pointline.problem("3*PL/PL/PL + P/P/P").solver(start="any.start")
+
+
 def test_pixels_without_a_camera_are_warned_of():
     solver = pointline.problem("5*P/P").solver()
     points = project(random_points(5, 0), *scene_cameras(2, 0))

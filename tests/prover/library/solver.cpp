@@ -229,3 +229,36 @@ TEST_CASE("a problem is described") {
     CHECK(!pointline::problem("P/P/P")->degree);
     CHECK(!pointline::problem("nothing"));
 }
+
+TEST_CASE("problems in general are solved as others are: a line through three points") {
+    const auto described = pointline::problem("3*PL/PL/PL + P/P/P");
+    REQUIRE(described);
+    CHECK(described->verdict == "minimal");
+    CHECK(described->degree == 64);
+    CHECK(described->calibrated);
+    CHECK(described->lines == std::vector<std::string>{"", "", "", ""});
+    const auto solver = pointline::Solver::make("3*PL/PL/PL + P/P/P");
+    REQUIRE(solver);
+    CHECK(solver->degree() == 64);
+    pointline::Images images{{K, K, K}, {}};
+    for (const Vector& point :
+         {points[0], points[1], between(points[0], points[1], 0.3), points[2]}) {
+        auto& views = images.features.emplace_back();
+        for (std::size_t v = 0; v < 3; ++v)
+            views.push_back({pixel(point, v), {}});
+    }
+    const auto answer = solver->solve(images);
+    REQUIRE(answer);
+    CHECK(answer->found == 64);
+    CHECK(answer->complete == pointline::Complete::certified);
+    CHECK(answer->moved < 1e-9);
+    double least = 1;
+    for (const pointline::Solution& solution : answer->solutions)
+        least = std::min(least, distance(solution));
+    CHECK(least < 1e-6);
+    // What the points show must not be given.
+    images.features[0][1].lines['a'] = pointline::line_through({1, 2}, {3, 4});
+    const auto refused = solver->solve(images);
+    REQUIRE(!refused);
+    CHECK(refused.error().message == "feature 1, view 2: there is no line a: leave it out");
+}
