@@ -1,7 +1,6 @@
 #include "prover/library/seen_images.h"
 
 #include "prover/solver/consistency.h"
-#include "prover/solver/images.h"
 #include "prover/system/exit.h"
 
 #include <Eigen/Dense>
@@ -82,6 +81,8 @@ void require_different(const SeenImages& images) {
                        " at the same point: give images with different ones");
 }
 
+} // namespace
+
 /// Refuses images that are not what the problem says that the views see.
 void require_images(const Features& problem, const pointline::Images& images) {
     const auto views = static_cast<std::size_t>(problem.front().views());
@@ -108,25 +109,6 @@ std::vector<Eigen::Matrix3d> calibration(const pointline::Images& images, int vi
     return result;
 }
 
-/// The numbers as they are.
-GivenSighting exact(const pointline::Sighting& given, const Feature& feature) {
-    GivenSighting result;
-    if (given.point) result.point = ExactVector{(*given.point)[0], (*given.point)[1], 1};
-    result.lines.resize(static_cast<std::size_t>(feature.lines));
-    for (int line = static_cast<int>(feature.shared.size()); line < feature.lines; ++line) {
-        const auto found = given.lines.find(letter_of(feature, line));
-        if (found == given.lines.end()) continue;
-        const auto& [a, b, c] = found->second.coefficients;
-        GivenLine& exact = result.lines[static_cast<std::size_t>(line)].emplace();
-        exact.coefficients = {a, b, c};
-        for (const pointline::Point& point : found->second.points)
-            exact.points.push_back({point[0], point[1]});
-    }
-    return result;
-}
-
-} // namespace
-
 MovedImages seen_images(const Features& problem, const pointline::Images& images) {
     require_images(problem, images);
     MovedImages result;
@@ -139,26 +121,6 @@ MovedImages seen_images(const Features& problem, const pointline::Images& images
     }
     require_different(result.images);
     return result;
-}
-
-MovedImages seen_images(const Problem& problem, const pointline::Images& images) {
-    if (problem.cameras == &projective_cameras && !images.cameras.empty())
-        throw BadInput("the cameras are uncalibrated: give no intrinsics");
-    GivenImages given{features_of(problem), problem, {}, {}, {}};
-    require_images(given.problem, images);
-    given.names.resize(given.problem.size());
-    for (const Eigen::Matrix3d& K : calibration(images, problem.views))
-        given.calibration.push_back({ExactVector{K(0, 0), K(0, 1), K(0, 2)},
-                                     ExactVector{K(1, 0), K(1, 1), K(1, 2)},
-                                     ExactVector{K(2, 0), K(2, 1), K(2, 2)}});
-    for (std::size_t f = 0; f < given.problem.size(); ++f) {
-        auto& views = given.features.emplace_back();
-        for (const pointline::Sighting& sighting : images.features[f])
-            views.push_back(exact(sighting, given.problem[f]));
-    }
-    refuse_degenerate(given);
-    const ConsistentImages moved = consistent(given);
-    return {rounded(given, moved), moved.moved};
 }
 
 } // namespace plprove

@@ -8,6 +8,13 @@
 
 namespace plprove {
 
+/// Refuses images that are not what the problem says that the views see: throws BadInput.
+void require_images(const Features& problem, const pointline::Images& images);
+
+/// What takes normalised coordinates to the pixels of each view: nothing changes where there are no
+/// intrinsics.
+std::vector<Eigen::Matrix3d> calibration(const pointline::Images& images, int views);
+
 struct MovedImages {
     SeenImages images;
     double moved = 0; ///< pixels, to make lines meet their points

@@ -82,8 +82,9 @@ class Problem:
 
     @property
     def verdict(self):
-        """"minimal", "camera-minimal", or why it is neither; "not minimal", or "open" where that is not
-        known, with lines through several points, more than three views or uncalibrated cameras."""
+        """"minimal", "camera-minimal", or why it is neither. With lines through several points, more than
+        three views or uncalibrated cameras "minimal", "not minimal", "unbalanced", or "open" where that
+        is not known."""
         return self._content.verdict
 
     @property

@@ -197,7 +197,7 @@ def test_uncalibrated_cameras():
 
 def test_four_views_and_problems_that_are_not_solved():
     assert pointline.problem("3*PL/PL/PL/PL + a/a/a/a").degree == 32
-    assert pointline.problem("7*P/P/P/P").verdict == "not minimal"
+    assert pointline.problem("7*P/P/P/P").verdict == "unbalanced"
     with pytest.raises(ValueError, match="is none of these"):
         pointline.problem("7*P/P/P/P").solver()
     with pytest.raises(ValueError, match="leave the start out"):

@@ -16,7 +16,7 @@ struct Problem {
     bool calibrated = true; ///< whether the cameras are
     /// `minimal`, `camera-minimal`, or why it is neither: `obstructed`, `under-constrained`,
     /// `over-constrained`. With lines through several points, more than three views or uncalibrated
-    /// cameras `minimal` or `not minimal`; `open` where that is not known.
+    /// cameras `minimal`, `not minimal`, `unbalanced`, or `open` where that is not known.
     std::string verdict;
     std::vector<std::string> reasons; ///< sentences
     /// The degree on file, or 20 for five points in two views; nothing where none is known.
