@@ -1,11 +1,11 @@
 // The true cameras of a scene by a few paths: fast, and most of the time. Who wants all solutions
 // takes camera_solver.h.
 //
-// Paths start at anchors, scenes whose cameras are known (P. Hruby, T. Duff, A. Leykin, T. Pajdla,
-// CVPR 2022, who coined the word, follow real paths; most of these end where two solutions meet).
-// Here both ends have real images, and those on the way are (1 - t) x + t (1 + i) y: a half circle
-// around the real way. So nearly all paths arrive, and far more of them at the true cameras than if
-// each solution were as likely: for Chicago, which has 312, one of twelve.
+// Paths start at anchors, scenes whose cameras are known, as in P. Hruby, T. Duff, A. Leykin, T.
+// Pajdla (CVPR 2022). Their paths are real, and most of these end where two solutions meet. Here
+// both ends have real images, and those on the way are (1 - t) x + t (1 + i) y: a quarter of a
+// circle beside the real way. So nearly all paths arrive, and far more of them at the true cameras
+// than if each solution were as likely: for Chicago, which has 312, one of twelve.
 #pragma once
 
 #include "prover/three_views/images.h"

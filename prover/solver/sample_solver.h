@@ -23,6 +23,7 @@ public:
     /// Of how many samples without noise and wrong matches the true cameras are found: a share,
     /// about, of the usual number of paths.
     double success() const { return paths_from_ ? 0.7 : 1; }
+
     /// Real cameras that see these images, with all points in front of them: all there are in two
     /// views and of extensions of the five-point problem, else some, the true ones of most scenes
     /// among them. Camera 1 is [I | 0], the distance of cameras 1 and 2 is 1. Assumes that the
