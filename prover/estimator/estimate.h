@@ -14,7 +14,7 @@ namespace plprove {
 struct EstimateOptions {
     double threshold = 2;     ///< pixels: what is farther off is wrong
     double confidence = 0.99; ///< that a sample without wrong matches is among those drawn
-    int least_samples = 10;
+    int least_samples = 8;
     int most_samples = 1000;
     std::uint64_t seed = 0;
     unsigned threads = 1; ///< the estimate does not depend on it

@@ -358,7 +358,7 @@ def estimate_poses(
     problem="auto",
     threshold=2.0,
     confidence=0.99,
-    least_samples=10,
+    least_samples=8,
     most_samples=1000,
     seed=0,
     threads=1,

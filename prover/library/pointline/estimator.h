@@ -56,7 +56,7 @@ struct EstimatorOptions {
     double threshold = 2; ///< pixels: a match that is farther off is wrong
     /// That among the samples there is one without wrong matches.
     double confidence = 0.99;
-    int least_samples = 10, most_samples = 1000;
+    int least_samples = 8, most_samples = 1000;
     std::uint64_t seed = 0;  ///< the same estimate for the same seed
     unsigned threads = 1;    ///< the estimate does not depend on it
     bool covariance = false; ///< compute it
