@@ -83,7 +83,6 @@ void require_different(const SeenImages& images) {
 
 } // namespace
 
-/// Refuses images that are not what the problem says that the views see.
 void require_images(const Features& problem, const pointline::Images& images) {
     const auto views = static_cast<std::size_t>(problem.front().views());
     if (!images.cameras.empty() && images.cameras.size() != views)
