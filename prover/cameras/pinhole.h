@@ -14,24 +14,35 @@ namespace plprove {
 template <class T>
 using Matrix3Of = std::array<std::array<T, 3>, 3>;
 
-/// (a^2 det w - v.wv) I + 2 v (wv)^T + 2 a adj(w) [v]x, for a conic w: symmetric, of rank 3. For
-/// w = I it is the matrix of the quaternion (a, v).
+/// Of a symmetric matrix: that of its cofactors.
 template <class T>
-Matrix3Of<T> conic_rotation(const Matrix3Of<T>& w, const T& a, const std::array<T, 3>& v) {
-    Matrix3Of<T> adjugate; // of a symmetric matrix: of cofactors
+Matrix3Of<T> adjugate(const Matrix3Of<T>& w) {
+    Matrix3Of<T> result;
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {
             const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3,
                               j2 = (j + 2) % 3;
-            adjugate[i][j] = w[i1][j1] * w[i2][j2] - w[i1][j2] * w[i2][j1];
+            result[i][j] = w[i1][j1] * w[i2][j2] - w[i1][j2] * w[i2][j1];
         }
+    return result;
+}
+
+template <class T>
+T determinant(const Matrix3Of<T>& w, const Matrix3Of<T>& adjugate) {
+    return w[0][0] * adjugate[0][0] + w[0][1] * adjugate[1][0] + w[0][2] * adjugate[2][0];
+}
+
+/// (a^2 det w - v.wv) I + 2 v (wv)^T + 2 a adj(w) [v]x, for a conic w: symmetric, of rank 3. For
+/// w = I it is the matrix of the quaternion (a, v).
+template <class T>
+Matrix3Of<T> conic_rotation(const Matrix3Of<T>& w, const T& a, const std::array<T, 3>& v) {
+    const Matrix3Of<T> adjugate = plprove::adjugate(w);
     const auto times_v = [&](std::size_t i) {
         return w[i][0] * v[0] + w[i][1] * v[1] + w[i][2] * v[2];
     };
     const std::array<T, 3> wv{times_v(0), times_v(1), times_v(2)};
-    const T determinant =
-        w[0][0] * adjugate[0][0] + w[0][1] * adjugate[1][0] + w[0][2] * adjugate[2][0];
-    const T diagonal = a * a * determinant - (v[0] * wv[0] + v[1] * wv[1] + v[2] * wv[2]);
+    const T diagonal =
+        a * a * determinant(w, adjugate) - (v[0] * wv[0] + v[1] * wv[1] + v[2] * wv[2]);
     Matrix3Of<T> result;
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {
@@ -100,11 +111,18 @@ struct Pinhole {
     static constexpr int turn = upright ? 2 : 4;
     static constexpr int numbers = turn + 3 + Calibration::own, shared = Calibration::shared;
 
+    /// v of (a, v).
+    template <class T>
+    static std::array<T, 3> axis(const T* n) {
+        if constexpr (upright)
+            return {T{}, n[1], T{}};
+        else
+            return {n[1], n[2], n[3]};
+    }
+
     template <class T>
     static CameraMatrix<T> matrix(const T* n) {
-        std::array<T, 3> axis{T{}, n[1], T{}};
-        if constexpr (!upright) axis = {n[1], n[2], n[3]};
-        const auto left = conic_rotation<T>(Calibration::conic(n + numbers), n[0], axis);
+        const auto left = conic_rotation<T>(Calibration::conic(n + numbers), n[0], axis(n));
         CameraMatrix<T> camera;
         for (std::size_t i = 0; i < 3; ++i)
             camera[i] = {left[i][0], left[i][1], left[i][2], n[turn + i]};
@@ -125,19 +143,25 @@ struct Pinhole {
             n[i] *= scale * scale / depths;
     }
 
-    /// Whether the first three columns are independent, clearly.
+    /// Whether none of these is 0, clearly: the number N = a^2 det w + v.wv by which the rotation
+    /// is multiplied, the determinant of the conic, and the camera's own focal length. (N counts,
+    /// not the determinant of the matrix: that is N^3, and true cameras have a small one.)
     static bool is_camera(const CameraModel::Complex* n) {
-        constexpr double small = 1e-8; // of the cube of all entries
-        const auto m = matrix(n);
-        CameraModel::Complex determinant = 0;
-        double size = 0;
-        for (std::size_t j = 0; j < 3; ++j) {
-            const std::size_t j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            determinant += m[0][j] * (m[1][j1] * m[2][j2] - m[1][j2] * m[2][j1]);
-            for (std::size_t i = 0; i < 3; ++i)
-                size += std::norm(m[i][j]);
-        }
-        return std::abs(determinant) > small * std::pow(size, 1.5);
+        constexpr double small = 1e-8;
+        const Matrix3Of<CameraModel::Complex> w = Calibration::conic(n + numbers);
+        const CameraModel::Complex det = determinant(w, adjugate(w));
+        const auto v = axis(n);
+        CameraModel::Complex factor = n[0] * n[0] * det;
+        double terms = std::abs(factor), size = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j) {
+                const CameraModel::Complex term = v[i] * w[i][j] * v[j];
+                factor += term;
+                terms += std::abs(term);
+                size += std::norm(w[i][j]);
+            }
+        if (Calibration::own == 1 && std::abs(n[turn + 3]) < small) return false;
+        return std::abs(factor) > small * terms && std::abs(det) > small * std::pow(size, 1.5);
     }
 
     static constexpr std::array scaled{ScaledRun{0, turn}};

@@ -100,6 +100,44 @@ TEST_CASE("numbers of no camera are told") {
     }
 }
 
+TEST_CASE("cameras that are nearly none are cameras") {
+    constexpr double near = 1e-4; // the determinant of the matrix is near^3
+    for (const CameraModel* model : camera_models()) {
+        if (model->is_camera == nullptr || model->scaled.empty()) continue;
+        CAPTURE(model->name);
+        std::mt19937 engine(3);
+        Numbers numbers = random_camera(*model, false, engine);
+        make_conic_round(*model, numbers);
+        std::fill_n(numbers.begin(), model->scaled[0].count, Complex(0));
+        numbers[0] = 1;
+        numbers[1] = Complex(0, 1 - near);
+        CHECK(model->is_camera(numbers.data()));
+    }
+}
+
+TEST_CASE("cameras whose conic has rank 2, or with focal length 0, are none") {
+    int conics = 0, focal_lengths = 0;
+    for (const CameraModel* model : camera_models()) {
+        if (model->is_camera == nullptr || model->shared == 0) continue;
+        CAPTURE(model->name);
+        std::mt19937 engine(4);
+        Numbers numbers = random_camera(*model, false, engine);
+        make_conic_round(*model, numbers);
+        CHECK(model->is_camera(numbers.data()));
+        Numbers flat = numbers;
+        flat.back() = 0; // the last entry of the conic
+        CHECK(!model->is_camera(flat.data()));
+        ++conics;
+        const ScaledRun turn = model->scaled[0];
+        if (model->numbers == turn.count + 3) continue;
+        numbers[static_cast<std::size_t>(turn.count + 3)] = 0; // after the rotation and t
+        CHECK(!model->is_camera(numbers.data()));
+        ++focal_lengths;
+    }
+    CHECK(conics == 6);
+    CHECK(focal_lengths == 2);
+}
+
 TEST_CASE("monodromy finds the same with the polynomials of the matrix as in a faster way") {
     for (const auto& [text, solutions] :
          {std::pair("5*P/P", 20), std::pair("P/P/P + Pabcde/Pabcde/Pabcde", 64),

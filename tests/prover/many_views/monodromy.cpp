@@ -30,6 +30,23 @@ TEST_CASE("monodromy finds degrees that are known") {
     CHECK(found("3*P/P/P + a/a/a", 3).solutions == 216);
 }
 
+TEST_CASE("monodromy finds degrees that Groebner bases have") {
+    // tests/families/groebner.py
+    CHECK(found("upright: 3*P/P", 16).solutions == 4);
+    CHECK(found("upright-shared-focal: 2*P/P/P + a/a/a", 16).solutions == 11);
+    CHECK(found("shared-focal: 3*PL/PL + 3*P/P", 16).solutions == 20);
+}
+
+TEST_CASE("no solution is taken for one without cameras") {
+    // Some of these have a rotation that is nearly null, or very different focal lengths.
+    const Problem problem = parse_problem("upright-focal: Pa/Pa/Pa + 3*a/a/a");
+    for (const std::uint64_t seed : {0U, 1U, 2U}) {
+        const MonodromyResult result = run_monodromy(problem, seed, {});
+        CHECK(result.solutions == 60);
+        CHECK(result.complete());
+    }
+}
+
 TEST_CASE("the symmetries of a system divide the number of solutions that monodromy finds") {
     // Two views of points: the solutions with the same essential matrix come in pairs.
     for (const char* text : {"2*PL/PL + 2*P/P + PL/PL", "PLM/PLM + 2*PL/PL + 2*PM/PM"})
