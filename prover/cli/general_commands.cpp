@@ -57,11 +57,6 @@ CertifiedList certify_all(const std::vector<ListedProblem>& problems) {
 
 } // namespace
 
-const CameraModel& family_named(const std::string& name) {
-    return **std::ranges::find_if(
-        camera_models(), [&](const CameraModel* cameras) { return family_name(*cameras) == name; });
-}
-
 std::vector<ProblemRecord> certify_family(const CameraModel& family) {
     const std::vector<Problem> problems = family_problems(family);
     ProgressLine progress("certifying problems", problems.size());

@@ -6,9 +6,6 @@
 
 namespace plprove {
 
-/// The family with this name, which add_family_option allows.
-const CameraModel& family_named(const std::string& name);
-
 /// Certificates of all problems of the family; shows progress on a terminal.
 std::vector<ProblemRecord> certify_family(const CameraModel& family);
 

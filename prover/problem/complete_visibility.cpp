@@ -61,6 +61,11 @@ std::string_view family_name(const CameraModel& cameras) {
     return &cameras == &calibrated_cameras ? "plmp" : cameras.name;
 }
 
+const CameraModel& family_named(std::string_view name) {
+    return **std::ranges::find_if(
+        camera_models(), [&](const CameraModel* cameras) { return family_name(*cameras) == name; });
+}
+
 /// The bounds are those of proofs/families.md, Theorem 10.
 std::vector<Problem> family_problems(const CameraModel& cameras) {
     const int of_two = cameras.dimension(2);

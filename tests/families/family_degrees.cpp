@@ -1,12 +1,12 @@
-// The degrees of a family of problems, for certs/family-degrees.csv: computed with two seeds each,
-// which have to agree.
+// The degrees of a family of problems, for certs/family-degrees.csv: two seeds each have to agree.
 //
-// Usage: family_degrees plmp|projective MOST [TABLE]
+// Usage: family_degrees FAMILY MOST [TABLE]
 //
 // Prints a line for each minimal problem of the family. Problems that TABLE has already are left
 // out; so are those with more than MOST solutions, which it names on stderr.
 #include "prover/many_views/monodromy.h"
 #include "prover/minimal/problem_record.h"
+#include "prover/problem/complete_visibility.h"
 #include "prover/problem/notation.h"
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <set>
 #include <string>
 #include <thread>
@@ -33,36 +34,53 @@ std::set<std::string> problems_in(const char* file) {
     return problems;
 }
 
-/// A line of the table: exact if two seeds give the same number, else the smaller one, as a run may
-/// count a solution twice. Nothing if there are more solutions.
+/// What some seeds found that gave the same number of solutions.
+struct Finding {
+    int seeds = 0;
+    int agreeing_ways = 0, ways = 0;
+};
+
+/// A line of the table: exact if two seeds give the same number, of a few; else the smallest one,
+/// as a run may count a solution twice. Nothing if there are more solutions.
 std::string line_of(const std::string& family, const Problem& problem, int most) {
+    constexpr std::uint64_t most_seeds = 6;
     many_views::MonodromySettings settings;
     settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     settings.most_solutions = most;
-    const auto first = run_monodromy(problem, 1, settings);
-    if (first.solutions > most) return {};
-    const auto second = run_monodromy(problem, 2, settings);
-    const bool agree = first.solutions == second.solutions;
-    return family + ',' + notation(problem) + ',' +
-           std::to_string(std::min(first.solutions, second.solutions)) + ',' +
-           (agree ? "exact" : "at-least") + ",evidence,," + // nothing is certified yet
-           std::to_string(first.edges + second.edges) + " of " +
-           std::to_string(first.ways + second.ways) + " ways agree\n";
+    std::map<int, Finding> findings; // by the number of solutions
+    const auto line = [&](int solutions, const char* bound) {
+        const Finding& finding = findings[solutions];
+        return family + ',' + notation(problem) + ',' + std::to_string(solutions) + ',' + bound +
+               ",evidence,," + // nothing is certified yet
+               std::to_string(finding.agreeing_ways) + " of " + std::to_string(finding.ways) +
+               " ways agree\n";
+    };
+    for (std::uint64_t seed = 1; seed <= most_seeds; ++seed) {
+        const auto found = run_monodromy(problem, seed, settings);
+        if (found.solutions > most) return {};
+        Finding& finding = findings[found.solutions];
+        finding.agreeing_ways += found.edges;
+        finding.ways += found.ways;
+        if (++finding.seeds == 2) return line(found.solutions, "exact");
+    }
+    return line(findings.begin()->first, "at-least");
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 3) {
-        std::cerr << "usage: family_degrees plmp|projective MOST [TABLE]\n";
+    const bool known_family = std::ranges::any_of(camera_models(), [&](const CameraModel* cameras) {
+        return argc > 1 && family_name(*cameras) == argv[1];
+    });
+    if (argc < 3 || !known_family) {
+        std::cerr << "usage: family_degrees FAMILY MOST [TABLE]\n";
         return 3;
     }
     const std::string name = argv[1];
-    const CameraModel& family = name == "plmp" ? calibrated_cameras : projective_cameras;
-    const auto known = argc > 3 ? problems_in(argv[3]) : std::set<std::string>{};
-    for (const Problem& problem : family_problems(family)) {
+    const auto on_file = argc > 3 ? problems_in(argv[3]) : std::set<std::string>{};
+    for (const Problem& problem : family_problems(family_named(name))) {
         const std::string notation = plprove::notation(problem);
-        if (known.contains(notation) || !is_minimal(certify(problem))) continue;
+        if (on_file.contains(notation) || !is_minimal(certify(problem))) continue;
         const std::string line = line_of(name, problem, std::atoi(argv[2]));
         if (line.empty())
             std::cerr << notation << " has more than " << argv[2] << " solutions\n";

@@ -1,12 +1,13 @@
 // Certificates of the degrees of a family that are on file (certs/family-degrees.csv): a file of
 // solutions (certs/FORMAT.md, section 14), with all solutions of each problem, by its degree.
 //
-// Usage: family_solutions plmp|projective MOST [PROBLEM]...
+// Usage: family_solutions FAMILY MOST [PROBLEM]...
 //
 // Prints the file of all problems with at most MOST solutions, or of these problems. Says on stderr
 // how many solutions it finds of each; the status is 1 if they are too few of some.
 #include "prover/many_views/certificate.h"
 #include "prover/many_views/degrees_on_file.h"
+#include "prover/problem/complete_visibility.h"
 #include "prover/problem/notation.h"
 
 #include <algorithm>
@@ -44,8 +45,11 @@ many_views::SolutionsRecord best_record(const many_views::DegreeOnFile& known) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 3) {
-        std::cerr << "usage: family_solutions plmp|projective MOST [PROBLEM]...\n";
+    const bool known_family = std::ranges::any_of(camera_models(), [&](const CameraModel* cameras) {
+        return argc > 1 && family_name(*cameras) == argv[1];
+    });
+    if (argc < 3 || !known_family) {
+        std::cerr << "usage: family_solutions FAMILY MOST [PROBLEM]...\n";
         return 3;
     }
     const std::string_view family = argv[1];
