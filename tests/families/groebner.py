@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Computes the degrees of the problems for projective cameras a second time, by Groebner bases.
+"""Computes degrees of problems with complete visibility a second time, by Groebner bases.
 
     tests/families/groebner.py certs/family-degrees.csv [quick]
 
 Nothing is shared with plprove or plcheck: no numbers but the degrees in the file, no monodromy and no
 theorem. Images are random modulo a prime, and Singular counts the cameras that explain them, up to
-motions of space. Most problems take less than a second; `quick` leaves out those of many free lines,
-which take seconds to minutes. Status 1 if some number is not the degree on file.
+motions of space. These are all problems for projective cameras, and those of few solutions for others.
+Most take less than a second; `quick` leaves out what takes seconds to minutes. Status 1 if some number is
+not the degree on file.
 
-Camera 1 is [I | 0]. So view 1 shows where a point is, up to a depth; three depths are 0 and one is 1, by a
+*Projective cameras.* Camera 1 is [I | 0]. So view 1 shows where a point is, up to a depth; three depths are 0 and one is 1, by a
 motion. The equations l . (M x + depth t) = 0 of another view are linear in M. Without M they read
 N t = 0, with entries of N linear in the depths: the minors of N of size 3 vanish. At some scenes those of
 each image do: cameras of rank 1 or 2 see them. So the minors of a further image may not all vanish,
@@ -17,6 +18,10 @@ nor det M for any camera. M is computed from t, and t from two rows of N.
 Six lines in nine views take too long that way. They are determined by their products, G_ij. A view is
 a condition on 16 invariants of them, which are multilinear: 15 products of three G_ij, and the
 determinant of the lines' coordinates, with -det G as its square. So nine views are nine linear equations.
+
+*Known verticals, one focal length, or calibrated cameras.* Here M is a polynomial in f^2 and in what a
+rotation is made of. Depths and t are unknowns, too. Sine and cosine, or a quaternion with 1 as its first
+number, are not what plprove has as unknowns.
 """
 import concurrent.futures
 import csv
@@ -29,19 +34,23 @@ import sys
 # So large that random numbers do not happen to be special, but few enough digits for Singular.
 P = 2**29 - 3
 MANY_FREE_LINES = 5
+# Solutions, of cameras that are not projective.
+MOST_IN_PART, FEW_IN_PART = 30, 6
+IN_PART = ["plmp", "upright", "upright-shared-focal", "upright-focal", "shared-focal"]
 SIX_LINES = (9, ["a"] * 6)
 
 
 def read_problem(notation):
-    """How many views, and what each of them sees of each feature."""
+    """The cameras, how many views, and what each of them sees of each feature."""
     features = []
-    for term in notation.removeprefix("projective: ").split(" + "):
+    kind, _, rest = notation.rpartition(": ")
+    for term in rest.split(" + "):
         count, star, feature = term.rpartition("*")
         views = feature.split("/")
         if len(set(views)) > 1:
             sys.exit(f"{notation}: not all views see all")
         features += int(count or 1) * views[:1]
-    return len(views), features
+    return kind, len(views), features
 
 
 def inverse(a):
@@ -216,6 +225,48 @@ def program(views, features, dice):
     return text + "G = std(G+ideal(w*g-1));\n"
 
 
+# Cameras with a known vertical, or an unknown focal length: what each of them has, K R inverse(K) for the focal
+# length f of camera 1, and what is not 0. e is f^2, and s the sine of the angle, divided by f. A quaternion is
+# (1, f i, f j, k), up to a factor.
+TURN = "{r}*c{v},0,{r}*e*s{v}, 0,{r},0, -s{v},0,c{v}"
+QUATERNION = ("1+e*i{v}^2-e*j{v}^2-k{v}^2, 2*e*i{v}*j{v}-2*k{v}, 2*e*(i{v}*k{v}+j{v}),"
+              "2*e*i{v}*j{v}+2*k{v}, 1-e*i{v}^2+e*j{v}^2-k{v}^2, 2*e*(j{v}*k{v}-i{v}),"
+              "2*(i{v}*k{v}-j{v}), 2*(j{v}*k{v}+i{v}), 1-e*i{v}^2-e*j{v}^2+k{v}^2")
+
+
+def program_of_known_parts(kind, views, features, dice):
+    """What Singular has to do, by depths, rotations and translations."""
+    problem = Problem(features, dice)
+    places, ends, depths = problem.places()
+    focal, own = kind not in ("", "upright"), kind == "upright-focal"
+    turns = kind.startswith("upright")
+    names = ["z"] + ["e"] * focal
+    ideal, units = [], ["e"] * focal
+    matrices = ""
+    for v in range(1, views):
+        names += [f"{name}{v}" for name in ("cs" if turns else "ijk")] + [f"r{v}"] * own
+        names += [f"{name}{v}" for name in "tuw"]
+        entries = (TURN if turns else QUATERNION).format(v=v, r=f"r{v}" if own else "1")
+        matrices += f"matrix m{v}[3][3] = {entries if focal else entries.replace('e*', '')};\n"
+        e = "e*" if focal else ""
+        if turns:
+            ideal.append(f"c{v}^2+{e}s{v}^2-1")
+            units += [f"r{v}"] * own
+        else:
+            units.append(f"(1+{e}i{v}^2+{e}j{v}^2+k{v}^2)")
+    names += [f"d{own_depth}" for own_depth in range(depths)]
+    ideal.append("+".join(f"{dice.randrange(1, P)}*{name}" for name in ["t1", "u1", "w1"]) + "-1")
+    for v in range(1, views):
+        for line, place in problem.equations(ends):
+            x, depth = places[place]
+            far = "+".join(f"{a}*d{own_depth}" for own_depth, a in depth.items())
+            ideal.append("+".join(
+                f"{l}*({'+'.join(f'{a}*m{v}[{i + 1},{j + 1}]' for j, a in enumerate(x))}+({far})*{t}{v})"
+                for i, (l, t) in enumerate(zip(line, "tuw"))))
+    ideal.append("z*" + "*".join(units) + "-1" if units else "z")
+    return f"ring r = {P}, ({','.join(names)}), dp;\n{matrices}ideal G = {','.join(ideal)};\nG = std(G);\n"
+
+
 def matchings(lines):
     """The ways to make pairs of these."""
     if not lines:
@@ -266,27 +317,34 @@ def program_of_six_lines(views, dice):
 
 def degree(notation):
     """How many solutions there are; what Singular says instead, if it does not find finitely many."""
-    views, features = read_problem(notation)
+    kind, views, features = read_problem(notation)
     dice = random.Random(notation)
-    text = program_of_six_lines(views, dice) if (views, features) == SIX_LINES else program(
-        views, features, dice)
+    if kind != "projective":
+        text = program_of_known_parts(kind, views, features, dice)
+    elif (views, features) == SIX_LINES:
+        text = program_of_six_lines(views, dice)
+    else:
+        text = program(views, features, dice)
     text = f'option(redSB); option(noredefine);\n{text}print("COUNT "+string(dim(G))+" "+string(vdim(G)));\n'
     run = subprocess.run(["Singular", "-q"], input=text + "quit;\n", capture_output=True, text=True, check=False)
     dimension, _, count = run.stdout.rpartition("COUNT ")[2].strip().partition(" ")
     return int(count) if dimension == "0" else run.stdout[-500:]
 
 
-def is_quick(notation):
-    return read_problem(notation)[1].count("a") < MANY_FREE_LINES
+def is_chosen(family, problem, solutions, quick):
+    if family == "projective":
+        return not quick or read_problem(problem)[2].count("a") < MANY_FREE_LINES
+    return family in IN_PART and solutions <= (FEW_IN_PART if quick else MOST_IN_PART)
 
 
 def main():
+    quick = sys.argv[2:] == ["quick"]
+    known = {}
     with open(sys.argv[1], encoding="utf-8") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        known = {row["problem"]: int(row["degree"]) for row in rows if row["family"] == "projective"}
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
+            if is_chosen(row["family"], row["problem"], int(row["degree"]), quick):
+                known[row["problem"]] = int(row["degree"])
     problems = list(known)
-    if sys.argv[2:] == ["quick"]:
-        problems = [problem for problem in problems if is_quick(problem)]
     wrong = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as threads:
         for problem, found in zip(problems, threads.map(degree, problems)):
