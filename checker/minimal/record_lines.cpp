@@ -1,5 +1,8 @@
 #include "checker/minimal/record_lines.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace checker {
 Residue read_minor(Reader& reader) {
     const Residue minor{static_cast<std::uint64_t>(reader.integer(1, modulus - 1))};
@@ -53,7 +56,8 @@ static Views read_views(Reader& reader, const Problem& problem, std::size_t leas
                         std::string_view end) {
     const auto all = static_cast<std::size_t>(std::popcount(problem.views));
     const Indices list = read_list(reader, all, end);
-    if (list.size() < least) reader.fail(end, say("at least ", least, " views"));
+    if (list.size() < least)
+        reader.fail(reader.at_end() ? "" : end, say("at least ", least, " views"));
     Views views = 0;
     for (const std::size_t view : list)
         views |= 1U << view;
@@ -129,8 +133,17 @@ static Indices read_joins(Reader& reader, const Problem& problem) {
     return joins;
 }
 
-/// Takes the lines `about ...`, if they come.
-static std::vector<Element> read_elements(Reader& reader, const Problem& problem) {
+/// All numbers that are in one of two ascending lists.
+static Indices united(const Indices& a, const Indices& b) {
+    Indices all;
+    std::ranges::set_union(a, b, std::back_inserter(all));
+    return all;
+}
+
+/// Takes the lines `about ...`. What generates the W of all elements is among the generators of
+/// each.
+static std::vector<Element> read_elements(Reader& reader, const Problem& problem,
+                                          const Selection& of_all) {
     constexpr std::size_t most = 24;                                         // two of each view
     constexpr std::array<std::string_view, 4> names{"point", "line", "view", // as Element::Centre
                                                     "axis"};
@@ -148,8 +161,13 @@ static std::vector<Element> read_elements(Reader& reader, const Problem& problem
         element.centre =
             static_cast<std::size_t>(reader.small_integer(1, static_cast<int>(limit))) - 1;
         reader.take("views");
-        element.views = read_views(reader, problem, 1, "");
-        reader.end_line();
+        const Views views = read_views(reader, problem, 1, "points");
+        Selection own;
+        if (reader.at_end())
+            reader.end_line();
+        else
+            own = read_points_and_lines(reader, problem);
+        element.moved = {views, united(of_all.points, own.points), united(of_all.lines, own.lines)};
         elements.push_back(element);
     } while (reader.comes("about") && elements.size() < most);
     return elements;
@@ -159,9 +177,10 @@ static std::vector<Element> read_elements(Reader& reader, const Problem& problem
 static void read_star(Reader& reader, const Problem& problem, Motion& motion) {
     const std::size_t centre = read_point(reader, problem);
     motion.moved = read_selection(reader, problem, 1);
-    for (int view = 0; view < problem.view_count(); ++view)
-        if ((motion.moved.views >> view & 1) != 0)
-            motion.elements.push_back({.centre = centre, .views = Views{1} << view});
+    const auto& [views, points, lines] = motion.moved;
+    for (Views view = 1; view <= views; view <<= 1)
+        if ((views & view) != 0)
+            motion.elements.push_back({.centre = centre, .moved = {view, points, lines}});
 }
 
 static Motion read_motion(Reader& reader, const Problem& problem) {
@@ -198,7 +217,7 @@ static Motion read_motion(Reader& reader, const Problem& problem) {
             read_star(reader, problem, motion);
         } else {
             motion.moved = read_points_and_lines(reader, problem);
-            motion.elements = read_elements(reader, problem);
+            motion.elements = read_elements(reader, problem, motion.moved);
         }
         break;
     case Motion::Kind::directions:

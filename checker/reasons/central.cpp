@@ -4,18 +4,20 @@
 #include <map>
 
 namespace checker {
-/// What moves with an element.
+/// What an element keeps, its W, and what moves with it.
 struct Moved {
+    const Element& element;
+    Span span{};
     std::vector<bool> points{};
     std::vector<bool> lines{};
 };
 
 /// The views in which the image of what moves with the element stays.
 static Views views_that_keep(const Element& element) {
-    if (element.kind != Element::Centre::view) return element.views;
+    if (element.kind != Element::Centre::view) return element.moved.views;
     const Views centre = Views{1} << element.centre;
-    if ((element.views & centre) != 0) throw Refused("a view moves about its own centre");
-    return element.views | centre;
+    if ((element.moved.views & centre) != 0) throw Refused("a view moves about its own centre");
+    return element.moved.views | centre;
 }
 
 /// Whether the element moves the line in itself: one through its centre, or the axis.
@@ -28,16 +30,18 @@ static bool is_through_centre(const Problem& part, std::size_t line, const Eleme
 /// What moves: points that moving views see, but those in W, the centre and those on the axis;
 /// lines with such a point, and lines that only these views see, with all such points on them.
 /// Throws Refused if another view sees such a point.
-static Moved moved_with(const Problem& part, const Element& element, const Span& span) {
+static Moved moved_with(const Problem& part, const Element& element) {
     const Views keeping = views_that_keep(element);
+    const Span span = span_of_generators(part, element.moved);
     const auto is_fixed = [&](std::size_t p) {
         using enum Element::Centre;
         if (element.kind == axis) return contains(part.lines[element.centre].points, p);
         return span.points[p] || (element.kind == point && element.centre == p);
     };
-    Moved moved{std::vector<bool>(part.points.size()), std::vector<bool>(part.lines.size())};
+    Moved moved{element, span, std::vector<bool>(part.points.size()),
+                std::vector<bool>(part.lines.size())};
     for (std::size_t p = 0; p < part.points.size(); ++p)
-        moved.points[p] = count_seen(part, {p}, element.views) > 0 && !is_fixed(p);
+        moved.points[p] = count_seen(part, {p}, element.moved.views) > 0 && !is_fixed(p);
     const auto moves = [&](std::size_t p) { return moved.points[p]; };
     const auto may_move = [&](std::size_t p) {
         return is_fixed(p) || (part.points[p].seen_by & ~keeping) == 0;
@@ -72,15 +76,15 @@ static void require_independent(const Problem& part, const std::vector<Element>&
         if (element.kind == axis) {
             if (!part.cameras->may_turn) throw Refused(part.cameras->name, " cameras do not turn");
             if (elements.size() > 1) throw Refused("an element with an axis is not the only one");
-            if (element.views == part.views) throw Refused("no view rests");
+            if (element.moved.views == part.views) throw Refused("no view rests");
             return;
         }
         Views& such = element.kind == point ? about_points : others;
-        if (const Views twice = such & element.views; twice != 0)
+        if (const Views twice = such & element.moved.views; twice != 0)
             throw Refused("view ", std::countr_zero(twice) + 1,
                           " belongs to two elements of a kind");
-        such |= element.views;
-        if (element.kind == point) about[element.centre] |= element.views;
+        such |= element.moved.views;
+        if (element.kind == point) about[element.centre] |= element.moved.views;
     }
     int together = 0; // plain views that move about the same point
     for (const auto& [centre, views] : about)
@@ -89,40 +93,70 @@ static void require_independent(const Problem& part, const std::vector<Element>&
         throw Refused("no two views rest, or move about the same point alone");
 }
 
-/// The conditions on the parameters so that the images of a line stay: in each view in which an
-/// element would change the image, one or two. A line that may move alone takes all but those
-/// beyond its own parameters.
-static int conditions_of(const Problem& part, std::size_t n, const Span& span,
-                         const std::vector<Element>& elements, const std::vector<Moved>& moved) {
-    const Line& line = part.lines[n];
-    Views changing = 0;
-    bool moves = false;
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-        if (is_through_centre(part, n, elements[e])) continue;
-        moves = moves || moved[e].lines[n];
-        changing |= moved[e].lines[n] ? ~views_that_keep(elements[e]) : elements[e].views;
-    }
-    int conditions = std::popcount(changing & line.seen_by);
-    if (!moves) conditions = conditions_to_keep(span, line, conditions);
-    const bool pivots = !part.cameras->all_matrices || span.rank == 3 || meets(span, line);
-    return (pivots ? 1 : 2) * conditions;
+/// The views in which an element changes the image of the line.
+static Views views_that_change(const Problem& part, std::size_t n, const Moved& moved) {
+    const Element& element = moved.element;
+    if (moved.span.lines[n] || is_through_centre(part, n, element)) return 0;
+    return moved.lines[n] ? ~views_that_keep(element) : element.moved.views;
 }
 
-int central_parameters(const Problem& part, const Motion& motion) {
-    const std::vector<Element>& elements = motion.elements;
-    const Span span = span_of_generators(part, motion);
+using Spans = std::vector<const Span*>; // of some elements
+
+static bool lies_in_all(const Spans& spans, std::size_t point) {
+    return std::ranges::all_of(spans, [&](const Span* span) { return span->points[point]; });
+}
+
+/// The conditions on these elements so that the image of a line stays in a view, where each of them
+/// changes it: two, or one if a point of the line rests there anyway.
+static int conditions_in_view(const Problem& part, const Line& line, const Spans& spans) {
+    if (spans.empty()) return 0;
+    const auto is_the_plane = [&](const Span* span) {
+        return span->rank == 3 && *span == *spans.front();
+    };
+    const auto rests = [&](std::size_t p) { return lies_in_all(spans, p); };
+    const bool pivots = !part.cameras->all_matrices || std::ranges::all_of(spans, is_the_plane) ||
+                        std::ranges::any_of(line.points, rests);
+    return pivots ? 1 : 2;
+}
+
+/// The conditions so that the images of a line stay. A line that may move alone takes all but those
+/// beyond its own parameters.
+static int conditions_of(const Problem& part, std::size_t n, const std::vector<Moved>& elements) {
+    const Line& line = part.lines[n];
+    Spans of_all;
+    int conditions = 0;
+    for (Views view = 1; view <= line.seen_by; view <<= 1) {
+        Spans changing;
+        for (const Moved& moved : elements)
+            if ((views_that_change(part, n, moved) & line.seen_by & view) != 0)
+                changing.push_back(&moved.span);
+        conditions += conditions_in_view(part, line, changing);
+        of_all.insert(of_all.end(), changing.begin(), changing.end());
+    }
+    const auto moves_it = [&](const Moved& moved) { return moved.lines[n]; };
+    const auto rests = [&](std::size_t p) { return lies_in_all(of_all, p); };
+    const bool alone = std::ranges::none_of(elements, moves_it);
+    if (!alone || !std::ranges::all_of(line.points, rests)) return conditions;
+    return std::min(conditions,
+                    conditions_in_view(part, line, of_all) * conditions_in(line.seen_by));
+}
+
+int central_parameters(const Problem& part, const std::vector<Element>& elements) {
     Views moving = 0;
+    int free = 0;
+    int of_space = 4; // the least of elements about points
     std::vector<Moved> moved;
     for (const Element& element : elements) {
-        moving |= element.views;
-        moved.push_back(moved_with(part, element, span));
+        moving |= element.moved.views;
+        moved.push_back(moved_with(part, element));
+        const int own = part.cameras->all_matrices ? 4 - moved.back().span.rank : 1;
+        free += own;
+        if (element.kind == Element::Centre::point) of_space = std::min(of_space, own);
     }
     require_independent(part, elements);
-    const int freedom = part.cameras->all_matrices ? 4 - span.rank : 1;
-    const int of_space = moving == part.views ? 1 : 0;
-    int free = freedom * (static_cast<int>(elements.size()) - of_space);
+    if (moving == part.views) free -= of_space;
     for (std::size_t n = 0; n < part.lines.size(); ++n)
-        if (!span.lines[n]) free -= conditions_of(part, n, span, elements, moved);
+        free -= conditions_of(part, n, moved);
     return free;
 }
 } // namespace checker

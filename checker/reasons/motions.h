@@ -5,11 +5,11 @@
 #include "checker/reasons/part.h"
 
 namespace checker {
-/// The span W of the generators.
-Span span_of_generators(const Problem& part, const Motion& motion);
+/// The span W of the generators of a motion, or of an element.
+Span span_of_generators(const Problem& part, const Selection& moved);
 
 /// κ of cameras that slide towards centres, some with what they see, so that all images stay.
-int central_parameters(const Problem& part, const Motion& motion);
+int central_parameters(const Problem& part, const std::vector<Element>& elements);
 
 // How many conditions the images satisfy at least: what they say of the directions of lines, or of
 // the lines through one point, and of cameras as far as they map these.

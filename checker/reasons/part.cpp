@@ -95,9 +95,9 @@ static Selection selection_in(const Selection& part, Selection selection) {
 }
 
 static Element element_in(const Selection& part, Element element) {
-    const bool about_view = element.kind == Element::Centre::view;
-    const Views views = element.views | (about_view ? Views{1} << element.centre : 0);
-    if ((views & ~part.views) != 0) throw Refused("a view is not in the part");
+    element.moved = selection_in(part, element.moved);
+    if (element.kind == Element::Centre::view && (part.views >> element.centre & 1) == 0)
+        throw Refused("a view is not in the part");
     if (element.kind == Element::Centre::point)
         element.centre = place_in(part.points, element.centre, "point");
     if (element.kind == Element::Centre::line || element.kind == Element::Centre::axis)
@@ -118,8 +118,8 @@ static Motion motion_in(const Selection& part, Motion motion) {
     return motion;
 }
 
-Span span_of_generators(const Problem& part, const Motion& motion) {
-    const Span span = span_of(part, motion.moved.points, motion.moved.lines);
+Span span_of_generators(const Problem& part, const Selection& moved) {
+    const Span span = span_of(part, moved.points, moved.lines);
     if (span.rank > 0 && !part.cameras->all_matrices)
         throw Refused("a motion of ", part.cameras->name, " cameras has no generators");
     if (span.rank > 3) throw Refused("the rank of the generators is ", span.rank, ", more than 3");
@@ -129,18 +129,21 @@ Span span_of_generators(const Problem& part, const Motion& motion) {
 /// κ of a motion `plane`: three parameters of each moving view, less what space contributes, and
 /// one for each condition. A line with a point that is not in W rests, so each moving view that
 /// sees it makes one.
-static int plane_parameters(const Problem& part, const Motion& motion) {
-    const Views moving = motion.moved.views;
-    const Span span = span_of_generators(part, motion);
+static int plane_parameters(const Problem& part, const Selection& moved) {
+    const Views moving = moved.views;
+    const Span span = span_of_generators(part, moved);
+    const auto lies_in = [&](std::size_t p) { return span.points[p]; };
     for (std::size_t p = 0; p < part.points.size(); ++p)
         if ((part.points[p].seen_by & moving) != 0 && !span.points[p])
             throw Refused("the motion does not keep the image of point ", p + 1, " of the part");
     const int resting = std::popcount(part.views & ~moving);
     int free = 3 * std::popcount(moving) - (resting == 0 ? 4 : resting == 1 ? 1 : 0);
     for (std::size_t n = 0; n < part.lines.size(); ++n) {
+        if (span.lines[n]) continue;
         const Line& line = part.lines[n];
         const int changing = std::popcount(line.seen_by & moving);
-        if (!span.lines[n]) free -= conditions_to_keep(span, line, changing);
+        const bool may_move = std::ranges::all_of(line.points, lies_in);
+        free -= may_move ? std::min(changing, conditions_in(line.seen_by)) : changing;
     }
     return free;
 }
@@ -206,8 +209,8 @@ int excess_of(const Problem& problem, const Selection& selection, const Motion& 
     const int excess = surplus(part);
     if (motion.kind == loose) return excess + loose_parameters(part, within.moved);
     if (motion.kind == camera) return excess + camera_parameters(part, within.moved.views);
-    if (motion.kind == plane) return excess + plane_parameters(part, within);
-    if (motion.kind == central) return excess + central_parameters(part, within);
+    if (motion.kind == plane) return excess + plane_parameters(part, within.moved);
+    if (motion.kind == central) return excess + central_parameters(part, within.elements);
     return excess;
 }
 

@@ -16,12 +16,12 @@ struct Selection {
 };
 
 /// Cameras that move as by a central collineation, one that keeps the lines through a centre, and
-/// the generators of a motion; or that turn about an axis.
+/// the generators; or that turn about an axis.
 struct Element {
     enum class Centre { point, line, view, axis };
     Centre kind = Centre::point;
     std::size_t centre = 0; // a point; a line, on it a generic point; a view's camera; an axis
-    Views views = 0;
+    Selection moved{};      // its views; the generators, of the motion and its own
 };
 
 /// A motion of cameras, or of what is loose, that keeps the images of a part; or none, but a reason
@@ -32,7 +32,7 @@ struct Motion {
     bool projective = false; // the cameras are taken as projective ones
     std::size_t centre = 0;  // O, a point: of pencils
     Indices joins{};         // pairs of points, one after the other: of directions
-    Selection moved{};       // the moving views of a plane; the generators; or what is loose
+    Selection moved{};       // the moving views of a plane, its generators; or what is loose
     std::vector<Element> elements{}; // of a central motion
     Selection core{};                // of directions; without views: none
 };
@@ -55,6 +55,8 @@ struct Span {
     int rank = 0;
     std::vector<bool> points{};
     std::vector<bool> lines{};
+
+    bool operator==(const Span&) const = default;
 };
 
 Span span_of(const Problem& problem, const Indices& points, const Indices& lines);
@@ -84,14 +86,6 @@ Problem part_of(const Problem& problem, const Selection& part);
 /// What so many views say of a line in a known direction, beyond the two numbers of the direction.
 inline int conditions_in(Views views) {
     return std::max(0, std::popcount(views) - 2);
-}
-
-/// The conditions for which the images of a line stay, so many of which would change while it
-/// rests: a line whose points all lie in the span may move.
-inline int conditions_to_keep(const Span& span, const Line& line, int changing) {
-    const auto lies_in = [&](std::size_t p) { return span.points[p]; };
-    const bool may_move = std::ranges::all_of(line.points, lies_in);
-    return may_move ? std::min(changing, conditions_in(line.seen_by)) : changing;
 }
 
 /// How many conditions the images satisfy by such a part and motion, whatever is claimed; perhaps

@@ -150,7 +150,15 @@ struct WriteClaim {
                                      : element.kind == CentralElement::Centre::line ? "line"
                                      : element.kind == CentralElement::Centre::axis ? "axis"
                                                                                     : "view";
-            text.line("about", kind, element.centre + 1, "views", numbered_views(element.views));
+            std::vector<std::string> own;
+            if (!element.points.empty() || !element.lines.empty()) {
+                own = numbered(element.points);
+                own.insert(own.begin(), "points");
+                own.emplace_back("lines");
+                std::ranges::copy(numbered(element.lines), std::back_inserter(own));
+            }
+            text.line("about", kind, element.centre + 1, "views", numbered_views(element.views),
+                      own);
         }
     }
 };

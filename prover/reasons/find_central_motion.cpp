@@ -2,6 +2,11 @@
 
 #include "prover/reasons/reason.h"
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <utility>
+
 namespace plprove {
 
 namespace {
@@ -30,22 +35,6 @@ public:
         while (add_one(motion)) {
         }
         return motion;
-    }
-
-    /// The best choice of the elements about a point; then others, as long as the parameters grow.
-    CameraMotion best_choice_about(int point) const {
-        const std::vector<CentralElement> all =
-            elements_about(problem_, part_, motion_, CentralElement::Centre::point, point);
-        CameraMotion best = motion_;
-        for (std::size_t chosen = 1; chosen < std::size_t{1} << all.size(); ++chosen) {
-            CameraMotion motion = motion_;
-            for (std::size_t i = 0; i < all.size(); ++i)
-                if ((chosen >> i & 1) != 0) motion.elements.push_back(all[i]);
-            if (motions(problem_, part_, motion) > motions(problem_, part_, best)) best = motion;
-        }
-        while (add_one(best)) {
-        }
-        return best;
     }
 
 private:
@@ -134,12 +123,92 @@ std::optional<CameraMotion> find_central_motion(const Problem& problem, const Su
     return std::nullopt;
 }
 
+/// Elements about a centre, with these generators of their own.
+static std::vector<CentralElement> elements_keeping(const Problem& problem, const Subproblem& part,
+                                                    const CameraMotion& generators,
+                                                    CentralElement::Centre kind, int centre) {
+    std::vector<CentralElement> elements = elements_about(problem, part, generators, kind, centre);
+    for (CentralElement& element : elements) {
+        element.points = generators.points;
+        element.lines = generators.lines;
+    }
+    return elements;
+}
+
+/// Elements about a point with all generators. Of those that move the same views only the first few
+/// that have the most parameters.
+static std::vector<CentralElement> best_elements(const Problem& problem, const Subproblem& part,
+                                                 const std::vector<CameraMotion>& all_generators,
+                                                 int point) {
+    constexpr std::ptrdiff_t most = 8;
+    std::vector<std::pair<int, CentralElement>> found; // with the parameters
+    for (const CameraMotion& generators : all_generators)
+        for (CentralElement& element :
+             elements_keeping(problem, part, generators, CentralElement::Centre::point, point)) {
+            const CameraMotion alone{.kind = MotionKind::central, .elements = {element}};
+            if (const std::optional<int> parameters = motions(problem, part, alone))
+                found.emplace_back(*parameters, std::move(element));
+        }
+    std::ranges::stable_sort(found, std::greater{}, [](const auto& pair) { return pair.first; });
+    std::vector<CentralElement> elements;
+    for (auto& [parameters, element] : found)
+        if (std::ranges::count(elements, element.views, &CentralElement::views) < most)
+            elements.push_back(std::move(element));
+    return elements;
+}
+
+/// Elements about lines and about cameras, with the generators of the elements of the motion.
+static std::vector<CentralElement> other_elements(const Problem& problem, const Subproblem& part,
+                                                  const CameraMotion& motion) {
+    std::vector<CentralElement> others;
+    const auto add = [&](const CentralElement& like, CentralElement::Centre kind, int centre) {
+        const CameraMotion generators{
+            .kind = MotionKind::central, .points = like.points, .lines = like.lines};
+        std::ranges::move(elements_keeping(problem, part, generators, kind, centre),
+                          std::back_inserter(others));
+    };
+    for (const CentralElement& like : motion.elements) {
+        for (const int line : part.lines)
+            add(like, CentralElement::Centre::line, line);
+        for (int view = 0; view < problem.views; ++view)
+            if (contains(part.views, view)) add(like, CentralElement::Centre::view, view);
+    }
+    return others;
+}
+
+/// Adds elements one after the other, each the one that leaves the most parameters, as long as one
+/// fits; returns what had the most on the way.
+static CameraMotion best_with(const Problem& problem, const Subproblem& part, CameraMotion motion,
+                              const std::vector<CentralElement>& elements) {
+    CameraMotion best = motion;
+    while (true) {
+        std::optional<int> most;
+        CameraMotion next;
+        for (const CentralElement& element : elements) {
+            CameraMotion more = motion;
+            more.elements.push_back(element);
+            const std::optional<int> parameters = motions(problem, part, more);
+            if (parameters <= most) continue;
+            most = parameters;
+            next = std::move(more);
+        }
+        if (!most) return best;
+        motion = std::move(next);
+        if (most > motions(problem, part, best)) best = motion;
+    }
+}
+
 std::optional<CameraMotion> find_any_central_motion(const Problem& problem,
                                                     const Subproblem& part) {
-    for (const CameraMotion& generators : generators_of(problem, part, MotionKind::central)) {
-        const Elements elements(problem, part, generators);
-        for (const int about : part.points) {
-            CameraMotion motion = elements.best_choice_about(about);
+    const std::vector<CameraMotion> generators = generators_of(problem, part, MotionKind::central);
+    for (const int about : part.points) {
+        const std::vector<CentralElement> elements =
+            best_elements(problem, part, generators, about);
+        for (const CentralElement& first : elements) {
+            const CameraMotion alone{.kind = MotionKind::central, .elements = {first}};
+            CameraMotion motion = best_with(problem, part, alone, elements);
+            if (excess(problem, part, motion) <= 0)
+                motion = best_with(problem, part, motion, other_elements(problem, part, motion));
             if (excess(problem, part, motion) > 0) return motion;
         }
     }

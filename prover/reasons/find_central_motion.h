@@ -14,7 +14,7 @@ std::vector<CameraMotion> generators_of(const Problem& problem, const Subproblem
 /// finds none.
 std::optional<CameraMotion> find_central_motion(const Problem& problem, const Subproblem& part);
 
-/// The same for small parts: tries each choice of elements about a point.
+/// The same for small parts: elements about a point, each with generators of its own.
 std::optional<CameraMotion> find_any_central_motion(const Problem& problem, const Subproblem& part);
 
 } // namespace plprove

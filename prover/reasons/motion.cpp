@@ -24,6 +24,9 @@ public:
     bool has_point(int point) const { return points_[static_cast<std::size_t>(point)]; }
     bool has_line(int line) const { return lines_[static_cast<std::size_t>(line)]; }
     bool meets(const Line& line) const { return marked_points(line, points_) > 0; }
+    bool is_same_plane(const Span& other) const {
+        return rank_ == 3 && other.rank_ == 3 && points_ == other.points_ && lines_ == other.lines_;
+    }
 
     void add_point(int point) {
         if (has_point(point)) return;
@@ -70,11 +73,13 @@ private:
     int rank_ = 0;
 };
 
-Span spanned_by(const Problem& problem, const Subproblem& part, const CameraMotion& motion) {
+/// The span of the generators of a motion; of one of its elements, together with its own.
+Span spanned_by(const Problem& problem, const Subproblem& part, const CameraMotion& motion,
+                const CentralElement& element = {}) {
     Span span(problem, part);
-    for (const int point : motion.points)
+    for (const int point : united(motion.points, element.points))
         span.add_point(point);
-    for (const int line : motion.lines)
+    for (const int line : united(motion.lines, element.lines))
         span.add_line(line);
     return span;
 }
@@ -113,9 +118,9 @@ std::optional<int> plane_motions(const Problem& problem, const Subproblem& part,
 /// What an element moves, and which views see none of it change.
 class Carried {
 public:
-    Carried(const Problem& problem, const Subproblem& part, const Span& span,
+    Carried(const Problem& problem, const Subproblem& part, Span span,
             const CentralElement& element)
-        : problem_(problem), part_(part), span_(span), element_(element),
+        : problem_(problem), part_(part), span_(std::move(span)), element_(element),
           keeping_(element.views |
                    (element.kind == CentralElement::Centre::view ? ViewSet{1} << element.centre
                                                                  : ViewSet{0})),
@@ -138,12 +143,16 @@ public:
         return result;
     }
     ViewSet keeping() const { return keeping_; }
+    const Span& span() const { return span_; }
     bool has_line(int number) const { return lines_[static_cast<std::size_t>(number)]; }
-    /// The views in which the element changes the image of a line.
+    /// The views of the part in which the element changes the image of a line.
     ViewSet changing(int number) const {
-        if (passes_centre(number)) return 0;
-        return has_line(number) ? static_cast<ViewSet>(~keeping_) : element_.views;
+        if (span_.has_line(number) || passes_centre(number)) return 0;
+        const ViewSet seen = problem_.lines[static_cast<std::size_t>(number)].seen & part_.views;
+        return seen & (has_line(number) ? static_cast<ViewSet>(~keeping_) : element_.views);
     }
+
+private:
     bool passes_centre(int number) const {
         return ((element_.kind == CentralElement::Centre::line ||
                  element_.kind == CentralElement::Centre::axis) &&
@@ -151,8 +160,6 @@ public:
                (element_.kind == CentralElement::Centre::point &&
                 contains(problem_.lines[static_cast<std::size_t>(number)], element_.centre));
     }
-
-private:
     ViewSet seen(int point) const {
         return problem_.points[static_cast<std::size_t>(point)] & part_.views;
     }
@@ -185,7 +192,7 @@ private:
 
     const Problem& problem_;
     const Subproblem& part_;
-    const Span& span_;
+    Span span_;
     const CentralElement& element_;
     ViewSet keeping_;
     std::vector<bool> points_;
@@ -220,36 +227,76 @@ bool are_independent(const Problem& problem, const Subproblem& part,
     });
 }
 
+/// The elements that change the image of a line, in one view or in any.
+using Changing = std::vector<const Carried*>;
+
+/// Whether they all keep the point.
+bool keep_point(const Changing& elements, int point) {
+    return std::ranges::all_of(
+        elements, [&](const Carried* element) { return element->span().has_point(point); });
+}
+
+/// How many conditions on the elements keep the image of a line in a view, where they change it.
+int conditions_in_a_view(const Problem& problem, const Line& line, const Subproblem& part,
+                         const Changing& elements) {
+    if (elements.empty()) return 0;
+    const bool share_plane = std::ranges::all_of(elements, [&](const Carried* element) {
+        return element->span().is_same_plane(elements.front()->span());
+    });
+    const bool share_point = std::ranges::any_of(line.points, [&](int point) {
+        return is_in(part.points, point) && keep_point(elements, point);
+    });
+    return !problem.cameras->all_matrices || share_plane || share_point ? 1 : 2;
+}
+
+/// How many conditions keep the images of a line, which may move by itself if no element moves it.
+int conditions_on(const Problem& problem, const Subproblem& part, int number,
+                  const std::vector<Carried>& elements) {
+    const Line& line = problem.lines[static_cast<std::size_t>(number)];
+    const ViewSet seen = line.seen & part.views;
+    ViewSet changing = 0;
+    Changing all;
+    for (const Carried& element : elements) {
+        if (element.changing(number) != 0) all.push_back(&element);
+        changing |= element.changing(number);
+    }
+    int conditions = 0;
+    for (ViewSet view = 1; view <= changing; view <<= 1) {
+        Changing here;
+        for (const Carried* element : all)
+            if ((element->changing(number) & view) != 0) here.push_back(element);
+        conditions += conditions_in_a_view(problem, line, part, here);
+    }
+    const bool moves = std::ranges::any_of(
+        elements, [&](const Carried& element) { return element.has_line(number); });
+    const bool pivots = std::ranges::all_of(line.points, [&](int point) {
+        return keep_point(all, point) || !is_in(part.points, point);
+    });
+    if (moves || !pivots) return conditions;
+    return std::min(conditions,
+                    conditions_in_a_view(problem, line, part, all) * conditions_in(seen));
+}
+
 /// The parameters of the elements, less what space contributes, and less the conditions so that the
 /// images of lines stay.
 std::optional<int> central_motions(const Problem& problem, const Subproblem& part,
                                    const CameraMotion& motion) {
     const bool projective = problem.cameras->all_matrices;
-    const Span span = spanned_by(problem, part, motion);
-    if (span.rank() > (projective ? 3 : 0)) return std::nullopt;
     if (!are_independent(problem, part, motion.elements)) return std::nullopt;
     std::vector<Carried> carried;
+    int result = 0, of_space = 4; // of space: the least of elements about points
     for (const CentralElement& element : motion.elements) {
-        carried.emplace_back(problem, part, span, element);
+        carried.emplace_back(problem, part, spanned_by(problem, part, motion, element), element);
+        const int rank = carried.back().span().rank();
+        if (rank > (projective ? 3 : 0)) return std::nullopt;
         if ((carried.back().seeing_points() & ~carried.back().keeping()) != 0) return std::nullopt;
+        const int free = projective ? 4 - rank : 1;
+        result += free;
+        if (element.kind == CentralElement::Centre::point) of_space = std::min(of_space, free);
     }
-    const int free = projective ? 4 - span.rank() : 1;
-    int result = free * static_cast<int>(carried.size());
-    if (moving_views(motion) == part.views) result -= free;
-    for (const int number : part.lines) {
-        if (span.has_line(number)) continue;
-        const Line& line = problem.lines[static_cast<std::size_t>(number)];
-        ViewSet changing = 0;
-        bool rests = contains_points(span, part, line);
-        for (const Carried& by_element : carried) {
-            changing |= by_element.changing(number);
-            rests = rests && !by_element.has_line(number);
-        }
-        int conditions = std::popcount(changing & line.seen & part.views);
-        if (rests) conditions = std::min(conditions, conditions_in(line.seen & part.views));
-        const bool pivots = !projective || span.rank() == 3 || span.meets(line);
-        result -= (pivots ? 1 : 2) * conditions;
-    }
+    if (moving_views(motion) == part.views) result -= of_space;
+    for (const int number : part.lines)
+        result -= conditions_on(problem, part, number, carried);
     return result;
 }
 

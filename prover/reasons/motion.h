@@ -19,13 +19,16 @@ namespace plprove {
 enum class MotionKind : std::uint8_t { none, loose, camera, plane, central, directions, pencils };
 
 /// Cameras that slide towards a centre, each as far as the others, with all that they alone see; or
-/// that turn about a line, the axis.
+/// that turn about a line, the axis. They keep the span of the generators of the motion and of
+/// their own.
 struct CentralElement {
     enum class Centre : std::uint8_t { point, line, view, axis };
     Centre kind = Centre::point;
     /// A point; a line, on it a generic point; a view: the centre of its camera; or a line.
     int centre = 0;
     ViewSet views = 0;
+    std::vector<int> points{}; ///< generators of its own, ascending
+    std::vector<int> lines{};
 
     bool operator==(const CentralElement&) const = default;
 };
@@ -53,7 +56,8 @@ std::optional<int> point_of_star(const CameraMotion& motion);
 ViewSet moving_views(const CameraMotion& motion);
 
 /// The elements about a centre that move as few views as possible: what one of them sees and W does
-/// not contain moves with it, and so do the views that see that. None without a view.
+/// not contain moves with it, and so do the views that see that. None without a view. They have no
+/// generators of their own.
 std::vector<CentralElement> elements_about(const Problem& problem, const Subproblem& part,
                                            const CameraMotion& generators,
                                            CentralElement::Centre kind, int centre);

@@ -1,12 +1,19 @@
 #include "prover/reasons/part.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace plprove {
 
 bool is_in(const std::vector<int>& ascending, int number) {
     return std::ranges::binary_search(ascending, number);
+}
+
+std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
+    std::vector<int> all;
+    std::ranges::set_union(a, b, std::back_inserter(all));
+    return all;
 }
 
 Subproblem whole(const Problem& problem) {

@@ -19,6 +19,9 @@ struct Subproblem {
 /// Whether the number is among these.
 bool is_in(const std::vector<int>& ascending, int number);
 
+/// All numbers that are in one of two ascending lists.
+std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b);
+
 /// What views say of a line, beyond the two numbers of its direction.
 inline int conditions_in(ViewSet views) {
     return std::max(0, std::popcount(views) - 2);

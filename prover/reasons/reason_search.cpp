@@ -1,7 +1,6 @@
 #include "prover/reasons/reason_search.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace plprove {
 
@@ -16,13 +15,6 @@ std::vector<std::vector<int>> subsets(const std::vector<int>& numbers) {
         for (std::size_t i = 0; i < count; ++i)
             if ((chosen >> i & 1) != 0) all[chosen].push_back(numbers[i]);
     return all;
-}
-
-/// All numbers that are in one of two ascending lists.
-std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
-    std::vector<int> result;
-    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
-    return result;
 }
 
 /// The points of a part that some of these views see.

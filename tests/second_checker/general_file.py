@@ -77,10 +77,10 @@ class Record:
             elif "star" in words:
                 star, = points
                 views, *generators = named(motion["moved"][0])
-                elements = [("point", star, {view}) for view in views]
-                found = conditions(problem, part, words, (elements, *generators))
+                elements = [("point", star, {view}, generators) for view in views]
+                found = conditions(problem, part, words, elements)
             elif "central" in words:
-                found = conditions(problem, part, words, (elements_of(motion), points, lines))
+                found = conditions(problem, part, words, elements_of(motion, points, lines))
             else:
                 found = conditions(problem, part, words,
                                    named(motion["moved"][0]) if motion["moved"] else None)
@@ -96,13 +96,15 @@ def named(node):
     return [from_zero(node[name]) for name in ("VIEW", "POINT", "LINE")]
 
 
-def elements_of(motion):
-    """The elements of a central motion: the kind of its centre, its number, the moving views."""
+def elements_of(motion, points, lines):
+    """The elements of a central motion with these generators of all: the kind of a centre, its
+    number, the moving views, (points, lines) that generate."""
     found = []
     for element in motion["element"]:
         centre, = element["centre"]
         number, = centre["POINT"] + centre["LINE"] + centre["VIEW"]
-        found.append((centre["words"][0], number - 1, from_zero(element["VIEW"])))
+        generators = points | from_zero(element["POINT"]), lines | from_zero(element["LINE"])
+        found.append((centre["words"][0], number - 1, from_zero(element["VIEW"]), generators))
     return found
 
 

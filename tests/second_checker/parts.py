@@ -139,9 +139,13 @@ def one_camera(problem, cameras, part, view):
     return unknowns_of_one(cameras) - problem.dimensions(points, lines, {view})[1] + beyond_three
 
 
-def conditions_of_resting(line, points_within, on, changing, views):
-    """The k of a line that moves with nothing."""
-    return min(changing, beyond_two([line & views])) if points_within.issuperset(on) else changing
+def generated(part, on, generators, projective):
+    """W: its rank, its points and its lines."""
+    _, points, lines = part
+    require(generators[0] <= points and generators[1] <= lines, "generators of other points or lines")
+    within = span(on, *generators)
+    require(within[0] <= 3 and (projective or not any(generators)), "no such generators")
+    return within
 
 
 def plane(problem, part, on, within, moving):
@@ -149,16 +153,17 @@ def plane(problem, part, on, within, moving):
     (views, points, lines), (_, points_within, lines_within) = part, within
     require(moving <= views, "a motion of other views")
     require({i for i in points if problem.points[i] & moving} <= points_within, "a point is not in W")
-    of_space = {0: 4, 1: 1}.get(len(views - moving), 0)
-    return 3 * len(moving) - of_space - sum(
-        conditions_of_resting(problem.lines[j], points_within, on[j], len(problem.lines[j] & moving), views)
-        for j in lines - lines_within)
+    found = 3 * len(moving) - {0: 4, 1: 1}.get(len(views - moving), 0)
+    for j in lines - lines_within:
+        changing, may_move = len(problem.lines[j] & moving), points_within.issuperset(on[j])
+        found -= min(changing, beyond_two([problem.lines[j] & views])) if may_move else changing
+    return found
 
 
 def moves_with(problem, part, on, within, element):
-    """The points and lines that move with an element, and the views that keep their images."""
+    """The lines that move with an element; of each line, the views in which it changes the image."""
     (views, points, lines), (_, points_within, lines_within) = part, within
-    kind, centre, own = element
+    kind, centre, own, _ = element
     free = points - points_within
     if kind == "axis":
         free -= set(on[centre])
@@ -173,11 +178,12 @@ def moves_with(problem, part, on, within, element):
         moved_lines |= more
         moved |= {i for j in more for i in free & set(on[j])}
     require(all(problem.points[i] & views <= keeping for i in moved), "a view sees what moves")
-    return moved_lines, keeping
+    return moved_lines, {j: problem.lines[j] & views & (views - keeping if j in moved_lines else own)
+                         for j in others}
 
 
 def holds(element, line, on):
-    kind, centre, _ = element
+    kind, centre, *_ = element
     return kind in ("line", "axis") and centre == line or kind == "point" and centre in on[line]
 
 
@@ -185,14 +191,14 @@ def require_independent(part, elements, may_turn):
     views, points, lines = part
     among = {"point": points, "line": lines, "view": views, "axis": lines}
     require(all(own <= views and centre in among[kind] and (kind != "view" or centre not in own)
-                for kind, centre, own in elements), "an element of other things")
-    if any(kind == "axis" for kind, _, _ in elements):
+                for kind, centre, own, _ in elements), "an element of other things")
+    if any(kind == "axis" for kind, *_ in elements):
         require(len(elements) == 1 and elements[0][2] != views and may_turn, "an axis")
         return
     plain = []
     for view in views:
-        kinds = [kind for kind, _, own in elements if view in own]
-        about = [centre for kind, centre, own in elements if view in own and kind == "point"]
+        kinds = [kind for kind, _, own, _ in elements if view in own]
+        about = [centre for kind, centre, own, _ in elements if view in own and kind == "point"]
         require(len(about) < 2 and len(kinds) - len(about) < 2, "a view of two such elements")
         if len(kinds) == len(about):
             plain.append(about)
@@ -200,26 +206,36 @@ def require_independent(part, elements, may_turn):
             "no two plain views")
 
 
-def central(problem, part, on, within, elements, projective):
+def conditions_in_view(on, withins, projective):
+    """The c of the elements with these W, of a line with these points."""
+    if not withins:
+        return 0
+    plane = withins[0][0] == 3 and all(within == withins[0] for within in withins)
+    shared = set(on).intersection(*(points for _, points, _ in withins))
+    return 2 if projective and not plane and not shared else 1
+
+
+def central(problem, part, on, elements, projective):
     """The kappa of a central motion."""
-    (views, points, lines), (rank, points_within, lines_within) = part, within
+    views, points, lines = part
     require_independent(part, elements, not projective and problem.cameras in TURNING)
-    moved = [moves_with(problem, part, on, within, element) for element in elements]
-    moving = set().union(*(own for _, _, own in elements))
-    scale = 4 - rank if projective else 1
-    found = scale * (len(elements) - (moving == views))
-    for j in lines - lines_within:
-        seen, changing, rests = problem.lines[j] & views, set(), True
-        for element, (moved_lines, keeping) in zip(elements, moved):
-            if j in moved_lines:
-                rests = False
-                changing |= seen - keeping
-            elif not holds(element, j, on):
-                changing |= seen & element[2]
-        k = conditions_of_resting(problem.lines[j], points_within, on[j], len(changing), views) if rests \
-            else len(changing)
-        once = not projective or rank == 3 or points_within & set(on[j])
-        found -= k if once else 2 * k
+    withins = [generated(part, on, element[3], projective) for element in elements]
+    moved = [moves_with(problem, part, on, within, element)
+             for within, element in zip(withins, elements)]
+    free = [4 - within[0] if projective else 1 for within in withins]
+    found = sum(free)
+    if set().union(*(element[2] for element in elements)) == views:
+        found -= min(f for f, element in zip(free, elements) if element[0] == "point")
+    for j in lines:
+        changed = [(within, changes.get(j, set())) for within, (_, changes) in zip(withins, moved)]
+        cost = sum(conditions_in_view(on[j], [within for within, change in changed if view in change],
+                                      projective) for view in views)
+        every = [within for within, change in changed if change]
+        if not any(j in moved_lines for moved_lines, _ in moved) and \
+                all(set(on[j]) <= points_within for _, points_within, _ in every):
+            cost = min(cost, conditions_in_view(on[j], every, projective) *
+                       beyond_two([problem.lines[j] & views]))
+        found -= cost
     return found
 
 
@@ -235,11 +251,8 @@ def conditions(problem, part, words, motion):
         return due + loose(problem, part, *motion)
     if "camera" in words:
         return due + one_camera(problem, cameras, part, *motion)
-    moving, *given = motion
-    require(given[0] <= points and given[1] <= lines, "generators of other points or lines")
     on = {j: [i for i in problem.on[j] if i in points] for j in lines}
-    within = span(on, *given)
-    require(within[0] <= 3 and (projective or not any(given)), "no such generators")
     if "plane" in words:
-        return due + plane(problem, part, on, within, moving)
-    return due + central(problem, part, on, within, moving, projective)
+        moving, *generators = motion
+        return due + plane(problem, part, on, generated(part, on, generators, projective), moving)
+    return due + central(problem, part, on, motion, projective)

@@ -47,10 +47,20 @@ Selection whole(const Problem& problem) {
     return all;
 }
 
+/// A few points and lines of the part.
+Selection random_generators(const Selection& part, Dice& dice) {
+    Selection generators;
+    for (const std::size_t p : part.points)
+        if (dice.one_in(3)) generators.points.push_back(p);
+    for (const std::size_t n : part.lines)
+        if (dice.one_in(6)) generators.lines.push_back(n);
+    return generators;
+}
+
 /// The views that move with this one about a centre: those that see the same points as views that
 /// move, other than the centre and generators.
-Views moving_with(const Problem& problem, const Selection& part, const Motion& motion,
-                  const Element& centre, Views first) {
+Views moving_with(const Problem& problem, const Selection& part, const Element& centre,
+                  Views first) {
     const Views resting =
         centre.kind == Element::Centre::view ? Views{1} << centre.centre : Views{0};
     Views moving = first;
@@ -59,20 +69,22 @@ Views moving_with(const Problem& problem, const Selection& part, const Motion& m
         for (const std::size_t p : part.points) {
             const bool is_centre = centre.kind == Element::Centre::point && centre.centre == p;
             const Views seen = problem.points[p].seen_by & part.views;
-            if ((seen & moving) != 0 && !is_centre && !contains(motion.moved.points, p))
+            if ((seen & moving) != 0 && !is_centre && !contains(centre.moved.points, p))
                 moving |= seen & ~resting;
         }
     }
     return moving;
 }
 
-/// Elements about one point or line, or the centre of one view, and perhaps one about another.
+/// Elements about one point or line, or the centre of one view, and perhaps one about another. All
+/// have these generators, or each has others.
 std::vector<Element> random_elements(const Problem& problem, const Selection& part,
-                                     const Motion& motion, Dice& dice) {
+                                     const Selection& generators, Dice& dice) {
     std::vector<Element> elements;
+    const bool own = problem.cameras->all_matrices && dice.one_in(2);
     Views taken = 0;
     for (std::size_t tries = 1 + dice.below(2); tries > 0; --tries) {
-        Element centre{.kind = static_cast<Element::Centre>(dice.below(3))};
+        Element centre{.kind = static_cast<Element::Centre>(dice.below(3)), .moved = generators};
         const Indices views{0, 1, 2, 3, 4, 5};
         const Indices& among = centre.kind == Element::Centre::point  ? part.points
                                : centre.kind == Element::Centre::line ? part.lines
@@ -83,8 +95,9 @@ std::vector<Element> random_elements(const Problem& problem, const Selection& pa
             const bool itself = centre.kind == Element::Centre::view &&
                                 centre.centre < most_views && view >> centre.centre == 1;
             if ((part.views & ~taken & view) == 0 || itself || dice.one_in(3)) continue;
-            centre.views = moving_with(problem, part, motion, centre, view);
-            taken |= centre.views;
+            if (own) centre.moved = random_generators(part, dice);
+            centre.moved.views = moving_with(problem, part, centre, view);
+            taken |= centre.moved.views;
             elements.push_back(centre);
         }
         taken = 0;
@@ -96,15 +109,10 @@ Motion random_motion(const Problem& problem, const Selection& part, Dice& dice, 
     Motion motion{.kind = kind};
     Views moving = part.views & static_cast<Views>(dice.below(problem.views + 1));
     if (dice.one_in(2) || moving == 0) moving = part.views;
+    if (problem.cameras->all_matrices) motion.moved = random_generators(part, dice);
     if (motion.kind == Motion::Kind::plane) motion.moved.views = moving;
-    if (problem.cameras == &checker::projective_cameras) {
-        for (const std::size_t p : part.points)
-            if (dice.one_in(3)) motion.moved.points.push_back(p);
-        for (const std::size_t n : part.lines)
-            if (dice.one_in(6)) motion.moved.lines.push_back(n);
-    }
     if (motion.kind == Motion::Kind::central)
-        motion.elements = random_elements(problem, part, motion, dice);
+        motion.elements = random_elements(problem, part, motion.moved, dice);
     return motion;
 }
 
