@@ -431,6 +431,70 @@ TEST_CASE("a point slides along a camera's ray, and cameras towards the point") 
     CHECK(contains(altered(ray, "about view 3 views 1 2\n", ""), "the excess is 0"));
 }
 
+TEST_CASE("each camera that slides may keep a subspace of its own") {
+    const std::string own =
+        "problem projective: -/-/P/a/Pa/- + -/P/-/-/-/P + -/a/a/P/a/Pa + L/PL/PL/PL/PL/PL + "
+        "2*PL/PL/L/L/PL/PL + PL/L/PL/PL/L/L + Pabc/Pabc/Pabc/Pabc/Pabc/Pabc + a/a/-/P/-/- + "
+        "-/-/a/-/a/-\n"
+        "excess 1\n"
+        "part views 1 2 3 4 5 6 points 1 2 3 4 5 6 7 8 lines 2 3 4 5 6\n"
+        "motion central points lines 3\n"
+        "about point 8 views 1\n"
+        "about point 8 views 4 points 3 lines\n";
+    CHECK(outcome_of_record(own) == "holds");
+    CHECK(contains(altered(own, "excess 1", "excess 2"), "the excess is 1"));
+    const char* const last = "about point 8 views 4 points 3 lines\n";
+    CHECK(contains(altered(own, last, "about point 8 views 4\n"),
+                   "the motion does not keep the image of point 3"));
+    CHECK(contains(altered(own, last, "about point 8 views 4 points 1 3 lines\n"),
+                   "the rank of the generators is 4"));
+    CHECK(contains(altered(own, last, "about point 8 views 4 points 3 lines 1\n"),
+                   "line 1 is not in the part"));
+    CHECK(contains(altered(own, last, "about point 8 views 4 points 3 9 lines\n"),
+                   "point 9 is not in the part"));
+    CHECK(contains(altered(own, last, ""), "the excess is 0"));
+    // What camera 1 keeps beside the line costs it a parameter, even if no camera would move it.
+    CHECK(contains(altered(own, "views 1\n", "views 1 points 3 lines\n"), "the excess is 0"));
+    CHECK(contains(altered(own, "points lines 3", "points 3 lines 3"), "the excess is 0"));
+    for (const char* another :
+         {"about point 8 views 4 points 3 lines\n", "about point 7 views 1 points 8 lines\n"})
+        CHECK(contains(outcome_of_record(own + another), "belongs to two elements of a kind"));
+    for (const char* wrong :
+         {"views 4 points 3\n", "views 4 lines 3\n", "points 3 lines\n", "views points 3 lines\n",
+          "views 4 points 3 3 lines\n", "views 4 points 10 lines\n", "views 4 points 3 lines 9\n"})
+        CHECK(altered(own, "views 4 points 3 lines\n", wrong).starts_with("syntax"));
+    CHECK(contains(outcome_of_record("problem upright-shared-focal: 4*-/P/P + 4*P/-/P\n"
+                                     "excess 1\n"
+                                     "part views 1 2 3 points 1 2 3 4 5 6 7 8 lines\n"
+                                     "motion central points lines\n"
+                                     "about view 3 views 1 points 1 lines\n"),
+                   "has no generators"));
+}
+
+TEST_CASE("generators of all elements may as well be those of each") {
+    const std::string whole =
+        "problem projective: -/-/P/P/P + -/-/Pabc/Pabc/Pabc + P/P/-/P/P + 2*P/P/P/P/P + "
+        "Pabc/Pabc/Pabc/-/- + a/a/a/a/a\n"
+        "excess 1\n"
+        "part views 1 2 3 4 5 points 1 2 3 4 5 6 lines 1 2 3 4 5 6 7\n";
+    const auto outcome = [&](const std::string& all, const std::string& each) {
+        std::string record = whole + "motion central points" + all + "\n";
+        for (const char* element : {"point 6 views 1", "point 6 views 2", "view 3 views 1 2"})
+            record +=
+                "about " + std::string(element) + (each.empty() ? "" : " points" + each) + "\n";
+        return outcome_of_record(record);
+    };
+    for (const char* generators : {" 3 4 5 lines", " 3 4 lines", " 1 3 4 5 lines", " 3 4 5 lines 7",
+                                   " 2 3 4 lines", " 3 4 5 6 lines"}) {
+        CAPTURE(generators);
+        const std::string common = outcome(generators, "");
+        CHECK(outcome(" lines", generators) == common);
+        CHECK(outcome(generators, " lines") == common);
+        CHECK(outcome(generators, generators) == common);
+    }
+    CHECK(outcome(" 3 lines", " 4 5 lines") == "holds");
+}
+
 TEST_CASE("cameras turn about a line with all that they see and that is not on it") {
     const std::string turn = "problem 2*-/-/P/P/- + P/P/-/-/P + 3*PL/PL/PL/PL/PL\n"
                              "excess 1\n"

@@ -210,6 +210,45 @@ TEST_CASE("by FLINT, images stay in as many ways at least as a central motion ha
     CHECK(all_ways >= 5);
 }
 
+TEST_CASE("by FLINT, elements that keep subspaces of their own make just as many conditions") {
+    Dice dice(6);
+    struct Sliding {
+        Views views;
+        Indices kept; // points
+    };
+    const auto conditions_are = [&](const std::string& notation, std::size_t centre,
+                                    const std::vector<Sliding>& cameras) {
+        CAPTURE(notation);
+        const Problem problem = problem_of("projective: " + notation);
+        Motion motion{.kind = Motion::Kind::central};
+        for (const auto& [views, kept] : cameras)
+            motion.elements.push_back({.centre = centre, .moved = {views, kept, {}}});
+        const auto conditions = static_cast<int>(image_dimension(problem)) -
+                                static_cast<int>(image_rank(problem, dice));
+        CHECK(excess_of(problem, whole(problem), motion) == conditions);
+    };
+    // Cameras 1 and 4 keep planes that meet in the line of the first two points. A line costs one
+    // condition in each of the two views, as each plane has a point of it, but may move itself.
+    const std::string point = "P/P/P/P", rest = "P/P/P/- + -/P/P/P + Pabcd/Pabcd/Pabcd/Pabcd";
+    const std::vector<Sliding> two{{1, {0, 1, 2}}, {8, {0, 1, 3}}};
+    for (const char* line :
+         {"", " + a/a/a/a", " + a/a/a/-", " + a/a/-/-", " + a/-/-/a", " + a/a/-/a", " + a/-/a/a"})
+        conditions_are("2*" + point + " + " + rest + line, 4, two);
+    for (const char* with_line : {"Pa/P/P/Pa", "Pa/Pa/P/Pa", "Pa/Pa/Pa/Pa"})
+        conditions_are(with_line + (" + " + point + " + " + rest), 4, two);
+    // All move, the third in one more way than the others: a motion of space takes the fewer.
+    const std::string pins = "Pabcdefghij/Pabcdefghij/Pabcdefghij";
+    for (const char* line : {"", " + a/a/a", " + a/a/-", " + -/a/a"}) {
+        const std::string notation = "2*P/P/P + P/P/- + " + pins + line;
+        conditions_are(notation, 3, {{1, {0, 1, 2}}, {2, {0, 1, 2}}, {4, {0, 1}}});
+        conditions_are(notation, 3, {{2, {0, 1, 2}}, {4, {0, 1}}});
+    }
+    // Camera 1 keeps a line, camera 4 the plane of it and a point.
+    conditions_are("-/-/P/-/P/- + -/P/-/-/-/P + -/a/a/P/a/Pa + L/PL/PL/PL/PL/PL + "
+                   "2*PL/PL/L/L/PL/PL + PL/L/PL/PL/L/L + Pabc/Pabc/Pabc/Pabc/Pabc/Pabc",
+                   7, {{1, {4, 5}}, {8, {2, 3, 6}}});
+}
+
 TEST_CASE("each verdict of the two archives is that of the ranks of FLINT") {
     Dice dice(4);
     for (const char* name : {"plmp.plc", "projective.plc"})
