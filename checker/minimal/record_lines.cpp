@@ -228,7 +228,7 @@ static Motion read_motion(Reader& reader, const Problem& problem) {
         motion.core = read_selection(reader, problem, 2);
         break;
     case Motion::Kind::pencils:
-        motion.centre = read_point(reader, problem);
+        motion.moved.points = {read_point(reader, problem)};
         reader.end_line();
     }
     return motion;

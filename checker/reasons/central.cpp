@@ -1,45 +1,40 @@
 #include "checker/reasons/motions.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace checker {
-/// What an element keeps, its W, and what moves with it.
+/// The W of an element, what moves with it, and in which views it changes the image of each line.
 struct Moved {
-    const Element& element;
     Span span{};
     std::vector<bool> points{};
     std::vector<bool> lines{};
+    std::vector<Views> changes{};
 };
 
-/// The views in which the image of what moves with the element stays.
-static Views views_that_keep(const Element& element) {
-    if (element.kind != Element::Centre::view) return element.moved.views;
-    const Views centre = Views{1} << element.centre;
-    if ((element.moved.views & centre) != 0) throw Refused("a view moves about its own centre");
-    return element.moved.views | centre;
-}
-
-/// Whether the element moves the line in itself: one through its centre, or the axis.
-static bool is_through_centre(const Problem& part, std::size_t line, const Element& element) {
-    if (element.kind == Element::Centre::point)
-        return contains(part.lines[line].points, element.centre);
-    return element.kind != Element::Centre::view && element.centre == line;
+/// Whether the element moves the line in itself: one in W, through the centre, or the axis.
+static bool keeps(const Problem& part, const Element& element, const Span& span, std::size_t n) {
+    using enum Element::Centre;
+    if (element.kind == point && contains(part.lines[n].points, element.centre)) return true;
+    return span.lines[n] || ((element.kind == line || element.kind == axis) && element.centre == n);
 }
 
 /// What moves: points that moving views see, but those in W, the centre and those on the axis;
 /// lines with such a point, and lines that only these views see, with all such points on them.
 /// Throws Refused if another view sees such a point.
 static Moved moved_with(const Problem& part, const Element& element) {
-    const Views keeping = views_that_keep(element);
-    const Span span = span_of_generators(part, element.moved);
+    using enum Element::Centre;
+    const Views centre = element.kind == view ? Views{1} << element.centre : 0;
+    if ((element.moved.views & centre) != 0) throw Refused("a view moves about its own centre");
+    const Views keeping = element.moved.views | centre;
+    const std::size_t lines = part.lines.size();
+    Moved moved{span_of_generators(part, element.moved), std::vector<bool>(part.points.size()),
+                std::vector<bool>(lines), std::vector<Views>(lines)};
     const auto is_fixed = [&](std::size_t p) {
-        using enum Element::Centre;
         if (element.kind == axis) return contains(part.lines[element.centre].points, p);
-        return span.points[p] || (element.kind == point && element.centre == p);
+        return moved.span(p) || (element.kind == point && element.centre == p);
     };
-    Moved moved{element, span, std::vector<bool>(part.points.size()),
-                std::vector<bool>(part.lines.size())};
     for (std::size_t p = 0; p < part.points.size(); ++p)
         moved.points[p] = count_seen(part, {p}, element.moved.views) > 0 && !is_fixed(p);
     const auto moves = [&](std::size_t p) { return moved.points[p]; };
@@ -48,9 +43,9 @@ static Moved moved_with(const Problem& part, const Element& element) {
     };
     for (bool grows = true; grows;) {
         grows = false;
-        for (std::size_t n = 0; n < part.lines.size(); ++n) {
+        for (std::size_t n = 0; n < lines; ++n) {
             const Line& line = part.lines[n];
-            if (moved.lines[n] || span.lines[n] || is_through_centre(part, n, element)) continue;
+            if (moved.lines[n] || keeps(part, element, moved.span, n)) continue;
             const bool alone =
                 (line.seen_by & ~keeping) == 0 && std::ranges::all_of(line.points, may_move);
             if (!alone && std::ranges::none_of(line.points, moves)) continue;
@@ -62,6 +57,9 @@ static Moved moved_with(const Problem& part, const Element& element) {
     for (std::size_t p = 0; p < part.points.size(); ++p)
         if (moves(p) && !may_move(p))
             throw Refused("the motion does not keep the image of point ", p + 1, " of the part");
+    for (std::size_t n = 0; n < lines; ++n)
+        if (!keeps(part, element, moved.span, n))
+            moved.changes[n] = moved.lines[n] ? ~keeping : element.moved.views;
     return moved;
 }
 
@@ -93,58 +91,41 @@ static void require_independent(const Problem& part, const std::vector<Element>&
         throw Refused("no two views rest, or move about the same point alone");
 }
 
-/// The views in which an element changes the image of the line.
-static Views views_that_change(const Problem& part, std::size_t n, const Moved& moved) {
-    const Element& element = moved.element;
-    if (moved.span.lines[n] || is_through_centre(part, n, element)) return 0;
-    return moved.lines[n] ? ~views_that_keep(element) : element.moved.views;
-}
-
-using Spans = std::vector<const Span*>; // of some elements
-
-static bool lies_in_all(const Spans& spans, std::size_t point) {
-    return std::ranges::all_of(spans, [&](const Span* span) { return span->points[point]; });
-}
-
-/// The conditions on these elements so that the image of a line stays in a view, where each of them
-/// changes it: two, or one if a point of the line rests there anyway.
-static int conditions_in_view(const Problem& part, const Line& line, const Spans& spans) {
-    if (spans.empty()) return 0;
-    const auto is_the_plane = [&](const Span* span) {
-        return span->rank == 3 && *span == *spans.front();
-    };
-    const auto rests = [&](std::size_t p) { return lies_in_all(spans, p); };
-    const bool pivots = !part.cameras->all_matrices || std::ranges::all_of(spans, is_the_plane) ||
-                        std::ranges::any_of(line.points, rests);
-    return pivots ? 1 : 2;
+/// The conditions on the elements that change the image of a line in some of these views, so that
+/// it stays in one where all do: two, or one if a point of the line rests there anyway.
+static int conditions_in_one(const Problem& part, std::size_t n, const std::vector<Moved>& elements,
+                             Views views) {
+    std::vector<Span> kept;
+    Indices resting = part.lines[n].points;
+    for (const Moved& moved : elements) {
+        if ((moved.changes[n] & views) == 0) continue;
+        kept.push_back(moved.span);
+        std::erase_if(resting, [&](std::size_t p) { return !moved.span.points[p]; });
+    }
+    if (kept.empty()) return 0;
+    const bool plane = kept[0].rank == 3 && std::ranges::count(kept, kept[0]) == std::ssize(kept);
+    return part.cameras->all_matrices && !plane && resting.empty() ? 2 : 1;
 }
 
 /// The conditions so that the images of a line stay. A line that may move alone takes all but those
 /// beyond its own parameters.
 static int conditions_of(const Problem& part, std::size_t n, const std::vector<Moved>& elements) {
     const Line& line = part.lines[n];
-    Spans of_all;
     int conditions = 0;
-    for (Views view = 1; view <= line.seen_by; view <<= 1) {
-        Spans changing;
-        for (const Moved& moved : elements)
-            if ((views_that_change(part, n, moved) & line.seen_by & view) != 0)
-                changing.push_back(&moved.span);
-        conditions += conditions_in_view(part, line, changing);
-        of_all.insert(of_all.end(), changing.begin(), changing.end());
-    }
-    const auto moves_it = [&](const Moved& moved) { return moved.lines[n]; };
-    const auto rests = [&](std::size_t p) { return lies_in_all(of_all, p); };
-    const bool alone = std::ranges::none_of(elements, moves_it);
-    if (!alone || !std::ranges::all_of(line.points, rests)) return conditions;
-    return std::min(conditions,
-                    conditions_in_view(part, line, of_all) * conditions_in(line.seen_by));
+    for (Views view = 1; view <= line.seen_by; view <<= 1)
+        conditions += conditions_in_one(part, n, elements, view & line.seen_by);
+    const auto leaves_alone = [&](const Moved& moved) {
+        const bool pivots = std::ranges::all_of(line.points, std::cref(moved.span));
+        return !moved.lines[n] && ((moved.changes[n] & line.seen_by) == 0 || pivots);
+    };
+    if (!std::ranges::all_of(elements, leaves_alone)) return conditions;
+    const int in_one = conditions_in_one(part, n, elements, line.seen_by);
+    return std::min(conditions, in_one * conditions_in(line.seen_by));
 }
 
 int central_parameters(const Problem& part, const std::vector<Element>& elements) {
     Views moving = 0;
-    int free = 0;
-    int of_space = 4; // the least of elements about points
+    int free = 0, of_space = 4; // which is the least of an element about a point
     std::vector<Moved> moved;
     for (const Element& element : elements) {
         moving |= element.moved.views;

@@ -3,6 +3,7 @@
 #include "checker/reasons/motions.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace checker {
 /// Lines that contain two points of the span lie in it, and so do the points on a line of it.
@@ -11,8 +12,7 @@ static void close(Span& span, const Problem& problem) {
         grows = false;
         for (std::size_t n = 0; n < problem.lines.size(); ++n) {
             const Indices& points = problem.lines[n].points;
-            const auto lies_in = [&](std::size_t p) { return span.points[p]; };
-            const auto inside = std::ranges::count_if(points, lies_in);
+            const auto inside = std::ranges::count_if(points, std::cref(span));
             if (!span.lines[n] && inside < 2) continue;
             grows = grows || !span.lines[n] || inside < std::ssize(points);
             span.lines[n] = true;
@@ -32,7 +32,8 @@ Span span_of(const Problem& problem, const Indices& points, const Indices& lines
         close(span, problem);
     }
     for (const std::size_t n : lines) {
-        if (!span.lines[n]) span.rank += meets(span, problem.lines[n]) ? 1 : 2;
+        const bool meets = std::ranges::any_of(problem.lines[n].points, std::cref(span));
+        if (!span.lines[n]) span.rank += meets ? 1 : 2;
         span.lines[n] = true;
         close(span, problem);
     }
@@ -95,20 +96,17 @@ static Selection selection_in(const Selection& part, Selection selection) {
 }
 
 static Element element_in(const Selection& part, Element element) {
+    using enum Element::Centre;
     element.moved = selection_in(part, element.moved);
-    if (element.kind == Element::Centre::view && (part.views >> element.centre & 1) == 0)
-        throw Refused("a view is not in the part");
-    if (element.kind == Element::Centre::point)
-        element.centre = place_in(part.points, element.centre, "point");
-    if (element.kind == Element::Centre::line || element.kind == Element::Centre::axis)
+    if (element.kind == view) selection_in(part, {.views = Views{1} << element.centre});
+    if (element.kind == point) element.centre = place_in(part.points, element.centre, "point");
+    if (element.kind == line || element.kind == axis)
         element.centre = place_in(part.lines, element.centre, "line");
     return element;
 }
 
 /// The motion in the numbers of the part.
 static Motion motion_in(const Selection& part, Motion motion) {
-    if (motion.kind == Motion::Kind::pencils)
-        motion.centre = place_in(part.points, motion.centre, "point");
     for (std::size_t& p : motion.joins)
         p = place_in(part.points, p, "point");
     motion.moved = selection_in(part, motion.moved);
@@ -130,19 +128,17 @@ Span span_of_generators(const Problem& part, const Selection& moved) {
 /// one for each condition. A line with a point that is not in W rests, so each moving view that
 /// sees it makes one.
 static int plane_parameters(const Problem& part, const Selection& moved) {
-    const Views moving = moved.views;
     const Span span = span_of_generators(part, moved);
-    const auto lies_in = [&](std::size_t p) { return span.points[p]; };
     for (std::size_t p = 0; p < part.points.size(); ++p)
-        if ((part.points[p].seen_by & moving) != 0 && !span.points[p])
+        if ((part.points[p].seen_by & moved.views) != 0 && !span.points[p])
             throw Refused("the motion does not keep the image of point ", p + 1, " of the part");
-    const int resting = std::popcount(part.views & ~moving);
-    int free = 3 * std::popcount(moving) - (resting == 0 ? 4 : resting == 1 ? 1 : 0);
+    const int resting = std::popcount(part.views & ~moved.views);
+    int free = 3 * std::popcount(moved.views) - (resting == 0 ? 4 : resting == 1 ? 1 : 0);
     for (std::size_t n = 0; n < part.lines.size(); ++n) {
         if (span.lines[n]) continue;
         const Line& line = part.lines[n];
-        const int changing = std::popcount(line.seen_by & moving);
-        const bool may_move = std::ranges::all_of(line.points, lies_in);
+        const int changing = std::popcount(line.seen_by & moved.views);
+        const bool may_move = std::ranges::all_of(line.points, std::cref(span));
         free -= may_move ? std::min(changing, conditions_in(line.seen_by)) : changing;
     }
     return free;
@@ -205,7 +201,7 @@ int excess_of(const Problem& problem, const Selection& selection, const Motion& 
     if (motion.projective) part.cameras = &projective_cameras;
     const Motion within = motion_in(selection, motion);
     if (motion.kind == directions) return excess_of_directions(part, within);
-    if (motion.kind == pencils) return excess_of_pencils(part, within.centre);
+    if (motion.kind == pencils) return excess_of_pencils(part, within.moved.points[0]);
     const int excess = surplus(part);
     if (motion.kind == loose) return excess + loose_parameters(part, within.moved);
     if (motion.kind == camera) return excess + camera_parameters(part, within.moved.views);

@@ -30,9 +30,8 @@ struct Motion {
     enum class Kind { none, loose, camera, plane, central, directions, pencils };
     Kind kind = Kind::none;
     bool projective = false; // the cameras are taken as projective ones
-    std::size_t centre = 0;  // O, a point: of pencils
     Indices joins{};         // pairs of points, one after the other: of directions
-    Selection moved{};       // the moving views of a plane, its generators; or what is loose
+    Selection moved{};       // moving views and generators; what is loose; the point O of pencils
     std::vector<Element> elements{}; // of a central motion
     Selection core{};                // of directions; without views: none
 };
@@ -55,16 +54,11 @@ struct Span {
     int rank = 0;
     std::vector<bool> points{};
     std::vector<bool> lines{};
-
+    bool operator()(std::size_t point) const { return points[point]; } // whether it contains it
     bool operator==(const Span&) const = default;
 };
 
 Span span_of(const Problem& problem, const Indices& points, const Indices& lines);
-
-/// Whether the line contains a point of the span.
-inline bool meets(const Span& span, const Line& line) {
-    return std::ranges::any_of(line.points, [&](std::size_t p) { return span.points[p]; });
-}
 
 inline bool contains(const Indices& list, std::size_t index) {
     return std::ranges::find(list, index) != list.end();
