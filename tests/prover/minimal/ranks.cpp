@@ -32,8 +32,15 @@ std::pair<Subproblem, CameraMotion> random_motion(const Problem& problem, Random
     CameraMotion motion =
         is_star ? star(centre, moving) : CameraMotion{.kind = MotionKind::plane, .moving = moving};
     if (problem.cameras == &calibrated_cameras) return {part, motion};
-    for (const int point : part.points)
-        if (point != centre) motion.points.push_back(point);
+    // All keep each point, or each camera that slides those that it sees.
+    const bool own = is_star && random.below(2) == 0;
+    for (const int point : part.points) {
+        if (point == centre) continue;
+        if (!own) motion.points.push_back(point);
+        for (CentralElement& element : motion.elements)
+            if (own && (problem.points[static_cast<std::size_t>(point)] & element.views) != 0)
+                element.points.push_back(point);
+    }
     for (const int line : part.lines)
         if (random.below(5) == 0) motion.lines.push_back(line);
     return {part, motion};
@@ -73,7 +80,7 @@ TEST_CASE("there are the motions that a reason claims, or more") {
     for (int i = 0; i < 4000; ++i) {
         const Problem problem = random.problem();
         const auto [part, motion] = random_motion(problem, random);
-        if (motion.moving == 0 || !is_part(problem, part)) continue;
+        if (moving_views(motion) == 0 || !is_part(problem, part)) continue;
         const std::optional<int> claimed = motions(problem, part, motion);
         if (!claimed || *claimed < 1) continue;
         ++with_motions;
