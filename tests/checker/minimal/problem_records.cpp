@@ -471,6 +471,27 @@ TEST_CASE("each camera that slides may keep a subspace of its own") {
                    "has no generators"));
 }
 
+TEST_CASE("a line rests on what all elements keep that change its image") {
+    // The line goes through point 3, which camera 1 keeps, and camera 4 does not: it cannot turn.
+    CHECK(outcome_of_record("problem projective: 2*P/P/P/P + Pa/P/P/a + -/P/P/P + "
+                            "Pabcd/Pabcd/Pabcd/Pabcd\n"
+                            "excess 1\n"
+                            "part views 1 2 3 4 points 1 2 3 4 5 lines 1 2 3 4 5\n"
+                            "motion central points 1 2 lines\n"
+                            "about point 5 views 1 points 3 lines\n"
+                            "about point 5 views 4 points 4 lines\n") == "holds");
+    // Only the first way in which camera 1 slides keeps point 3: the line costs two conditions.
+    const std::string twice = "problem projective: 2*P/P/P/P + a/Pa/P/P + P/P/P/P\n"
+                              "excess 1\n"
+                              "part views 1 2 3 4 points 1 2 3 4 lines 1\n"
+                              "motion central points 1 2 lines\n"
+                              "about point 4 views 1 points 3 lines\n"
+                              "about view 2 views 1 points 4 lines\n";
+    CHECK(contains(outcome_of_record(twice), "the excess is -10"));
+    CHECK(
+        contains(altered(twice, "about view 2 views 1 points 4 lines\n", ""), "the excess is -9"));
+}
+
 TEST_CASE("generators of all elements may as well be those of each") {
     const std::string whole =
         "problem projective: -/-/P/P/P + -/-/Pabc/Pabc/Pabc + P/P/-/P/P + 2*P/P/P/P/P + "
