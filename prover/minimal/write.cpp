@@ -150,15 +150,11 @@ struct WriteClaim {
                                      : element.kind == CentralElement::Centre::line ? "line"
                                      : element.kind == CentralElement::Centre::axis ? "axis"
                                                                                     : "view";
-            std::vector<std::string> own;
-            if (!element.points.empty() || !element.lines.empty()) {
-                own = numbered(element.points);
-                own.insert(own.begin(), "points");
-                own.emplace_back("lines");
-                std::ranges::copy(numbered(element.lines), std::back_inserter(own));
-            }
+            const bool own = !element.points.empty() || !element.lines.empty();
+            const std::vector<std::string> none;
             text.line("about", kind, element.centre + 1, "views", numbered_views(element.views),
-                      own);
+                      own ? std::vector<std::string>{"points"} : none, numbered(element.points),
+                      own ? std::vector<std::string>{"lines"} : none, numbered(element.lines));
         }
     }
 };
