@@ -32,6 +32,15 @@ public:
         return refined(system_, still_, point, evaluation_);
     }
 
+    /// Whether a solution is real. Rounding leaves an imaginary part to some that are nearly
+    /// double; but Newton's method stays real, and leads back to the solution from its real part.
+    bool is_real(const Point& solution) {
+        constexpr double near = 1e-6;
+        if (many_views::is_real(solution)) return true;
+        const auto end = solve(solution.real().cast<Complex>());
+        return end && has_near_coordinates(*end, solution, near);
+    }
+
     /// The coordinates in the order of the file, with depths for the integers themselves; and back.
     Point written(const Point& point) const {
         Point result(point.size());
@@ -82,7 +91,7 @@ Point second_camera_with_depths(const CameraModel& model, const Images<Complex>&
 /// Adds the solution that the point, in the standard chart, approximates, if it is new.
 void add(Arrivals<Point>& arrivals, IntegerSystem& system, const Point& approximation) {
     const auto point = system.solve(approximation);
-    if (point && !arrivals.has(*point)) arrivals.add(*point, is_real(*point));
+    if (point && !arrivals.has(*point)) arrivals.add(*point, system.is_real(*point));
 }
 
 /// For each solution how many bits after the binary point are surely enough; 0: no number is.

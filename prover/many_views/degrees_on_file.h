@@ -1,4 +1,4 @@
-// The degrees of the two families that are on file (certs/family-degrees.csv), embedded in the
+// The degrees of problems of families that are on file (certs/family-degrees.csv), embedded in the
 // program at build time.
 #pragma once
 

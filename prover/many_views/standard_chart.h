@@ -11,7 +11,7 @@ namespace plprove::many_views {
 /// The same cameras and places in the standard chart (CameraChart::standard).
 Point in_standard_chart(const System& system, const Point& point);
 
-/// Whether the point is real, up to rounding; tried, not believed.
+/// Whether the point is real, up to rounding of a well-conditioned one; tried, not believed.
 bool is_real(const Point& point);
 
 /// Where at most eight Newton steps lead for these images, as the checker makes them; nothing where

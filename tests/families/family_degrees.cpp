@@ -36,17 +36,19 @@ std::set<std::string> problems_in(const char* file) {
 
 /// What some seeds found that gave the same number of solutions.
 struct Finding {
-    int seeds = 0;
+    int seeds = 0; // for which most ways agree
     int agreeing_ways = 0, ways = 0;
 };
 
-/// A line of the table: exact if two seeds give the same number, of a few; else the smallest one,
-/// as a run may count a solution twice. Nothing if there are more solutions.
+/// A line of the table: exact if two seeds of a few give the same number, and most ways agree for
+/// both; else the smallest number, as a run may count a solution twice. Nothing if there are more
+/// solutions.
 std::string line_of(const std::string& family, const Problem& problem, int most) {
     constexpr std::uint64_t most_seeds = 6;
     many_views::MonodromySettings settings;
     settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    settings.most_solutions = most;
+    const int copies = problem.cameras->copies(problem.views);
+    settings.most_solutions = most * copies;
     std::map<int, Finding> findings; // by the number of solutions
     const auto line = [&](int solutions, const char* bound) {
         const Finding& finding = findings[solutions];
@@ -57,11 +59,13 @@ std::string line_of(const std::string& family, const Problem& problem, int most)
     };
     for (std::uint64_t seed = 1; seed <= most_seeds; ++seed) {
         const auto found = run_monodromy(problem, seed, settings);
-        if (found.solutions > most) return {};
-        Finding& finding = findings[found.solutions];
+        if (found.solutions > settings.most_solutions) return {};
+        const int solutions = (found.solutions + copies - 1) / copies; // some may be lost
+        Finding& finding = findings[solutions];
         finding.agreeing_ways += found.edges;
         finding.ways += found.ways;
-        if (++finding.seeds == 2) return line(found.solutions, "exact");
+        if (2 * found.edges >= found.ways) ++finding.seeds;
+        if (finding.seeds == 2) return line(solutions, "exact");
     }
     return line(findings.begin()->first, "at-least");
 }

@@ -58,10 +58,11 @@ std::map<std::string, int> degrees_by_certificates() {
     return degrees;
 }
 
-/// What plcheck reports of the committed files on both families: once, as it takes seconds.
+/// What plcheck reports of the committed files on all families: once, as it takes seconds.
 const nlohmann::json& report_on_families() {
     static const Outcome outcome =
-        run("cd " + certs + " && " + plcheck + " --json plmp.plc projective.plc solutions/*.plc");
+        run("cd " + certs + " && " + plcheck +
+            " --json plmp.plc projective.plc families/*.plc solutions/*.plc");
     REQUIRE(outcome.status == 0);
     static const nlohmann::json report = nlohmann::json::parse(outcome.out);
     return report;
@@ -104,6 +105,7 @@ TEST_CASE(
     }
     for (const auto& table : report["families"]) {
         exact[table["family"]] = table["exact"];
+        expected_exact[table["family"]] += 0; // of some families no degree is on file
         for (const auto& bound : table["lower_bounds"])
             tables[table["family"]][bound[0]] = bound[1];
     }

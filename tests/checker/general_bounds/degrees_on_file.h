@@ -1,4 +1,4 @@
-// The degrees of the minimal problems of two families: certs/family-degrees.csv.
+// The degrees of minimal problems of families that are on file: certs/family-degrees.csv.
 #pragma once
 
 #include <fstream>
