@@ -125,14 +125,17 @@ def problem(text):
 
 
 class Solver:
-    """Solves one problem for any number of images, in several threads if you like."""
+    """Solves one problem for any number of images, in several threads if you like.
+
+    problem: a Problem, or its notation, name or number; start: see Problem.solver.
+    """
 
     def __init__(self, problem, start=None):
-        self.problem = problem
+        self.problem = problem if isinstance(problem, Problem) else Problem(problem)
         path = None if start is None else os.fspath(start)
         if path is not None and "\0" in path:
             raise ValueError("start has a zero character: give the path of a file")
-        self._content = _pointline.make(problem.notation, path)
+        self._content = _pointline.make(self.problem.notation, path)
 
     @property
     def degree(self):

@@ -140,6 +140,12 @@ def test_the_problem_and_its_representation():
     assert len(pointline.problem("P/P/P").reasons) > 0
 
 
+def test_a_solver_takes_the_notation():
+    assert pointline.Solver("5*P/P").degree == 20
+    with pytest.raises(ValueError, match="is no feature"):
+        pointline.Solver("P/P/P + foo")
+
+
 def test_messages_say_what_to_give(tmp_path):
     problem = pointline.problem("5*P/P")
     solver = problem.solver()
