@@ -75,6 +75,9 @@ struct Found {
 /// Throws BadInput where the degree is not on file.
 Asked asked_in_general(const Problem& problem) {
     const std::string name = notation(problem);
+    if (problem.cameras->twofold) // loops would permute copies of the solutions
+        throw BadInput("groups are not computed for cameras of the kind " +
+                       std::string(problem.cameras->name) + ": give a problem for others");
     const auto known = many_views::degree_on_file(name);
     if (!known || known->bound != "exact")
         throw BadInput("how many solutions " + name +

@@ -73,7 +73,8 @@ many_views::SolutionsRecord record_of(const many_views::MonodromyResult& found,
 /// suggests it.
 std::string completeness(const Problem& problem, const many_views::MonodromyResult& found) {
     const auto on_file = many_views::degree_on_file(notation(problem));
-    if (on_file && on_file->status == "certified" && on_file->degree == found.solutions)
+    if (on_file && on_file->status == "certified" &&
+        on_file->degree * copies(problem) == found.solutions)
         return "certified";
     return found.complete() ? "evidence" : "unknown";
 }

@@ -347,6 +347,7 @@ TEST_CASE("what has no group to look for is refused with advice") {
     for (const auto& [problem, reason] : std::map<std::string, std::string>{
              {"4*P/P", "is not minimal: give a problem that is"},
              {"projective: 6*P/P/P + 2*a/a/a", "is not on file: give a problem of"},
+             {"focal: 7*P/P", "groups are not computed for cameras of the kind focal"},
              {"7*P/P/P", "is not minimal: give a problem that is"},
              {"nonsense", "nonsense"}}) {
         CAPTURE(problem);

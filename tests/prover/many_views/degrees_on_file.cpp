@@ -66,7 +66,7 @@ TEST_CASE("two views and a focal length each have twice the solutions of uncalib
         if (parse_problem(std::string(problem)).views > 2) continue;
         const std::string uncalibrated = "projective" + std::string(problem.substr(5));
         CAPTURE(uncalibrated);
-        CHECK(degree == 2 * degrees.at(uncalibrated));
+        CHECK(degree == 2 * degrees.at(uncalibrated)); // Theorem 16, 4
         ++compared;
     }
     CHECK(compared == 6);
