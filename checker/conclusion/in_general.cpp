@@ -106,12 +106,6 @@ std::optional<BoundedInGeneral> Bounds::by_theorem(const Problem& problem) {
     consider(degree_in_three_views(problem), theorem_of_cameras);
     consider(degree_by_invariants(problem), theorem_of_arrangements);
     if (const auto proved = proved_degree(problem)) consider(proved->at_most, proved->theorem);
-    if (problem.cameras->name == "focal" && problem.view_count() == 2) {
-        Problem uncalibrated = problem;
-        uncalibrated.cameras = &projective_cameras;
-        if (const auto bound = by_theorem(uncalibrated))
-            consider(2 * bound->at_most, theorem_of_points_and_lines);
-    }
     return least;
 }
 

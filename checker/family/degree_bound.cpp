@@ -78,6 +78,12 @@ static std::optional<std::size_t> bound_of_axis(const Problem& problem, const Li
 }
 
 std::optional<std::size_t> degree_bound(const Problem& problem) {
+    if (problem.cameras->name == "focal" && std::popcount(problem.views) == 2) { // item 4
+        Problem uncalibrated = problem;
+        uncalibrated.cameras = &projective_cameras;
+        const std::optional<std::size_t> bound = degree_bound(uncalibrated);
+        return bound ? std::optional(2 * *bound) : std::nullopt;
+    }
     if (!problem.cameras->all_matrices || !all_views_see_all(problem)) return std::nullopt;
     if (axes_meet(problem)) return 1;
     std::optional<std::size_t> least;

@@ -1,4 +1,5 @@
-// Upper bounds on degrees that points and lines alone imply (proofs/families.md, Theorem 16).
+// Upper bounds on degrees that points and lines alone imply (proofs/families.md, Theorem 16): for
+// projective cameras, and two views with a focal length each.
 #pragma once
 
 #include "checker/problem/problem.h"

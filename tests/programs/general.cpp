@@ -188,14 +188,16 @@ TEST_CASE("cameras known in part: families and known numbers of solutions") {
                    "verdict     minimal\n"));
     // Stewenius et al. (2005): 15 focal lengths, each with two poses. Hartley: 3 matrices F, of
     // which each has two focal lengths and two poses. Fraundorfer et al. (2010): 4.
-    for (const auto& [problem, solutions] :
-         {std::pair{"shared-focal: 6*P/P", "30"}, {"focal: 7*P/P", "6"}, {"upright: 3*P/P", "4"}}) {
+    for (const auto& [problem, solutions] : {std::pair{"shared-focal: 6*P/P", "30 by evidence"},
+                                             {"focal: 7*P/P", "6 certified, all found"},
+                                             {"upright: 3*P/P", "4 by evidence"}}) {
         CAPTURE(problem);
         const std::string file = (folder / "solutions.plc").string();
         const Outcome found = run(plprove + " degree '" + problem + "' -o " + file);
-        CHECK(contains(found.out, std::string("\ndegree      ") + solutions + " by evidence\n"));
+        CHECK(contains(found.out, std::string("\ndegree      ") + solutions + '\n'));
         const Outcome checked = run(PLCHECK + std::string(" ") + file);
         if (!contains(run(std::string(PLCHECK) + " --version").out, "without Arb"))
-            CHECK(contains(checked.out, std::string("at least ") + solutions + " solutions"));
+            CHECK(contains(checked.out,
+                           "at least " + std::to_string(std::atoi(solutions)) + " solutions"));
     }
 }
