@@ -70,7 +70,7 @@ std::string list(const ListRequest& request) {
 std::string list_family(const ListRequest& request) {
     if (request.format == "json")
         throw BadInput("a family is not written as JSON: write --format csv");
-    std::vector<ProblemRecord> chosen = certify_family(family_named(request.family));
+    std::vector<ProblemRecord> chosen = certify_family(*family_named(request.family));
     std::erase_if(chosen, [&](const ProblemRecord& certificate) {
         const bool minimal = is_minimal(certificate);
         return (request.filter.minimal && !minimal) || (request.filter.not_minimal && minimal);

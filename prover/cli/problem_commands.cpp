@@ -97,7 +97,7 @@ struct CertifyRequest {
 
 std::string certificate_text(const CertifyRequest& request) {
     if (!request.family.empty()) {
-        const CameraModel& family = family_named(request.family);
+        const CameraModel& family = *family_named(request.family);
         return write(certify_family(family), family);
     }
     if (const std::optional<Problem> problem = parse_general_spec(request.spec)) {

@@ -61,9 +61,10 @@ std::string_view family_name(const CameraModel& cameras) {
     return &cameras == &calibrated_cameras ? "plmp" : cameras.name;
 }
 
-const CameraModel& family_named(std::string_view name) {
-    return **std::ranges::find_if(
-        camera_models(), [&](const CameraModel* cameras) { return family_name(*cameras) == name; });
+const CameraModel* family_named(std::string_view name) {
+    for (const CameraModel* cameras : camera_models())
+        if (family_name(*cameras) == name) return cameras;
+    return nullptr;
 }
 
 /// The bounds are those of proofs/families.md, Theorem 10.

@@ -14,8 +14,8 @@ namespace plprove {
 /// The name of the family of a kind: `plmp`, or that of the cameras.
 std::string_view family_name(const CameraModel& cameras);
 
-/// The cameras of the family with this name, one that family_name() gives.
-const CameraModel& family_named(std::string_view name);
+/// The cameras of the family with this name; null if there is none.
+const CameraModel* family_named(std::string_view name);
 
 /// The problems of a kind's family as certs/FORMAT.md, section 13, defines it: one of each class of
 /// isomorphic problems, by ascending numbers of views, of points, and of lines without points.

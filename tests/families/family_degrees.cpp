@@ -73,16 +73,14 @@ std::string line_of(const std::string& family, const Problem& problem, int most)
 } // namespace
 
 int main(int argc, char** argv) {
-    const bool known_family = std::ranges::any_of(camera_models(), [&](const CameraModel* cameras) {
-        return argc > 1 && family_name(*cameras) == argv[1];
-    });
-    if (argc < 3 || !known_family) {
+    const CameraModel* family = argc < 3 ? nullptr : family_named(argv[1]);
+    if (family == nullptr) {
         std::cerr << "usage: family_degrees FAMILY MOST [TABLE]\n";
         return 3;
     }
     const std::string name = argv[1];
     const auto on_file = argc > 3 ? problems_in(argv[3]) : std::set<std::string>{};
-    for (const Problem& problem : family_problems(family_named(name))) {
+    for (const Problem& problem : family_problems(*family)) {
         const std::string notation = plprove::notation(problem);
         if (on_file.contains(notation) || !is_minimal(certify(problem))) continue;
         const std::string line = line_of(name, problem, std::atoi(argv[2]));

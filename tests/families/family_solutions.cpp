@@ -47,10 +47,7 @@ many_views::SolutionsRecord best_record(const many_views::DegreeOnFile& known) {
 } // namespace
 
 int main(int argc, char** argv) {
-    const bool known_family = std::ranges::any_of(camera_models(), [&](const CameraModel* cameras) {
-        return argc > 1 && family_name(*cameras) == argv[1];
-    });
-    if (argc < 3 || !known_family) {
+    if (argc < 3 || family_named(argv[1]) == nullptr) {
         std::cerr << "usage: family_solutions FAMILY MOST [PROBLEM]...\n";
         return 3;
     }
