@@ -91,9 +91,11 @@ auto count_if(Range&& range, Predicate predicate) {
     });
 }
 
-template <class Range, class Value>
-auto count(Range&& range, const Value& value) {
-    return std::count(std::begin(range), std::end(range), value);
+template <class Range, class Value, class Projection = std::identity>
+auto count(Range&& range, const Value& value, Projection projection = {}) {
+    return std::count_if(std::begin(range), std::end(range), [&](const auto& element) {
+        return std::invoke(projection, element) == value;
+    });
 }
 
 template <class Range, class Compare = std::less<void>, class Projection = std::identity>
@@ -153,6 +155,12 @@ void set_intersection(First&& first, Second&& second, Output output) {
 }
 
 template <class First, class Second, class Output>
+void set_union(First&& first, Second&& second, Output output) {
+    std::set_union(std::begin(first), std::end(first), std::begin(second), std::end(second),
+                   output);
+}
+
+template <class First, class Second, class Output>
 void set_difference(First&& first, Second&& second, Output output) {
     std::set_difference(std::begin(first), std::end(first), std::begin(second), std::end(second),
                         output);
@@ -166,6 +174,11 @@ bool includes(First&& first, Second&& second) {
 template <class Range, class Output>
 void copy(Range&& range, Output output) {
     std::copy(std::begin(range), std::end(range), output);
+}
+
+template <class Range, class Output>
+void move(Range&& range, Output output) {
+    std::move(std::begin(range), std::end(range), output);
 }
 
 template <class Range, class Output, class Function>
