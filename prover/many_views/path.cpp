@@ -16,6 +16,9 @@ TrackSettings settings_for(Care care) {
     settings.contraction = 0.005;
     settings.largest_step = 0.05;
     settings.most_steps = 20000;
+    if (care == Care::careful) return settings;
+    settings.noise = 1e-16;
+    settings.smallest_step = 1e-13;
     return settings;
 }
 
@@ -30,7 +33,8 @@ class Follower {
 public:
     Follower(const System& system, const Images<Complex>& from, const Images<Complex>& to,
              Care care)
-        : unknowns_(system.unknowns()), way_(system, from, to), settings_(settings_for(care)) {}
+        : unknowns_(system.unknowns()), way_(system, from, to), settings_(settings_for(care)),
+          track_(care == Care::precise ? fastest_double_double_tracker() : fastest_tracker()) {}
 
     /// Sets the ends of a batch.
     void run(const Batch& batch, const std::vector<Point>& starts,
@@ -41,9 +45,8 @@ public:
             point(from, i) = starts[batch.first + i];
         std::vector<TrackOutcome> outcomes(batch.size);
         std::vector<LaneNumber> workspace(workspace_size(way_.tracked()));
-        fastest_tracker()(way_.tracked(), settings_, batch.size,
-                          reinterpret_cast<const double*>(from.data()),
-                          reinterpret_cast<double*>(to.data()), outcomes.data(), workspace.data());
+        track_(way_.tracked(), settings_, batch.size, reinterpret_cast<const double*>(from.data()),
+               reinterpret_cast<double*>(to.data()), outcomes.data(), workspace.data());
         for (std::size_t i = 0; i < batch.size; ++i)
             if (outcomes[i] == TrackOutcome::arrived) ends[batch.first + i] = point(to, i);
     }
@@ -56,6 +59,7 @@ private:
     Eigen::Index unknowns_;
     Way way_;
     TrackSettings settings_;
+    TrackFunction* track_;
 };
 
 } // namespace

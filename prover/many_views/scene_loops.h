@@ -10,7 +10,7 @@ namespace plprove::many_views {
 class SceneLoops {
 public:
     using Point = many_views::Point;
-    static constexpr int attempts = 1;
+    static constexpr int attempts = 2;
 
     SceneLoops(const Problem& problem, std::uint64_t seed, int threads)
         : threads_(threads), random_(seed, 0), system_(problem, random_) {
@@ -36,8 +36,9 @@ public:
     PathEnds<Point> follow(Direction direction, const std::vector<Point>& starts) {
         return follow(direction, starts, Care::usual);
     }
-    PathEnds<Point> follow_again(Direction direction, int, const std::vector<Point>& starts) {
-        return follow(direction, starts, Care::careful);
+    PathEnds<Point> follow_again(Direction direction, int attempt,
+                                 const std::vector<Point>& starts) {
+        return follow(direction, starts, attempt == 0 ? Care::careful : Care::precise);
     }
     static bool leads_elsewhere(int) { return false; }
 

@@ -3,9 +3,9 @@
 
 namespace plprove {
 
-/// The numbers of one coordinate in all lanes: eight complex ones at most.
+/// The numbers of one coordinate in all lanes: eight complex ones at most, with twice the digits.
 struct alignas(64) LaneNumber {
-    double parts[16];
+    double parts[32];
 };
 
 } // namespace plprove

@@ -10,6 +10,7 @@ Status 1 if one has no certificate, or a wrong one. Prints the seed, which is ne
 it is given, and draws the same problems again.
 """
 import collections
+import itertools
 import pathlib
 import random
 import subprocess
@@ -30,49 +31,67 @@ def some_views(draw, views):
     return found if len(found) > 1 or draw.random() < 0.03 else some_views(draw, views)
 
 
-def symbols(views, point, pins, shared=(), letter=""):
-    """One feature: what each view sees of a point, its pins and a shared line."""
-    text = []
-    for view in range(views):
-        seen = (letter if view in shared else "") + \
-            "".join(chr(ord("a") + i) for i, pin in enumerate(pins) if view in pin)
-        text.append(("P" if view in point else "") + seen or "-")
-    return "/".join(text)
+def draw_lines(draw, count):
+    """(lines, number of points) of some lines through several points each, which may meet. The points have
+    an order in which each lies on at most one line through two earlier ones."""
+    lines, points = [], 0
+    for _ in range(count):
+        old = draw.sample(range(points), min(points, draw.choice((0, 1, 1, 2))))
+        if any(len(set(old) & set(line)) > 1 for line in lines):
+            old.pop()
+        new = draw.choice((2, 2, 3, 3, 4)) - len(old)
+        lines.append(old + list(range(points, points + new)))
+        points += new
+    return lines, points
 
 
-def draw_point(draw, views):
-    """(notation, conditions on the images) of a point with pins."""
-    point = some_views(draw, views)
-    pins = [some_views(draw, views) for _ in range(draw.choice((0, 0, 1, 1, 2, 3)))]
+def draw_feature(draw, views, letters):
+    """(notation, conditions on the images) of points with pins: one, if there are no letters, else those
+    on lines through several of them, a line for each letter. Nothing if no view sees one of them."""
+    shared, points = draw_lines(draw, len(letters)) if letters else ([], 1)
+    lines = list(zip(letters, shared))
+    for point in range(points):
+        pins = draw.choice((0, 0, 0, 0, 1, 2) if letters else (0, 0, 1, 1, 2, 3))
+        lines += [(letter, [point]) for letter in "abc"[:pins]]
+    point_seen = [some_views(draw, views) for _ in range(points)]
+    line_seen = [some_views(draw, views) for _ in lines]
+    see_what_is_determined(views, [on_it for _, on_it in lines], point_seen, line_seen)
+    through = [[i for i, (_, on_it) in enumerate(lines) if point in on_it] for point in range(points)]
+    if not all(line_seen) or any(not seen and len(own) < 2 for seen, own in zip(point_seen, through)):
+        return None
+    in_space = 3 * points + sum(2 if len(on_it) == 1 else 4 - 2 * len(on_it) for _, on_it in lines)
+    in_images = 2 * sum(map(len, point_seen)) + sum(
+        2 * len(seen) - sum(len(seen & point_seen[point]) for point in on_it)
+        for seen, (_, on_it) in zip(line_seen, lines))
+    text = " + ".join("/".join(
+        symbol(view, point_seen[point], {lines[i][0]: line_seen[i] for i in through[point]})
+        for view in range(views)) for point in range(points))
+    return text, in_images - in_space
+
+
+def see_what_is_determined(views, lines, point_seen, line_seen):
+    """A view that sees two lines of a point sees the point, one that sees two points of a line the line."""
+    through = [[i for i, on_it in enumerate(lines) if point in on_it] for point in range(len(point_seen))]
     for view in range(views):
-        if sum(view in pin for pin in pins) > 1:
-            point.add(view)  # two lines are seen, so their point is
-    conditions = 2 * len(point) - 3 + sum(
-        sum(1 if view in point else 2 for view in pin) - 2 for pin in pins)
-    drawn = [pin for pin in pins if pin]
-    if len(drawn) < len(pins) or not point and len(pins) < 2:
-        return None  # what no view sees
-    return symbols(views, point, pins), conditions
+        changed = True
+        while changed:
+            changed = False
+            for here, others, incident in ((line_seen, point_seen, lines), (point_seen, line_seen, through)):
+                for seen, neighbours in zip(here, incident):
+                    if view not in seen and sum(view in others[i] for i in neighbours) > 1:
+                        seen.add(view)
+                        changed = True
+
+
+def symbol(view, point, lines):
+    """What the view sees of a point and the lines through it."""
+    seen = "".join(sorted(letter for letter, line in lines.items() if view in line))
+    return ("P" if view in point else "") + seen or "-"
 
 
 def draw_free_line(draw, views):
     line = some_views(draw, views)
-    return (symbols(views, (), [line]), 2 * len(line) - 4) if line else None
-
-
-def draw_shared_line(draw, views, letter):
-    """Points on a line of their own."""
-    points = [some_views(draw, views) for _ in range(draw.choice((2, 2, 3, 3, 4)))]
-    line = some_views(draw, views)
-    conditions = -6 - (len(points) - 2)
-    for view in range(views):
-        seen = sum(view in point for point in points)
-        if seen > 1:
-            line.add(view)
-        conditions += 2 + seen if view in line else 2 * seen
-    if not all(points) or not line:
-        return None
-    return " + ".join(symbols(views, point, [], line, letter) for point in points), conditions
+    return ("/".join("a" if view in line else "-" for view in range(views)), 2 * len(line) - 4) if line else None
 
 
 def draw_problem(draw, prefix):
@@ -80,14 +99,13 @@ def draw_problem(draw, prefix):
     each, all_of_them = CAMERAS[prefix]
     views = draw.choice((2, 3, 3, 4, 4, 5, 6, 7, 8))
     due = each * views + all_of_them
-    features, letters, refused = [], iter("LMNO"), 0
+    features, letters, refused = [], "LMNOQRSTUVWXYZ", 0
     while due > 0 and refused < 50:
-        kind = draw.random()
-        feature = draw_point(draw, views) if kind < 0.65 else \
-            draw_free_line(draw, views) if kind < 0.9 else \
-            draw_shared_line(draw, views, next(letters, "Q"))
-        if feature and "Q" not in feature[0] and 0 <= feature[1] <= due:
+        lines = draw.choices((0, 1, 2, 3, None), (65, 8, 5, 2, 20))[0]
+        feature = draw_free_line(draw, views) if lines is None else draw_feature(draw, views, letters[:lines])
+        if feature and 0 <= feature[1] <= due:
             features.append(feature[0])
+            letters = letters[lines or 0:]
             due -= feature[1]
         else:
             refused += 1

@@ -9,6 +9,7 @@
 namespace plprove::many_views::PLC_LANES {
 
 using namespace plprove::PLC_LANES;
+using Real = decltype(Number::re); // with as many digits as the including file wants
 
 namespace {
 

@@ -17,12 +17,29 @@ std::size_t workspace_size(const TrackedWay& way) {
                                     way.entries + rows_size(way) + common_rows);
 }
 
-TrackFunction* fastest_tracker() {
+namespace {
+
+struct Trackers {
+    TrackFunction *doubles, *double_double;
+};
+
+Trackers fastest() {
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f")) return avx512::track;
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2::track;
+    if (__builtin_cpu_supports("avx512f")) return {avx512::track, avx512::track_double_double};
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return {avx2::track, avx2::track_double_double};
 #endif
-    return portable::track;
+    return {portable::track, portable::track_double_double};
+}
+
+} // namespace
+
+TrackFunction* fastest_tracker() {
+    return fastest().doubles;
+}
+
+TrackFunction* fastest_double_double_tracker() {
+    return fastest().double_double;
 }
 
 } // namespace plprove::many_views

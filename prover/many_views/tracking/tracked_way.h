@@ -102,16 +102,18 @@ using TrackFunction = TrackCost(const TrackedWay& way, const TrackSettings& sett
                                 TrackOutcome* outcomes, LaneNumber* workspace);
 
 namespace avx512 {
-TrackFunction track;
+TrackFunction track, track_double_double;
 } // namespace avx512
 namespace avx2 {
-TrackFunction track;
+TrackFunction track, track_double_double;
 } // namespace avx2
 namespace portable {
-TrackFunction track;
+TrackFunction track, track_double_double;
 } // namespace portable
 
 /// The one with most lanes that this machine can run. All give the same results, to the bit.
 TrackFunction* fastest_tracker();
+/// The same with about 32 digits throughout, some ten times as slow; starts and ends are doubles.
+TrackFunction* fastest_double_double_tracker();
 
 } // namespace plprove::many_views

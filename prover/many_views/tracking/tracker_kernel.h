@@ -137,8 +137,13 @@ private:
 
 } // namespace
 
-TrackCost track(const TrackedWay& way, const TrackSettings& settings, std::size_t count,
-                const double* starts, double* ends, TrackOutcome* outcomes, LaneNumber* workspace) {
+#if defined(PLC_DOUBLE_DOUBLE)
+TrackCost track_double_double(
+#else
+TrackCost track(
+#endif
+    const TrackedWay& way, const TrackSettings& settings, std::size_t count, const double* starts,
+    double* ends, TrackOutcome* outcomes, LaneNumber* workspace) {
     EquationsOnWay equations(way, workspace);
     return Tracker<EquationsOnWay>(equations, settings, count, starts, ends, outcomes).run();
 }

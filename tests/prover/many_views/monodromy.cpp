@@ -37,6 +37,11 @@ TEST_CASE("monodromy finds degrees that Groebner bases have") {
     CHECK(found("shared-focal: 3*PL/PL + 3*P/P", 16).solutions == 20);
 }
 
+TEST_CASE("no path is lost where doubles have too few digits") {
+    // In doubles alone some ways lose paths.
+    CHECK(found("shared-focal: 3*PL/PL/PL + Pa/Pa/Pa", 3).solutions == 168);
+}
+
 TEST_CASE("no solution is taken for one without cameras") {
     // Some of these have a rotation that is nearly null, or very different focal lengths.
     const Problem problem = parse_problem("upright-focal: Pa/Pa/Pa + 3*a/a/a");

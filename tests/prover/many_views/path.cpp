@@ -21,7 +21,10 @@ const char* const problems[] = {
     "projective: PL/PL/PL + 2*PLabcde/PLabcde/PLabcde",
     "projective: 6*a/a/a/a/a/a/a/a/a",
     "Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a",
+    "upright-shared-focal: 4*P/P",
 };
+/// One for each way to evaluate cameras; with twice the digits others take long.
+const char* const small_problems[] = {"5*P/P", "projective: 7*P/P", "upright-shared-focal: 4*P/P"};
 
 /// A way from images of a random scene to random images.
 struct Journey {
@@ -62,57 +65,89 @@ Complex derivative(const Polynomial& polynomial, double time) {
 
 } // namespace
 
-TEST_CASE("paths end at solutions of the images they lead to") {
-    for (const char* text : problems)
-        for (const Care care : {Care::usual, Care::careful}) {
-            CAPTURE(text);
-            const Journey journey(text);
-            const auto end = follow(journey.system, journey.scene.images, journey.to,
-                                    journey.scene.solution, care);
-            REQUIRE(end);
-            CHECK(residual(journey.system, journey.to, *end) < 1e-13);
-            const auto back =
-                follow(journey.system, journey.to, journey.scene.images, *end, Care::careful);
-            REQUIRE(back);
-            CHECK(residual(journey.system, journey.scene.images, *back) < 1e-13);
-        }
+namespace {
+
+void check_path(const char* text, Care care) {
+    CAPTURE(text);
+    const Journey journey(text);
+    const auto end =
+        follow(journey.system, journey.scene.images, journey.to, journey.scene.solution, care);
+    REQUIRE(end);
+    CHECK(residual(journey.system, journey.to, *end) < 1e-13);
+    const auto back = follow(journey.system, journey.to, journey.scene.images, *end, Care::careful);
+    REQUIRE(back);
+    CHECK(residual(journey.system, journey.scene.images, *back) < 1e-13);
 }
 
-TEST_CASE("every instruction set follows the same paths to the same bits") {
-    std::vector<TrackFunction*> trackers{portable::track};
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        trackers.push_back(avx2::track);
-    if (__builtin_cpu_supports("avx512f")) trackers.push_back(avx512::track);
-#endif
+} // namespace
+
+TEST_CASE("paths end at solutions of the images they lead to") {
     for (const char* text : problems) {
-        CAPTURE(text);
-        const Journey journey(text);
+        check_path(text, Care::usual);
+        check_path(text, Care::careful);
+    }
+    for (const char* text : small_problems)
+        check_path(text, Care::precise);
+}
+
+namespace {
+
+/// What a tracker makes of some paths: of one start several times, and of others that are no
+/// solutions, so that some paths get lost.
+struct Tracks {
+    static constexpr std::size_t paths = 11;
+
+    Tracks(TrackFunction* track, const Journey& journey) {
         const Way way(journey.system, journey.scene.images, journey.to);
-        // The same start several times, and others that are no solutions: some paths get lost.
-        const auto unknowns = static_cast<std::size_t>(journey.system.unknowns());
         std::vector<double> starts;
-        for (int path = 0; path < 11; ++path)
+        for (std::size_t path = 0; path < paths; ++path)
             for (const Complex& x : journey.scene.solution) {
-                starts.push_back(x.real() + (path % 3) * 1e-3 * static_cast<double>(path));
+                starts.push_back(x.real() + static_cast<double>(path % 3 * path) * 1e-3);
                 starts.push_back(x.imag());
             }
-        std::vector<std::vector<double>> ends;
-        std::vector<std::vector<TrackOutcome>> outcomes;
-        for (TrackFunction* track : trackers) {
-            std::vector<LaneNumber> workspace(workspace_size(way.tracked()));
-            ends.emplace_back(2 * unknowns * 11);
-            outcomes.emplace_back(11);
-            track(way.tracked(), usual_settings, 11, starts.data(), ends.back().data(),
-                  outcomes.back().data(), workspace.data());
-        }
-        for (std::size_t i = 1; i < trackers.size(); ++i) {
-            CHECK(ends[i] == ends[0]);
-            CHECK(outcomes[i] == outcomes[0]);
-        }
-        CHECK(outcomes[0][0] == TrackOutcome::arrived);
-        CHECK(outcomes[0][9] == TrackOutcome::arrived);
+        std::vector<LaneNumber> workspace(workspace_size(way.tracked()));
+        ends.resize(starts.size());
+        outcomes.resize(paths);
+        track(way.tracked(), usual_settings, paths, starts.data(), ends.data(), outcomes.data(),
+              workspace.data());
     }
+
+    std::vector<double> ends;
+    std::vector<TrackOutcome> outcomes;
+};
+
+void check_agreement(const std::vector<TrackFunction*>& trackers, const char* text) {
+    CAPTURE(text);
+    const Journey journey(text);
+    const Tracks first(trackers[0], journey);
+    CHECK(first.outcomes[0] == TrackOutcome::arrived);
+    CHECK(first.outcomes[9] == TrackOutcome::arrived);
+    for (std::size_t i = 1; i < trackers.size(); ++i) {
+        const Tracks other(trackers[i], journey);
+        CHECK(other.ends == first.ends);
+        CHECK(other.outcomes == first.outcomes);
+    }
+}
+
+} // namespace
+
+TEST_CASE("every instruction set follows the same paths to the same bits") {
+    std::vector<TrackFunction*> doubles{portable::track};
+    std::vector<TrackFunction*> double_doubles{portable::track_double_double};
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        doubles.push_back(avx2::track);
+        double_doubles.push_back(avx2::track_double_double);
+    }
+    if (__builtin_cpu_supports("avx512f")) {
+        doubles.push_back(avx512::track);
+        double_doubles.push_back(avx512::track_double_double);
+    }
+#endif
+    for (const char* text : problems)
+        check_agreement(doubles, text);
+    for (const char* text : small_problems)
+        check_agreement(double_doubles, text);
 }
 
 TEST_CASE("polynomials in time say what moving images are") {
