@@ -126,8 +126,12 @@ private:
         if (!pins(point).empty())
             text_.comment("Two images of a line say nothing of the cameras: the lines are left "
                           "out.");
-        if (essential_.insert(view).second)
+        if (essential_.insert(view).second) {
             text_.line("let E" + n + " = skew(t" + n + ")*" + matrix_ + n);
+            // Else all images that two views take from one place would do.
+            if (view > 1)
+                text_.line("nonzero t" + n + "[1]", "the cameras are in different places");
+        }
         const bool loop = group.count > 1;
         if (loop) text_.begin_loop("i", "1.." + std::to_string(group.count));
         text_.line("equation dot(" + x + n + group.item() + ", E" + n + "*" + x + "1" +

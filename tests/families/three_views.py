@@ -89,6 +89,11 @@ def counted_by_burnside(weights, permutations, parameters):
     return kept // len(permutations)
 
 
+def notation(kind, features, signature):
+    return f"{kind}: " + " + ".join(f"{count}*{feature}" if count > 1 else feature
+                                    for feature, count in zip(features, signature) if count)
+
+
 def problems_of(kind):
     """A problem of each label class, as notation."""
     parameters = PARAMETERS[kind]
@@ -97,9 +102,7 @@ def problems_of(kind):
     found = [signature for signature in signatures(weights, parameters)
              if all(signature >= moved(signature, places) for places in permutations)]
     assert len(found) == counted_by_burnside(weights, permutations, parameters)
-    return [f"{kind}: " + " + ".join(f"{count}*{feature}" if count > 1 else feature
-                                     for feature, count in zip(features, signature) if count)
-            for signature in found]
+    return [notation(kind, features, signature) for signature in found]
 
 
 def reason(record):
@@ -134,4 +137,5 @@ def main():
               flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -188,6 +188,16 @@ TEST_CASE("plprove model writes point-line problems and programs as models, whic
     CHECK(run(plprove + " model --from 5*P/P " + file).status == 3);
 }
 
+TEST_CASE("written models have no solutions with two cameras in one place") {
+    // Such cameras would satisfy what two views say of each other. Without them there are 8
+    // solutions (tests/families/three_views_degrees.py), as with the views in another order.
+    const TemporaryFolder folder;
+    const std::string file = (folder / "written.model").string();
+    const std::string problem = "'upright: a/Pa/Pa + 3*P/-/P + P/P/-'";
+    REQUIRE(run(plprove + " model --from " + problem + " -o " + file).status == 0);
+    CHECK(nlohmann::json::parse(run(plprove + " model --json " + file).out)["at_least"] == 8);
+}
+
 TEST_CASE("plprove model refuses what is no model, and writes nothing") {
     const TemporaryFolder folder;
     const std::string file = (folder / "wrong.model").string();
