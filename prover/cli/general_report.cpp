@@ -52,12 +52,12 @@ struct Known {
     int certified = 0; ///< at least; 0: none
 };
 
-/// The degree of the features, which is certified; else what certs/family-degrees.csv says; nothing
-/// if neither has it.
+/// The degree of the features, which is certified; else what is on file; nothing if neither has
+/// it.
 std::optional<Known> known_degree(const ProblemRecord& certificate) {
     if (const auto degree = degree_of_features(certificate))
         return Known{*degree, true, "certified", *degree};
-    const auto found = many_views::degree_on_file(notation(certificate.problem));
+    const auto found = many_views::degree_on_file(certificate.problem);
     if (!found) return std::nullopt;
     return Known{found->degree, found->bound == "exact", std::string(found->status),
                  found->certified};
@@ -94,7 +94,7 @@ std::string source_of_features(const ProblemRecord& certificate) {
 
 void write_degree(std::ostream& out, const ProblemRecord& certificate) {
     section(out, "degree");
-    const auto degree = many_views::degree_on_file(notation(certificate.problem));
+    const auto degree = many_views::degree_on_file(certificate.problem);
     const auto of_features = degree_of_features(certificate);
     if (!degree && of_features)
         out << *of_features << " certified: " << source_of_features(certificate) << '\n';
@@ -133,7 +133,7 @@ std::string json_report(const ProblemRecord& certificate) {
     report["verdict"] = verdict(certificate);
     report["minimal"] = is_minimal(certificate);
     report["reason"] = explanation(certificate);
-    const auto degree = many_views::degree_on_file(notation(problem));
+    const auto degree = many_views::degree_on_file(problem);
     if (degree)
         report["degree"] = {{"value", degree->degree},
                             {"bound", degree->bound},

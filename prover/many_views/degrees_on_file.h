@@ -1,6 +1,9 @@
-// The degrees of problems of families that are on file (certs/family-degrees.csv), embedded in the
-// program at build time.
+// The degrees of problems that are on file, embedded in the program at build time: of families
+// (certs/family-degrees.csv), and of three views that may miss points and lines
+// (certs/three-views-in-part.csv).
 #pragma once
+
+#include "prover/problem/problem.h"
 
 #include <optional>
 #include <span>
@@ -23,10 +26,19 @@ struct DegreeOnFile {
 /// The lines of the file as it was when the program was built, without comments and column names.
 std::span<const std::string_view> family_degree_lines();
 
-/// Reads such a line.
-DegreeOnFile parse_family_degree(std::string_view line);
+/// The same of the other file: a problem of a constraint class, the number of its label classes,
+/// and the degree, or 0.
+std::span<const std::string_view> three_view_degree_lines();
 
-/// The degree of a problem in notation; nothing if none is on file.
+/// Reads a line of the first file, and of the second.
+DegreeOnFile parse_family_degree(std::string_view line);
+DegreeOnFile parse_three_view_degree(std::string_view line);
+
+/// The degree of a problem of a family, in notation; nothing if none is on file.
 std::optional<DegreeOnFile> degree_on_file(std::string_view notation);
+
+/// The degree of a minimal problem; nothing if none is on file. In three views it is that of the
+/// constraint class.
+std::optional<DegreeOnFile> degree_on_file(const Problem& problem);
 
 } // namespace plprove::many_views

@@ -171,8 +171,7 @@ Features features_of(const Problem& problem) {
     return features;
 }
 
-std::optional<Features> local_features(const Problem& problem) {
-    if (problem.cameras != &calibrated_cameras || problem.views > 3) return std::nullopt;
+std::optional<Features> features_without_implied_lines(const Problem& problem) {
     Problem rest = problem;
     std::erase_if(rest.lines, [&](const Line& line) {
         return line.points.size() == 2 && std::ranges::all_of(line.points, [&](int point) {
@@ -182,6 +181,11 @@ std::optional<Features> local_features(const Problem& problem) {
     const bool shared =
         std::ranges::any_of(rest.lines, [](const Line& line) { return line.points.size() > 1; });
     return shared ? std::nullopt : std::optional(features_of(rest));
+}
+
+std::optional<Features> local_features(const Problem& problem) {
+    if (problem.cameras != &calibrated_cameras || problem.views > 3) return std::nullopt;
+    return features_without_implied_lines(problem);
 }
 
 void refuse_invalid(const Problem& problem) {

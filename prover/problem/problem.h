@@ -54,7 +54,11 @@ Features features_of(const Problem& problem);
 
 /// The features of the problem without its implied lines. Such a line has two points, and each view
 /// that sees it sees both: it has no parameters in space and in images. Nothing if points share
-/// other lines, cameras are not calibrated, or there are more than three views.
+/// other lines.
+std::optional<Features> features_without_implied_lines(const Problem& problem);
+
+/// The same, as the classification has them: nothing if cameras are not calibrated, or there are
+/// more than three views.
 std::optional<Features> local_features(const Problem& problem);
 
 /// Throws NotationError if there are too many points or lines, two lines share two points, a view

@@ -57,6 +57,31 @@ TEST_CASE("degrees of families on file are of different minimal problems of thes
         CHECK(open[complete].empty());
 }
 
+TEST_CASE("degrees in three views are of whole constraint classes") {
+    int minimal = 0;
+    for (const std::string_view line : many_views::three_view_degree_lines()) {
+        CAPTURE(line);
+        const DegreeOnFile row = many_views::parse_three_view_degree(line);
+        const auto found = many_views::degree_on_file(parse_problem(row.problem));
+        CHECK(found.has_value() == (row.degree > 0));
+        if (!found) continue;
+        ++minimal;
+        // Where all views see all, there is a line of the family, too.
+        CHECK(found->degree == row.degree);
+    }
+    CHECK(minimal == 613);
+    // The views in another order, another view sees the line, and a second line.
+    const auto degree = [](const char* text) {
+        return many_views::degree_on_file(parse_problem(text))->degree;
+    };
+    CHECK(degree("upright: a/P/Pa + -/P/P + 3*P/-/P + P/P/-") == 16);
+    CHECK(degree("upright: P/Pa/a + P/P/- + 3*-/P/P + P/-/P") == 16);
+    CHECK(degree("upright: a/Pa/P + -/P/P + 3*P/-/P + P/P/-") == 16);
+    CHECK(degree("upright: 3*P/a/a + 2*a/P/a + 2*a/a/P") == 78);
+    CHECK(degree("upright: Pab/b/a + 2*P/a/a + 2*a/P/a + 2*b/a/Pab") == 78);
+    CHECK(!many_views::degree_on_file(parse_problem("2*Pa/Pa/Pa + P/P/P")));
+}
+
 TEST_CASE("two views and a focal length each have twice the solutions of uncalibrated views") {
     // A fundamental matrix determines the focal lengths, and has two poses.
     std::map<std::string_view, int> degrees;
