@@ -77,14 +77,27 @@ static std::optional<std::size_t> bound_of_axis(const Problem& problem, const Li
     return lines_that_meet(codimensions, n);
 }
 
-std::optional<std::size_t> degree_bound(const Problem& problem) {
-    if (problem.cameras->name == "focal" && std::popcount(problem.views) == 2) { // item 4
+/// Items 4 to 7; none where they do not apply.
+static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& problem) {
+    const std::string_view cameras = problem.cameras->name;
+    const int views = std::popcount(problem.views);
+    if (cameras == "focal" && views == 2) {
         Problem uncalibrated = problem;
         uncalibrated.cameras = &projective_cameras;
         const std::optional<std::size_t> bound = degree_bound(uncalibrated);
         return bound ? std::optional(2 * *bound) : std::nullopt;
     }
-    if (!problem.cameras->all_matrices || !all_views_see_all(problem)) return std::nullopt;
+    if (cameras == "upright" && views == 2) return 4;
+    const auto counts = [](const Line& line) { return line.points.size() <= 1; };
+    if (cameras == "upright" && views == 3 && std::ranges::count_if(problem.lines, counts) >= 2)
+        return 6;
+    if (cameras == "upright-shared-focal" && views == 2) return 5;
+    return std::nullopt;
+}
+
+std::optional<std::size_t> degree_bound(const Problem& problem) {
+    if (!all_views_see_all(problem)) return std::nullopt;
+    if (!problem.cameras->all_matrices) return bound_of_cameras_in_part(problem);
     if (axes_meet(problem)) return 1;
     std::optional<std::size_t> least;
     if (std::popcount(problem.views) == 2) least = 3; // item 3
