@@ -91,7 +91,8 @@ static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& proble
     const auto counts = [](const Line& line) { return line.points.size() <= 1; };
     if (cameras == "upright" && views == 3 && std::ranges::count_if(problem.lines, counts) >= 2)
         return 6;
-    if (cameras == "upright-shared-focal" && views == 2) return 5;
+    if (cameras == "upright-shared-focal" && views == 2)
+        return std::ranges::any_of(problem.lines, is_axis) ? 4 : 5;
     return std::nullopt;
 }
 
