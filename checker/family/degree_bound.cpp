@@ -89,7 +89,9 @@ static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& proble
     }
     if (cameras == "upright" && views == 2) return 4;
     const auto counts = [](const Line& line) { return line.points.size() <= 1; };
-    if (cameras == "upright" && views == 3 && std::ranges::count_if(problem.lines, counts) >= 2)
+    const auto lines = std::ranges::count_if(problem.lines, counts);
+    if (cameras == "upright" && views == 3 &&
+        (lines >= 2 || (lines == 1 && problem.points.size() >= 2)))
         return 6;
     if (cameras == "upright-shared-focal" && views == 2)
         return std::ranges::any_of(problem.lines, is_axis) ? 4 : 5;
