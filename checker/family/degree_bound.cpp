@@ -77,7 +77,14 @@ static std::optional<std::size_t> bound_of_axis(const Problem& problem, const Li
     return lines_that_meet(codimensions, n);
 }
 
-/// Items 4 to 7; none where they do not apply.
+/// How many lines there are with at most one point; two points join another one.
+static std::size_t directions(const Problem& problem) {
+    const auto counts = [](const Line& line) { return line.points.size() <= 1; };
+    const auto lines = std::ranges::count_if(problem.lines, counts);
+    return static_cast<std::size_t>(lines) + (problem.points.size() >= 2 ? 1 : 0);
+}
+
+/// Items 4 to 8; none where they do not apply.
 static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& problem) {
     const std::string_view cameras = problem.cameras->name;
     const int views = std::popcount(problem.views);
@@ -88,13 +95,10 @@ static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& proble
         return bound ? std::optional(2 * *bound) : std::nullopt;
     }
     if (cameras == "upright" && views == 2) return 4;
-    const auto counts = [](const Line& line) { return line.points.size() <= 1; };
-    const auto lines = std::ranges::count_if(problem.lines, counts);
-    if (cameras == "upright" && views == 3 &&
-        (lines >= 2 || (lines == 1 && problem.points.size() >= 2)))
-        return 6;
+    if (cameras == "upright" && views == 3 && directions(problem) >= 2) return 6;
     if (cameras == "upright-shared-focal" && views == 2)
         return std::ranges::any_of(problem.lines, is_axis) ? 4 : 5;
+    if (cameras == "upright-shared-focal" && views == 3 && directions(problem) >= 3) return 14;
     return std::nullopt;
 }
 
