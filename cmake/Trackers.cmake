@@ -15,6 +15,7 @@ function(trackers target)
     set_source_files_properties(${avx512} PROPERTIES COMPILE_OPTIONS "-mavx512f;-mfma" SKIP_PRECOMPILE_HEADERS ON)
     set(fastest ${avx2} ${avx512})
     list(APPEND TRACKERS ${fastest})
+    optimise_sources(-O1 ${portable}) # hardly ever run
   endif()
   target_sources(${target} PRIVATE ${TRACKERS})
   optimise_sources(-O3 ${fastest})
