@@ -84,7 +84,7 @@ static std::size_t directions(const Problem& problem) {
     return static_cast<std::size_t>(lines) + (problem.points.size() >= 2 ? 1 : 0);
 }
 
-/// Items 4 to 8; none where they do not apply.
+/// Items 4 to 9; none where they do not apply.
 static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& problem) {
     const std::string_view cameras = problem.cameras->name;
     const int views = std::popcount(problem.views);
@@ -96,8 +96,9 @@ static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& proble
     }
     if (cameras == "upright" && views == 2) return 4;
     if (cameras == "upright" && views == 3 && directions(problem) >= 2) return 6;
-    if (cameras == "upright-shared-focal" && views == 2)
-        return std::ranges::any_of(problem.lines, is_axis) ? 4 : 5;
+    const bool has_axis = std::ranges::any_of(problem.lines, is_axis);
+    if (cameras == "upright-shared-focal" && views == 2) return has_axis ? 4 : 5;
+    if (cameras == "upright-shared-focal" && views == 3 && has_axis) return 6;
     if (cameras == "upright-shared-focal" && views == 3 && directions(problem) >= 3) return 14;
     return std::nullopt;
 }
