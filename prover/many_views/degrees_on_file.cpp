@@ -51,9 +51,10 @@ DegreeOnFile parse_family_degree(std::string_view line) {
 }
 
 DegreeOnFile parse_three_view_degree(std::string_view line) {
-    DegreeOnFile result{.bound = "exact",
-                        .status = "evidence",
-                        .source = "by Groebner bases modulo a prime, for its constraint class"};
+    DegreeOnFile result;
+    result.bound = "exact";
+    result.status = "evidence";
+    result.source = "by Groebner bases modulo a prime, for its constraint class";
     result.problem = take_column(line);
     result.family = result.problem.substr(0, result.problem.find(':'));
     take_column(line);
