@@ -21,6 +21,10 @@ const parts: readonly [RegExp, (match: RegExpExecArray) => string][] = [
                 : `following all solutions from some photos to others kept every one of them, in ` +
                   `${agree} of ${all} tries`,
     ],
+    [
+        /^by Groebner bases modulo a prime, for its constraint class$/,
+        () => "Gröbner bases count so many for random photos modulo a prime",
+    ],
     [/^a trace test$/, () => "another test, of a sum over all solutions, says that none is missing"],
 ];
 
