@@ -158,7 +158,9 @@ TEST_CASE("what the prover writes of a degree in general, the checker certifies"
          {std::tuple{"projective: 7*P/P", 3, true, "projective:7*P/P"},
           {"projective: 3*PL/PL + 4*P/P", 2, true, "projective: 4*P/P + 3*PX/PX"},
           {"3*PL/PL + 2*P/P", 16, true, "2*P/P + 3*PL/PL"},
-          {"upright: 3*PL/PL", 4, false, "upright: 3*PX/PX"}}) {
+          {"upright: 3*PL/PL", 4, true, "upright: 3*PX/PX"},
+          {"upright-shared-focal: 2*P/P/P + a/a/a", 11, false,
+           "upright-shared-focal: a/a/a + 2*P/P/P"}}) {
         CAPTURE(problem);
         const Outcome written = run(plprove + " degree '" + problem + "' -o " + file);
         REQUIRE(written.status == 0);
