@@ -207,7 +207,7 @@ TEST_CASE("problems of other lists have the groups that docs/groups.md shows") {
         CHECK(found["evidence"]["group"] == std::string(cells[3]));
         CHECK(found["evidence"]["width"] == std::stoi(cells[4]));
     }
-    CHECK(rows == 6);
+    CHECK(rows == 12);
     // A cubic.
     CHECK(run(plprove + " group 'projective: 7*P/P'").out.find("\ngroup       S3: ") !=
           std::string::npos);
