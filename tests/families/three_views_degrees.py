@@ -21,9 +21,9 @@ import random
 import subprocess
 import sys
 
+import groebner
 import three_views
 
-P = 2**29 - 3
 LONGEST = 600  # seconds
 PAIRS = [("a/P/Pa", "a/Pa/P"), ("P/a/Pa", "Pa/a/P"), ("P/Pa/a", "Pa/P/a"),
          ("P/a/a", "Pab/b/a"), ("a/P/a", "b/Pab/a"), ("a/a/P", "b/a/Pab")]
@@ -96,7 +96,7 @@ class Equations:
         self.ideal.append("+".join(f"{self.number()}*{x}" for x in self.centres[1] + self.centres[2]) + "-1")
 
     def number(self):
-        return self.dice.randrange(1, P)
+        return self.dice.randrange(1, groebner.P)
 
     def vector(self):
         return [self.number() for _ in range(3)]
@@ -125,7 +125,7 @@ class Equations:
 
     def add_point(self, views):
         points = {view: self.vector() for view, seen in enumerate(views) if "P" in seen}
-        lines = {(view, pin): cross_of_numbers(points[view], self.vector()) if view in points else self.vector()
+        lines = {(view, pin): groebner.cross(points[view], self.vector()) if view in points else self.vector()
                  for view, seen in enumerate(views) for pin in seen if pin.islower()}
         rays = {view: self.ray(view, image) for view, image in points.items()}
         first, *others = points
@@ -149,15 +149,11 @@ class Equations:
                     self.add_point(feature.split("/"))
                 else:
                     self.add_free_line()
-        text = f"ring r = {P}, ({','.join(['u'] + self.names)}), dp; option(redSB);\n"
+        text = f"ring r = {groebner.P}, ({','.join(['u'] + self.names)}), dp; option(redSB);\n"
         text += f"ideal G = {','.join(self.ideal)}; G = u, std(G); attrib(G, \"isSB\", 1); poly g = 1;\n"
         for unit in self.units:
             text += f"g = reduce(g*({unit}), G);\n"
         return text + 'G[1] = u*g-1; G = std(G); print("COUNT "+string(dim(G))+" "+string(vdim(G)));\nquit;\n'
-
-
-def cross_of_numbers(a, b):
-    return [(a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2]) % P for i in range(3)]
 
 
 def degree(problem):

@@ -63,10 +63,6 @@ Complex derivative(const Polynomial& polynomial, double time) {
     return sum;
 }
 
-} // namespace
-
-namespace {
-
 void check_path(const char* text, Care care) {
     CAPTURE(text);
     const Journey journey(text);
