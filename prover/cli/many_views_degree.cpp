@@ -1,10 +1,13 @@
 #include "prover/cli/many_views_degree.h"
 
 #include "prover/cli/sections.h"
+#include "prover/cli/written_model.h"
 #include "prover/many_views/certificate.h"
 #include "prover/many_views/degrees_on_file.h"
 #include "prover/minimal/problem_record.h"
+#include "prover/model/solver/solution_count.h"
 #include "prover/problem/notation.h"
+#include "prover/scripts/problem_model.h"
 #include "prover/system/exit.h"
 #include "prover/system/progress.h"
 
@@ -24,15 +27,17 @@ void require_minimal(const Problem& problem) {
                    " is none: " + explanation(certificate));
 }
 
-void require_complete_visibility(const Problem& problem) {
+bool has_complete_visibility(const Problem& problem) {
     const ViewSet all = all_views(problem.views);
-    const bool complete =
-        std::ranges::all_of(problem.points, [&](ViewSet seen) { return seen == all; }) &&
-        std::ranges::all_of(problem.lines, [&](const Line& line) { return line.seen == all; });
-    if (complete) return;
+    return std::ranges::all_of(problem.points, [&](ViewSet seen) { return seen == all; }) &&
+           std::ranges::all_of(problem.lines, [&](const Line& line) { return line.seen == all; });
+}
+
+/// For what certificates say of problems with complete visibility alone.
+void require_complete_visibility(const Problem& problem, const std::string& option) {
+    if (has_complete_visibility(problem)) return;
     throw BadInput("some view misses a point or a line of " + notation(problem) +
-                   ", and such degrees are computed only for at most three calibrated views and "
-                   "one point on a line: let all views see everything");
+                   ", and a certificate of its solutions has no format: leave " + option + " out");
 }
 
 /// How often a solution is found.
@@ -44,11 +49,19 @@ int all_threads() {
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-many_views::MonodromyResult computed(const Problem& problem,
-                                     const ManyViewsDegreeRequest& request) {
+/// What was found of a problem: a solution counts for the cameras.
+struct Finding {
+    const Problem& problem;
+    MonodromyCount count;
+    int certified = 0; ///< how many solutions the certificate shows; 0 if there is none
+};
+
+many_views::MonodromyResult solutions_of(const Problem& problem,
+                                         const ManyViewsDegreeRequest& request) {
     ProgressLine line("finding solutions", 0);
     many_views::MonodromySettings settings;
     settings.threads = all_threads();
+    if (request.target > 0) settings.most_solutions = request.target * copies(problem) - 1;
     if (request.at_least > 0) {
         constexpr int ways_that_find_all = 3; // usually
         settings.edges = ways_that_find_all;
@@ -69,49 +82,82 @@ many_views::SolutionsRecord record_of(const many_views::MonodromyResult& found,
     return many_views::certify(found, wanted, request.seed, all_threads());
 }
 
-/// Whether a theorem or certificates say that these are all: `certified`; or the computation only
-/// suggests it.
-std::string completeness(const Problem& problem, const many_views::MonodromyResult& found) {
-    const auto on_file = many_views::degree_on_file(notation(problem));
-    if (on_file && on_file->status == "certified" &&
-        on_file->degree * copies(problem) == found.solutions)
-        return "certified";
-    return found.complete() ? "evidence" : "unknown";
+/// By the model of the problem: views may miss something.
+MonodromyCount counted_in_part(const Problem& problem, const ManyViewsDegreeRequest& request) {
+    if (!request.path.empty()) require_complete_visibility(problem, "-o");
+    if (request.at_least > 0) require_complete_visibility(problem, "--at-least");
+    const std::string text = well_formed(problem_model(problem, 0), notation(problem));
+    ProgressLine line("finding solutions", 0);
+    model::CountSettings settings;
+    settings.seed = request.seed;
+    settings.threads = static_cast<unsigned>(all_threads());
+    if (request.target > 0) settings.most_solutions = request.target - 1;
+    settings.found = [&](std::size_t found) { line.show(found, " so far"); };
+    return model::count_solutions(model::compile(model::read_model(text)), settings);
 }
 
-/// The `certified` last is how many solutions the certificate shows; 0 if there is none.
-std::string json_report(const Problem& problem, const many_views::MonodromyResult& found,
-                        int certified) {
-    const nlohmann::ordered_json report = {{"problem", notation(problem)},
-                                           {"name", name(problem)},
-                                           {"solutions", found.solutions / copies(problem)},
-                                           {"complete", completeness(problem, found)},
-                                           {"ways", found.ways},
-                                           {"ways_that_agree", found.edges},
-                                           {"certificate", certified},
-                                           {"paths", found.paths},
-                                           {"lost", found.lost}};
+/// Finds the solutions, and writes the certificate if one is asked for.
+Finding found_in_full(const Problem& problem, const ManyViewsDegreeRequest& request,
+                      const Deliver& deliver) {
+    const many_views::MonodromyResult found = solutions_of(problem, request);
+    Finding finding{problem, found};
+    finding.count.solutions /= copies(problem);
+    if (request.path.empty()) return finding;
+    const auto record = record_of(found, request);
+    finding.certified = (record.count() + copies(problem) - 1) / copies(problem);
+    if (finding.certified == 0)
+        throw std::runtime_error("the run found no certificate: try another --seed");
+    if (finding.certified < request.at_least)
+        throw std::runtime_error("the run found a certificate of only " +
+                                 std::to_string(finding.certified) +
+                                 " solutions: try another --seed");
+    deliver(request.path, many_views::write_solutions(std::span(&record, 1)));
+    return finding;
+}
+
+/// Whether a theorem or certificates say that these are all: `certified`; or the computation only
+/// suggests it.
+std::string completeness(const Finding& finding) {
+    const auto on_file = many_views::degree_on_file(finding.problem);
+    if (on_file && on_file->status == "certified" && on_file->degree == finding.count.solutions)
+        return "certified";
+    return finding.count.complete() ? "evidence" : "unknown";
+}
+
+std::string json_report(const Finding& finding) {
+    const MonodromyCount& count = finding.count;
+    const nlohmann::ordered_json report = {{"problem", notation(finding.problem)},
+                                           {"name", name(finding.problem)},
+                                           {"solutions", count.solutions},
+                                           {"complete", completeness(finding)},
+                                           {"ways", count.ways},
+                                           {"ways_that_agree", count.edges},
+                                           {"certificate", finding.certified},
+                                           {"paths", count.paths},
+                                           {"lost", count.lost}};
     return report.dump(2) + '\n';
 }
 
-std::string text_report(const Problem& problem, const many_views::MonodromyResult& found,
-                        int certified) {
+std::string text_report(const Finding& finding) {
+    const MonodromyCount& count = finding.count;
     std::ostringstream out;
-    section(out, "problem") << notation(problem) << '\n';
-    const std::string complete = completeness(problem, found);
-    section(out, "degree") << (complete == "unknown" ? "at least " : "")
-                           << found.solutions / copies(problem)
+    section(out, "problem") << notation(finding.problem) << '\n';
+    const std::string complete = completeness(finding);
+    section(out, "degree") << (complete == "unknown" ? "at least " : "") << count.solutions
                            << (complete == "certified" ? " certified, all found" : " by evidence")
                            << '\n';
-    section(out, "ways") << found.edges << " of " << found.ways
+    section(out, "ways") << count.edges << " of " << count.ways
                          << " take the solutions of some images one to one to those of "
                             "others\n";
-    section(out, "paths") << found.paths << ", " << found.lost << " lost\n";
+    section(out, "paths") << count.paths << ", " << count.lost << " lost\n";
     section(out, "certificate");
-    if (certified > 0)
-        out << "of at least " << certified << " solutions: certified once plcheck accepts it\n";
-    else
+    if (finding.certified > 0)
+        out << "of at least " << finding.certified
+            << " solutions: certified once plcheck accepts it\n";
+    else if (has_complete_visibility(finding.problem))
         out << "none: -o FILE writes one\n";
+    else
+        out << "none: there are such only for problems of which all views see everything\n";
     return out.str();
 }
 
@@ -120,7 +166,7 @@ std::string text_report(const Problem& problem, const many_views::MonodromyResul
 int propose_upper_bound(const Problem& problem, const many_views::Powers& powers,
                         std::uint64_t seed, const std::string& path, const Deliver& deliver) {
     require_minimal(problem);
-    require_complete_visibility(problem);
+    require_complete_visibility(problem, "--at-most");
     if (!problem.cameras->all_matrices)
         throw BadInput("--at-most is for projective cameras: write `projective:` in front of the "
                        "problem");
@@ -132,22 +178,11 @@ int propose_upper_bound(const Problem& problem, const many_views::Powers& powers
 int find_many_views_degree(const Problem& problem, const ManyViewsDegreeRequest& request,
                            const Deliver& deliver) {
     require_minimal(problem);
-    require_complete_visibility(problem);
-    const many_views::MonodromyResult found = computed(problem, request);
-    int certified = 0;
-    if (!request.path.empty()) {
-        const auto record = record_of(found, request);
-        certified = (record.count() + copies(problem) - 1) / copies(problem);
-        if (certified == 0)
-            throw std::runtime_error("the run found no certificate: try another --seed");
-        if (certified < request.at_least)
-            throw std::runtime_error("the run found a certificate of only " +
-                                     std::to_string(certified) + " solutions: try another --seed");
-        deliver(request.path, many_views::write_solutions(std::span(&record, 1)));
-    }
+    const Finding finding = has_complete_visibility(problem)
+                                ? found_in_full(problem, request, deliver)
+                                : Finding{problem, counted_in_part(problem, request)};
     if (request.path != "-")
-        deliver("-", request.json ? json_report(problem, found, certified)
-                                  : text_report(problem, found, certified));
+        deliver("-", request.json ? json_report(finding) : text_report(finding));
     return 0;
 }
 

@@ -1,5 +1,4 @@
-// What `plprove degree` does with problems in general: many views, shared lines, projective
-// cameras.
+// What `plprove degree` does with problems in general: many views, shared lines, other cameras.
 #pragma once
 
 #include "prover/cli/command.h"
@@ -25,7 +24,8 @@ int propose_upper_bound(const Problem& problem, const many_views::Powers& powers
                         std::uint64_t seed, const std::string& path, const Deliver& deliver);
 
 /// Computes the degree, writes the certificate, and prints both. Throws BadInput if the problem is
-/// not minimal, or if a view misses something. Returns the exit status.
+/// not minimal, or if a certificate is asked for and a view misses something. Returns the exit
+/// status.
 int find_many_views_degree(const Problem& problem, const ManyViewsDegreeRequest& request,
                            const Deliver& deliver);
 

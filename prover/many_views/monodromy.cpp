@@ -20,11 +20,8 @@ MonodromyResult result_of(const SceneMonodromy& monodromy) {
     const auto first = std::ssize(points), second = std::ssize(distinct(monodromy, 1));
     const MatchedGraph& graph = monodromy.graph();
     const SceneLoops& loops = monodromy.loops();
-    MonodromyResult result{static_cast<int>(std::max(first, second)),
-                           0,
-                           graph.edges(),
-                           monodromy.lost(),
-                           loops.paths(),
+    MonodromyResult result{{static_cast<int>(std::max(first, second)), 0, graph.edges(),
+                            monodromy.lost(), loops.paths()},
                            loops.images(0),
                            loops.system(),
                            points};

@@ -3,26 +3,18 @@
 #pragma once
 
 #include "prover/many_views/system.h"
+#include "prover/monodromy/count.h"
 
 #include <cstdint>
 #include <functional>
 
 namespace plprove::many_views {
 
-/// What monodromy found. Two sets of random images are joined by several ways; the solutions of one
-/// end go to those of the other along each.
-struct MonodromyResult {
-    int solutions = 0; ///< known at the end where more are
-    int edges = 0;     ///< ways along which all of both ends are matched one to one
-    int ways = 0;      ///< all of them
-    int lost = 0;      ///< paths that got lost, or jumped
-    std::int64_t paths = 0;
+/// What monodromy found between two sets of random images.
+struct MonodromyResult : MonodromyCount {
     Images<Complex> images;      ///< of the first end
     System system;               ///< that these solve
     std::vector<Point> points{}; ///< the solutions of the first end
-
-    /// Whether all ways agree: evidence that no solution is missing.
-    bool complete() const { return edges == ways; }
 };
 
 struct MonodromySettings {

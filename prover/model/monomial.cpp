@@ -36,8 +36,10 @@ Monomial operator/(const Monomial& a, const Monomial& b) {
 }
 
 Monomial variable_monomial(std::size_t variable) {
+    if (variable >= most_variables)
+        throw TooLarge("there are more than " + std::to_string(most_variables) + " unknowns");
     Monomial result;
-    result.exponents.at(variable) = 1;
+    result.exponents[variable] = 1;
     return result;
 }
 

@@ -30,6 +30,7 @@ struct Monomial {
     friend Monomial operator/(const Monomial& a, const Monomial& b);
 };
 
+/// Throws TooLarge if there is no such variable.
 Monomial variable_monomial(std::size_t variable);
 Monomial least_common_multiple(const Monomial& a, const Monomial& b);
 

@@ -8,13 +8,13 @@
 #include "prover/minimal/problem_record.h"
 #include "prover/problem/complete_visibility.h"
 #include "prover/problem/notation.h"
+#include "tests/families/two_seeds.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <set>
 #include <string>
 #include <thread>
@@ -34,40 +34,22 @@ std::set<std::string> problems_in(const char* file) {
     return problems;
 }
 
-/// What some seeds found that gave the same number of solutions.
-struct Finding {
-    int seeds = 0; // for which most ways agree
-    int agreeing_ways = 0, ways = 0;
-};
-
-/// A line of the table: exact if two seeds of a few give the same number, and most ways agree for
-/// both; else the smallest number, as a run may count a solution twice. Nothing if there are more
-/// solutions.
+/// A line of the table. Nothing if there are more solutions.
 std::string line_of(const std::string& family, const Problem& problem, int most) {
-    constexpr std::uint64_t most_seeds = 6;
     many_views::MonodromySettings settings;
     settings.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     const int copies = problem.cameras->copies(problem.views);
     settings.most_solutions = most * copies;
-    std::map<int, Finding> findings; // by the number of solutions
-    const auto line = [&](int solutions, const char* bound) {
-        const Finding& finding = findings[solutions];
-        return family + ',' + notation(problem) + ',' + std::to_string(solutions) + ',' + bound +
-               ",evidence,," + // nothing is certified yet
-               std::to_string(finding.agreeing_ways) + " of " + std::to_string(finding.ways) +
-               " ways agree\n";
-    };
-    for (std::uint64_t seed = 1; seed <= most_seeds; ++seed) {
-        const auto found = run_monodromy(problem, seed, settings);
-        if (found.solutions > settings.most_solutions) return {};
-        const int solutions = (found.solutions + copies - 1) / copies; // some may be lost
-        Finding& finding = findings[solutions];
-        finding.agreeing_ways += found.edges;
-        finding.ways += found.ways;
-        if (2 * found.edges >= found.ways) ++finding.seeds;
-        if (finding.seeds == 2) return line(solutions, "exact");
-    }
-    return line(findings.begin()->first, "at-least");
+    const auto found = counted_twice(most, [&](std::uint64_t seed) {
+        MonodromyCount count = run_monodromy(problem, seed, settings);
+        count.solutions = (count.solutions + copies - 1) / copies; // some may be lost
+        return count;
+    });
+    if (!found) return {};
+    return family + ',' + notation(problem) + ',' + std::to_string(found->solutions) +
+           (found->exact ? ",exact" : ",at-least") + ",evidence,," + // nothing is certified yet
+           std::to_string(found->agreeing_ways) + " of " + std::to_string(found->ways) +
+           " ways agree\n";
 }
 
 } // namespace

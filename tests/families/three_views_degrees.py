@@ -2,6 +2,7 @@
 """Degrees of problems in three views that may each miss points and lines, of cameras with a known vertical.
 
     three_views_degrees.py KIND [NOTATION...]        a line for each constraint class, or of these problems
+    three_views_degrees.py --list KIND               the constraint classes alone, for degrees_in_part
     three_views_degrees.py --check TABLE EVERY       whether each EVERY-th line of a table comes out again
 
 Nothing is shared with plprove or plcheck. Images are random modulo a prime, and Singular counts the cameras
@@ -186,6 +187,9 @@ def check(table, every):
 def main():
     if sys.argv[1] == "--check":
         check(sys.argv[2], int(sys.argv[3]))
+    if sys.argv[1] == "--list":
+        print("\n".join(f"{problem},{count}" for problem, count in constraint_classes(sys.argv[2])))
+        return
     counts = dict(constraint_classes(sys.argv[1]))
     for problem, found in degrees(sys.argv[2:] or list(counts)):
         print(f"{problem},{counts[problem]},{found}", flush=True)

@@ -174,6 +174,28 @@ TEST_CASE("a list is verified in any order and spelling") {
     CHECK(run(expect + " --degree 3 " + file).status == 3);
 }
 
+TEST_CASE("the solutions of a problem that views see in part are counted") {
+    const std::string degree = plprove + " degree 'upright: Pa/Pa/Pa + a/a/a + P/-/P'";
+    const Outcome found = run(degree);
+    CHECK(contains(found.out, "problem     upright: Pa/Pa/Pa + P/-/P + a/a/a\n"
+                              "degree      6 by evidence\n"
+                              "ways        12 of 12 take the solutions of some images"));
+    CHECK(contains(found.out, "certificate none: there are such only for problems of which all"));
+    const auto json = nlohmann::json::parse(run(degree + " --json").out);
+    CHECK(json["solutions"] == 6);
+    CHECK(json["complete"] == "evidence");
+    CHECK(json["certificate"] == 0);
+    for (const std::string option : {"-o file.plc", "--at-least 3", "--at-most 1,1"}) {
+        const Outcome refused = run(degree + ' ' + option);
+        CHECK(refused.status == 2);
+        CHECK(contains(refused.err, "some view misses a point or a line of"));
+        CHECK(contains(refused.err, "leave " + option.substr(0, option.find(' ')) + " out\n"));
+    }
+    // The search ends where it knows as many solutions as wanted.
+    const Outcome some = run(plprove + " degree 'upright: 3*P/a/a + 2*a/P/a + 2*a/a/P' --target 9");
+    CHECK(contains(some.out, "\ndegree      at least "));
+}
+
 TEST_CASE("cameras known in part: families and known numbers of solutions") {
     const TemporaryFolder folder;
     for (const std::string family : {"upright", "upright-shared-focal", "shared-focal"}) {

@@ -26,6 +26,7 @@ public:
     }
 
     const Numbers& data(int node) const { return data_[static_cast<std::size_t>(node)]; }
+    std::int64_t paths() const { return paths_; }
 
     void add_edge() {
         Numbers& bend = bends_.emplace_back(random_numbers(program_.data, Field::complex, random_));
@@ -33,11 +34,10 @@ public:
             bend[i] *= 4 * (1 + size(data_[0][i]) + size(data_[1][i]));
     }
 
-    PathEnds<Numbers> follow(Direction direction, const std::vector<Numbers>& starts) const {
+    PathEnds<Numbers> follow(Direction direction, const std::vector<Numbers>& starts) {
         return follow(direction, starts, Care::usual);
     }
-    PathEnds<Numbers> follow_again(Direction direction, int,
-                                   const std::vector<Numbers>& starts) const {
+    PathEnds<Numbers> follow_again(Direction direction, int, const std::vector<Numbers>& starts) {
         return follow(direction, starts, Care::careful);
     }
     static bool leads_elsewhere(int) { return false; }
@@ -57,8 +57,8 @@ private:
 
     /// Newton's method refines the ends: else two approximations of one solution, where the
     /// Jacobian is nearly singular, might seem to be two.
-    PathEnds<Numbers> follow(Direction direction, const std::vector<Numbers>& starts,
-                             Care care) const {
+    PathEnds<Numbers> follow(Direction direction, const std::vector<Numbers>& starts, Care care) {
+        paths_ += std::ssize(starts);
         const Numbers& bend = bends_[static_cast<std::size_t>(direction.edge)];
         const Numbers& to = data(direction.to());
         PathEnds<Numbers> ends =
@@ -75,6 +75,7 @@ private:
     bool wide_;
     std::array<Numbers, 2> data_;
     std::vector<Numbers> bends_;
+    std::int64_t paths_ = 0;
 };
 
 using DataMonodromy = Monodromy<DataLoops>;

@@ -33,16 +33,17 @@ SolvedData StartSearch::first_solution() {
 }
 
 bool StartSearch::is_complete() const {
-    return settings_.known > 0 &&
-           monodromy_.solutions().size() >= static_cast<int>(settings_.known);
+    const int most =
+        settings_.known > 0 ? static_cast<int>(settings_.known) : settings_.most_solutions + 1;
+    return monodromy_.solutions().size() >= most;
 }
 
 void StartSearch::follow_loops() {
-    constexpr int edges = 6, edges_of_few = 12, most_edges = 12, most_solutions = 20'000;
+    constexpr int edges = 6, edges_of_few = 12, most_edges = 12;
     if (settings_.known > 0)
         monodromy_.reach(static_cast<int>(settings_.known), most_edges);
     else
-        monodromy_.until_agreed({edges, edges_of_few, most_solutions});
+        monodromy_.until_agreed({edges, edges_of_few, settings_.most_solutions});
 }
 
 /// Whether another random solution leads to one that is new.

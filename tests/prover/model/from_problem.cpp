@@ -2,6 +2,7 @@
 // tracker know, and the verdicts of the classification.
 #include "prover/model/fibre.h"
 #include "prover/model/solution_point.h"
+#include "prover/model/solver/solution_count.h"
 #include "prover/problem/notation.h"
 #include "prover/scripts/problem_model.h"
 #include "prover/system/exit.h"
@@ -55,7 +56,41 @@ TEST_CASE("models of small problems have as many solutions as is known") {
         const auto fibre = model::find_fibre(found.model, found.program).fibre;
         REQUIRE(fibre);
         CHECK(fibre->count() == degree);
+        CHECK(model::count_solutions(found.program, {}).solutions == static_cast<int>(degree));
     }
+}
+
+TEST_CASE("paths count the solutions of problems that views see in part") {
+    // The first three by Groebner bases (certs/three-views-in-part.csv), the last by Theorem C.
+    const std::map<std::string, int> degrees{{"upright: Pa/Pa/Pa + a/a/a + P/-/P", 6},
+                                             {"upright: a/P/Pa + -/P/P + 3*P/-/P + P/P/-", 16},
+                                             {"upright: 3*P/a/a + 2*a/P/a + 2*a/a/P", 78},
+                                             {"2*P/P/P + a/Pa/Pa + a/a/a", 240}};
+    for (const auto& [notation, degree] : degrees) {
+        CAPTURE(notation);
+        const MonodromyCount count = model::count_solutions(written(notation).program, {});
+        CHECK(count.solutions == degree);
+        CHECK(2 * count.edges >= count.ways);
+    }
+}
+
+TEST_CASE("the search for solutions ends where more are known than wanted, whatever the threads") {
+    const model::Program program = written("upright: 3*P/a/a + 2*a/P/a + 2*a/a/P").program;
+    const MonodromyCount one = model::count_solutions(program, {.most_solutions = 10});
+    CHECK(one.solutions > 10);
+    CHECK(one.solutions < 78);
+    CHECK(!one.complete());
+    const MonodromyCount three =
+        model::count_solutions(program, {.threads = 3, .most_solutions = 10});
+    CHECK(three.solutions == one.solutions);
+    CHECK(three.paths == one.paths);
+}
+
+TEST_CASE("a Groebner basis of too many unknowns is refused") {
+    const Written large = written("upright: 3*P/a/a + 2*a/P/a + 2*a/a/P");
+    REQUIRE(large.program.unknowns > 32);
+    CHECK(model::find_fibre(large.model, large.program).reason ==
+          "there are more than 32 unknowns");
 }
 
 TEST_CASE("models of minimal problems have a regular solution, those of others have none") {

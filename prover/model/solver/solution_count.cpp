@@ -1,0 +1,44 @@
+#include "prover/model/solver/solution_count.h"
+
+#include "prover/model/solver/start.h"
+
+#include <algorithm>
+
+namespace plprove::model {
+
+namespace {
+
+/// How many values of what counts the solutions of a node have.
+int values_at(const Program& program, const DataMonodromy& monodromy, int node) {
+    const std::vector<Numbers>& solutions = monodromy.solutions(node).points();
+    SolutionSet<Numbers> values(near_at_starts, Nearness::of_coordinates);
+    for (const Numbers& solution : solutions) {
+        const std::optional<Numbers> value =
+            program.counts
+                ? values_of(program, program.counted, monodromy.loops().data(node), solution)
+                : solution;
+        if (value && !values.find(*value)) values.add(*value);
+    }
+    return values.size();
+}
+
+} // namespace
+
+MonodromyCount count_solutions(const Program& program, const CountSettings& settings) {
+    const TrackedEquations equations(program);
+    StartSettings start{settings.seed, settings.threads, 0, settings.found};
+    start.most_solutions = settings.most_solutions;
+    StartSearch search(program, equations, std::move(start));
+    search.run();
+    const DataMonodromy& monodromy = search.monodromy();
+    const int first = monodromy.solutions(0).size(), second = monodromy.solutions(1).size();
+    const MatchedGraph& graph = monodromy.graph();
+    MonodromyCount count{
+        std::max(values_at(program, monodromy, 0), values_at(program, monodromy, 1)), 0,
+        graph.edges(), monodromy.lost(), monodromy.loops().paths()};
+    for (int edge = 0; edge < graph.edges(); ++edge)
+        count.edges += first == second && graph.matched(edge) == first;
+    return count;
+}
+
+} // namespace plprove::model
