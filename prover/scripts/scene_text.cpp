@@ -225,11 +225,12 @@ private:
     struct Pin {
         std::string key;
         ViewSet views = 0;
-        ScenePoint other;
+        std::optional<ScenePoint> other; ///< none where two views alone see the line
     };
 
     /// The line through a point, after its data and unknowns are written; nothing if it is left
-    /// out.
+    /// out. Two planes through the point have a line in common: so what two views see of the line
+    /// says no more than that the point is in the planes.
     std::optional<Pin> placed_pin(int point, const Line& on, const FeatureGroup& group,
                                   char letter) {
         Pin pin{group.key + letter, on.seen, {}};
@@ -237,9 +238,11 @@ private:
             text_.comment("Two images of a line say nothing of the cameras: it is left out.");
             return std::nullopt;
         }
+        const bool in_two = seen_by_two(on.seen);
         for (int view = 0; view < problem_.views; ++view)
-            if (contains(on.seen, view))
+            if (contains(on.seen, view) && !(in_two && sees(view, point)))
                 data((sees(view, point) ? "y" : "l") + pin.key + "_" + view_number(view), group);
+        if (in_two) return pin;
         if (contains(on.seen, 0) && sees(0, point)) {
             text_.line("unknown w" + pin.key + group.list());
             pin.other = {"y" + pin.key + "_1" + group.item(), "w" + pin.key + group.item()};
@@ -261,16 +264,17 @@ private:
         for (int view = 0; view < problem_.views; ++view) {
             if (!contains(pin.views, view)) continue;
             const std::string tag = pin.key + "_" + view_number(view) + group.item();
+            if (!sees(view, point)) on_image_line("l" + tag, view, place(point));
+            if (!pin.other) continue;
             if (!sees(view, point))
-                on_image_line("l" + tag, view, {place(point), pin.other});
+                on_image_line("l" + tag, view, *pin.other);
             else if (view > 0)
-                on_join(seen_at(point, view), "y" + tag, view, pin.other);
+                on_join(seen_at(point, view), "y" + tag, view, *pin.other);
         }
     }
 
-    void on_image_line(const std::string& l, int view, const std::vector<ScenePoint>& points) {
-        for (const ScenePoint& at : points)
-            text_.line("equation dot(" + l + ", " + image(view, at) + ") = 0");
+    void on_image_line(const std::string& l, int view, const ScenePoint& at) {
+        text_.line("equation dot(" + l + ", " + image(view, at) + ") = 0");
     }
 
     void on_join(const std::string& x, const std::string& y, int view, const ScenePoint& at) {
@@ -293,7 +297,8 @@ private:
             const std::string tag = key + "_" + view_number(view);
             data((seen.empty() ? "l" : "y") + tag, {});
             if (seen.empty())
-                on_image_line("l" + tag, view, {place(a), place(b)});
+                for (const int point : {a, b})
+                    on_image_line("l" + tag, view, place(point));
             else
                 on_join(seen_at(seen[0], view), "y" + tag, view, place(seen[0] == a ? b : a));
         }
@@ -323,7 +328,8 @@ private:
         if (loop) text_.begin_loop("i", "1.." + std::to_string(group.count));
         for (int view = 1; view < problem_.views; ++view)
             if (contains(views, view))
-                on_image_line("l" + key + "_" + view_number(view) + item, view, points);
+                for (const ScenePoint& at : points)
+                    on_image_line("l" + key + "_" + view_number(view) + item, view, at);
         if (loop) text_.end_loop();
     }
 
