@@ -18,3 +18,16 @@ function(embed_rows file variable beginning)
   string(REGEX REPLACE "([^\n]*)\n" "        {\\1},\n" lines "${lines}")
   set(${variable} "${lines}" PARENT_SCOPE)
 endfunction()
+
+# embed_tables(ROOT): writes degrees_data.cpp, groups_data.cpp and family_degrees_data.cpp, which have the tables
+# of the project at ROOT, to the current binary folder.
+function(embed_tables root)
+  embed_rows(${root}/certs/degrees.csv DEGREE_ROWS "#|number,")
+  embed_rows(${root}/certs/groups.csv GROUP_ROWS "#|number,")
+  embed_lines(${root}/certs/family-degrees.csv FAMILY_DEGREE_LINES "#|family,")
+  embed_lines(${root}/certs/three-views-in-part.csv THREE_VIEW_DEGREE_LINES "#|problem,")
+  foreach(name catalogue/degrees_data catalogue/groups_data many_views/family_degrees_data)
+    get_filename_component(file ${name} NAME)
+    configure_file(${root}/prover/${name}.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${file}.cpp @ONLY)
+  endforeach()
+endfunction()

@@ -22,8 +22,12 @@ const parts: readonly [RegExp, (match: RegExpExecArray) => string][] = [
                   `${agree} of ${all} tries`,
     ],
     [
-        /^by Groebner bases modulo a prime, for its constraint class$/,
+        /^by Groebner bases for its constraint class$/,
         () => "Gröbner bases count so many for random photos modulo a prime",
+    ],
+    [
+        /^by paths for its constraint class$/,
+        () => "two independent runs that follow solutions from photos to photos both found so many",
     ],
     [/^a trace test$/, () => "another test, of a sum over all solutions, says that none is missing"],
 ];

@@ -84,7 +84,18 @@ static std::size_t directions(const Problem& problem) {
     return static_cast<std::size_t>(lines) + (problem.points.size() >= 2 ? 1 : 0);
 }
 
-/// Items 4 to 9; none where they do not apply.
+/// Items 10 and 11: two views, by the axes.
+static std::optional<std::size_t> bound_of_fundamental_matrices(const Problem& problem) {
+    const bool shared = problem.cameras->name == "shared-focal";
+    const auto axes = std::ranges::count_if(problem.lines, is_axis);
+    if (axes == 0) return shared ? 30 : 8;
+    if (axes == 1) return shared ? 20 : 6;
+    if (axes > 2) return std::nullopt;
+    if (shared) return axes_meet(problem) ? 10 : 16;
+    return 4;
+}
+
+/// Items 4 to 11; none where they do not apply.
 static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& problem) {
     const std::string_view cameras = problem.cameras->name;
     const int views = std::popcount(problem.views);
@@ -94,6 +105,8 @@ static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& proble
         const std::optional<std::size_t> bound = degree_bound(uncalibrated);
         return bound ? std::optional(2 * *bound) : std::nullopt;
     }
+    if ((cameras == "shared-focal" || cameras == "upright-focal") && views == 2)
+        return bound_of_fundamental_matrices(problem);
     if (cameras == "upright" && views == 2) return 4;
     if (cameras == "upright" && views == 3 && directions(problem) >= 2) return 6;
     const bool has_axis = std::ranges::any_of(problem.lines, is_axis);

@@ -1,5 +1,5 @@
 // Upper bounds on degrees that points and lines alone imply (proofs/families.md, Theorem 16): for
-// projective cameras, two views with a focal length each, and some problems with known verticals.
+// projective cameras, two views with unknown focal lengths, and some problems with known verticals.
 #pragma once
 
 #include "checker/problem/problem.h"

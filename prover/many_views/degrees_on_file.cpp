@@ -54,11 +54,11 @@ DegreeOnFile parse_three_view_degree(std::string_view line) {
     DegreeOnFile result;
     result.bound = "exact";
     result.status = "evidence";
-    result.source = "by Groebner bases modulo a prime, for its constraint class";
     result.problem = take_column(line);
     result.family = result.problem.substr(0, result.problem.find(':'));
     take_column(line);
     result.degree = take_number(line);
+    result.source = line;
     return result;
 }
 

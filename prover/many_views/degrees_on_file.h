@@ -27,7 +27,7 @@ struct DegreeOnFile {
 std::span<const std::string_view> family_degree_lines();
 
 /// The same of the other file: a problem of a constraint class, the number of its label classes,
-/// and the degree, or 0.
+/// the degree, or 0, and how it was counted.
 std::span<const std::string_view> three_view_degree_lines();
 
 /// Reads a line of the first file, and of the second.

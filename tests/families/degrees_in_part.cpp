@@ -1,10 +1,10 @@
-// The degrees of minimal problems that views may see in part, for certs/three-views-in-part.csv: by
-// paths, where two seeds have to agree.
+// The degrees of problems that views may see in part, for certs/three-views-in-part.csv: by paths,
+// where two seeds have to agree.
 //
 // Usage: three_views_degrees.py --list KIND | degrees_in_part MOST
 //
-// Reads lines of a problem and the number of its label classes, and adds the degree: 0 if the
-// problem is not minimal, - if there are more than MOST solutions, ? if seeds do not agree.
+// Reads lines of a problem and the number of its label classes, and adds the columns `degree` and
+// `source`. The degree is - if there are more than MOST solutions, ? if seeds do not agree.
 #include "prover/minimal/problem_record.h"
 #include "prover/model/solver/solution_count.h"
 #include "prover/problem/notation.h"
@@ -19,14 +19,14 @@ using namespace plprove;
 
 namespace {
 
-std::string degree(const Problem& problem, int most) {
-    if (!is_minimal(certify(problem))) return "0";
+std::string columns(const Problem& problem, int most) {
+    if (!is_minimal(certify(problem))) return "0,not minimal";
     const model::Program program = model::compile(model::read_model(problem_model(problem, 0)));
     const auto found = counted_twice(most, [&](std::uint64_t seed) {
         return model::count_solutions(program, {.seed = seed, .most_solutions = most});
     });
-    if (!found) return "-";
-    return found->exact ? std::to_string(found->solutions) : "?";
+    const std::string degree = !found ? "-" : found->exact ? std::to_string(found->solutions) : "?";
+    return degree + ",by paths for its constraint class";
 }
 
 } // namespace
@@ -38,6 +38,6 @@ int main(int argc, char** argv) {
         return 3;
     }
     for (std::string line; std::getline(std::cin, line);)
-        std::cout << line << ',' << degree(parse_problem(line.substr(0, line.find(','))), most)
+        std::cout << line << ',' << columns(parse_problem(line.substr(0, line.find(','))), most)
                   << std::endl;
 }

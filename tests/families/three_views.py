@@ -130,7 +130,7 @@ def label_classes_with_solutions():
     found = collections.Counter()
     for line in DEGREES.read_text().splitlines():
         if ": " in line and not line.startswith("#"):
-            problem, count, degree = line.split(",")
+            problem, count, degree, _ = line.split(",")
             found[problem.partition(":")[0]] += int(count) * (degree != "0")
     return found
 

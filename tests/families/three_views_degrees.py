@@ -3,16 +3,18 @@
 
     three_views_degrees.py KIND [NOTATION...]        a line for each constraint class, or of these problems
     three_views_degrees.py --list KIND               the constraint classes alone, for degrees_in_part
-    three_views_degrees.py --check TABLE EVERY       whether each EVERY-th line of a table comes out again
+    three_views_degrees.py --check TABLE EVERY       whether each EVERY-th line of a table that Groebner bases made
+                                                     comes out again
+    three_views_degrees.py --paths TABLE EVERY PROGRAM      the same of all lines, by this degrees_in_part
 
-Nothing is shared with plprove or plcheck. Images are random modulo a prime, and Singular counts the cameras
-that explain them, up to motions of space. Status 1 if a line of the table is wrong.
+But for the last, nothing is shared with plprove or plcheck. Images are random modulo a prime, and Singular counts the
+cameras that explain them, up to motions of space. Status 1 if a line of the table is wrong.
 
 Problems whose features put the same conditions on cameras are in one *constraint class*: a feature is as good as
 another where they differ in which of two views sees the line of a point besides the point, or in a second line
 (certs/FORMAT.md, sections 1 and 9); the order of the views does not matter. A line has a problem of the class, the
-number of its label classes, and the degree: 0 if there is no solution, - if there are infinitely many. Such a
-class is not minimal.
+number of its label classes, the degree, and how it was counted. The degree is 0 if there is no solution, - if there
+are infinitely many: such a class is not minimal.
 """
 import collections
 import concurrent.futures
@@ -26,6 +28,7 @@ import groebner
 import three_views
 
 LONGEST = 600  # seconds
+SOURCE = "by Groebner bases for its constraint class"
 PAIRS = [("a/P/Pa", "a/Pa/P"), ("P/a/Pa", "Pa/a/P"), ("P/Pa/a", "Pa/P/a"),
          ("P/a/a", "Pab/b/a"), ("a/P/a", "b/Pab/a"), ("a/a/P", "b/a/Pab")]
 
@@ -173,26 +176,39 @@ def degrees(problems):
         yield from zip(problems, threads.map(degree, problems))
 
 
-def check(table, every):
+def by_paths(problems, program):
+    run = subprocess.run([program, "1000000"], input="".join(f"{problem},0\n" for problem in problems),
+                         capture_output=True, text=True, check=True)
+    for line in run.stdout.splitlines():
+        problem, _, found, _ = line.split(",")
+        yield problem, found
+
+
+def check(table, every, program=None):
     with open(table, encoding="utf-8") as file:
         rows = [line.strip().split(",") for line in file if not line.startswith("#")][1:]
-    known = {problem: number for problem, _, number in rows[::every]}
-    wrong = {problem: found for problem, found in degrees(list(known)) if found != known[problem]}
+    known = {problem: number for problem, _, number, source in rows if program or source == SOURCE}
+    known = dict(list(known.items())[::every])
+    again = by_paths(known, program) if program else degrees(list(known))
+    wrong = {problem: found for problem, found in again if found != known[problem]}
     for problem, found in wrong.items():
         print(f"{problem}: {found}, on file {known[problem]}")
-    print(f"{len(known)} degrees by Groebner bases, {len(wrong)} of them differ from those on file")
+    print(f"{len(known)} degrees by {'paths' if program else 'Groebner bases'}, "
+          f"{len(wrong)} of them differ from those on file")
     sys.exit(bool(wrong) or not known)
 
 
 def main():
     if sys.argv[1] == "--check":
         check(sys.argv[2], int(sys.argv[3]))
+    if sys.argv[1] == "--paths":
+        check(sys.argv[2], int(sys.argv[3]), sys.argv[4])
     if sys.argv[1] == "--list":
         print("\n".join(f"{problem},{count}" for problem, count in constraint_classes(sys.argv[2])))
         return
     counts = dict(constraint_classes(sys.argv[1]))
     for problem, found in degrees(sys.argv[2:] or list(counts)):
-        print(f"{problem},{counts[problem]},{found}", flush=True)
+        print(f"{problem},{counts[problem]},{found},{SOURCE}", flush=True)
 
 
 if __name__ == "__main__":
