@@ -37,7 +37,8 @@ bool has_complete_visibility(const Problem& problem) {
 void require_complete_visibility(const Problem& problem, const std::string& option) {
     if (has_complete_visibility(problem)) return;
     throw BadInput("some view misses a point or a line of " + notation(problem) +
-                   ", and a certificate of its solutions has no format: leave " + option + " out");
+                   ", and only a model of it has certificates: leave " + option +
+                   " out, and see `plprove model --from`, `--lift`");
 }
 
 /// How often a solution is found.
@@ -157,7 +158,7 @@ std::string text_report(const Finding& finding) {
     else if (has_complete_visibility(finding.problem))
         out << "none: -o FILE writes one\n";
     else
-        out << "none: there are such only for problems of which all views see everything\n";
+        out << "none, as views miss something; of the model: plprove model --from, then --lift\n";
     return out.str();
 }
 

@@ -180,7 +180,7 @@ TEST_CASE("the solutions of a problem that views see in part are counted") {
     CHECK(contains(found.out, "problem     upright: Pa/Pa/Pa + P/-/P + a/a/a\n"
                               "degree      6 by evidence\n"
                               "ways        12 of 12 take the solutions of some images"));
-    CHECK(contains(found.out, "certificate none: there are such only for problems of which all"));
+    CHECK(contains(found.out, "certificate none, as views miss something; of the model: plprove"));
     const auto json = nlohmann::json::parse(run(degree + " --json").out);
     CHECK(json["solutions"] == 6);
     CHECK(json["complete"] == "evidence");
@@ -189,7 +189,7 @@ TEST_CASE("the solutions of a problem that views see in part are counted") {
         const Outcome refused = run(degree + ' ' + option);
         CHECK(refused.status == 2);
         CHECK(contains(refused.err, "some view misses a point or a line of"));
-        CHECK(contains(refused.err, "leave " + option.substr(0, option.find(' ')) + " out\n"));
+        CHECK(contains(refused.err, "leave " + option.substr(0, option.find(' ')) + " out, "));
     }
     // The search ends where it knows as many solutions as wanted.
     const Outcome some = run(plprove + " degree 'upright: 3*P/a/a + 2*a/P/a + 2*a/a/P' --target 9");
@@ -210,9 +210,10 @@ TEST_CASE("cameras known in part: families and known numbers of solutions") {
                    "verdict     minimal\n"));
     // Stewenius et al. (2005): 15 focal lengths, each with two poses. Hartley: 3 matrices F, of
     // which each has two focal lengths and two poses. Fraundorfer et al. (2010): 4.
-    for (const auto& [problem, solutions] : {std::pair{"shared-focal: 6*P/P", "30 certified, all found"},
-                                             {"focal: 7*P/P", "6 certified, all found"},
-                                             {"upright: 3*P/P", "4 certified, all found"}}) {
+    for (const auto& [problem, solutions] :
+         {std::pair{"shared-focal: 6*P/P", "30 certified, all found"},
+          {"focal: 7*P/P", "6 certified, all found"},
+          {"upright: 3*P/P", "4 certified, all found"}}) {
         CAPTURE(problem);
         const std::string file = (folder / "solutions.plc").string();
         const Outcome found = run(plprove + " degree '" + problem + "' -o " + file);
