@@ -3,8 +3,8 @@
 
     three_views_degrees.py KIND [NOTATION...]        a line for each constraint class, or of these problems
     three_views_degrees.py --list KIND               the constraint classes alone, for degrees_in_part
-    three_views_degrees.py --check TABLE EVERY       whether each EVERY-th line of a table comes out again, of those
-                                                     that Groebner bases made, or that have few solutions
+    three_views_degrees.py --check TABLE EVERY       whether each EVERY-th line of a table that Groebner bases made
+                                                     comes out again
     three_views_degrees.py --paths TABLE EVERY PROGRAM      the same of all lines, by this degrees_in_part
 
 But for the last, nothing is shared with plprove or plcheck. Images are random modulo a prime, and Singular counts the
@@ -29,7 +29,6 @@ import three_views
 
 LONGEST = 600  # seconds
 SOURCE = "by Groebner bases for its constraint class"
-FEW = 30  # solutions
 PAIRS = [("a/P/Pa", "a/Pa/P"), ("P/a/Pa", "Pa/a/P"), ("P/Pa/a", "Pa/P/a"),
          ("P/a/a", "Pab/b/a"), ("a/P/a", "b/Pab/a"), ("a/a/P", "b/a/Pab")]
 
@@ -190,8 +189,7 @@ def by_paths(problems, program):
 def check(table, every, program=None):
     with open(table, encoding="utf-8") as file:
         rows = [line.strip().split(",") for line in file if not line.startswith("#")][1:]
-    known = {problem: number for problem, _, number, source in rows
-             if program or source == SOURCE or 0 < int(number) <= FEW}
+    known = {problem: number for problem, _, number, source in rows if program or source == SOURCE}
     known = dict(list(known.items())[::every])
     again = by_paths(known, program) if program else degrees(list(known))
     wrong = {problem: found for problem, found in again if found != known[problem]}
