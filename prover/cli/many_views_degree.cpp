@@ -50,11 +50,14 @@ int all_threads() {
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// What was found of a problem: a solution counts for the cameras.
+/// What was found of a problem.
 struct Finding {
     const Problem& problem;
     MonodromyCount count;
+    int copies = 1;    ///< how often each solution is counted
     int certified = 0; ///< how many solutions the certificate shows; 0 if there is none
+
+    int solutions() const { return count.solutions / copies; }
 };
 
 many_views::MonodromyResult solutions_of(const Problem& problem,
@@ -101,8 +104,7 @@ MonodromyCount counted_in_part(const Problem& problem, const ManyViewsDegreeRequ
 Finding found_in_full(const Problem& problem, const ManyViewsDegreeRequest& request,
                       const Deliver& deliver) {
     const many_views::MonodromyResult found = solutions_of(problem, request);
-    Finding finding{problem, found};
-    finding.count.solutions /= copies(problem);
+    Finding finding{problem, found, copies(problem)};
     if (request.path.empty()) return finding;
     const auto record = record_of(found, request);
     finding.certified = (record.count() + copies(problem) - 1) / copies(problem);
@@ -120,7 +122,8 @@ Finding found_in_full(const Problem& problem, const ManyViewsDegreeRequest& requ
 /// suggests it.
 std::string completeness(const Finding& finding) {
     const auto on_file = many_views::degree_on_file(finding.problem);
-    if (on_file && on_file->status == "certified" && on_file->degree == finding.count.solutions)
+    if (on_file && on_file->status == "certified" &&
+        on_file->degree * finding.copies == finding.count.solutions)
         return "certified";
     return finding.count.complete() ? "evidence" : "unknown";
 }
@@ -129,7 +132,7 @@ std::string json_report(const Finding& finding) {
     const MonodromyCount& count = finding.count;
     const nlohmann::ordered_json report = {{"problem", notation(finding.problem)},
                                            {"name", name(finding.problem)},
-                                           {"solutions", count.solutions},
+                                           {"solutions", finding.solutions()},
                                            {"complete", completeness(finding)},
                                            {"ways", count.ways},
                                            {"ways_that_agree", count.edges},
@@ -144,7 +147,7 @@ std::string text_report(const Finding& finding) {
     std::ostringstream out;
     section(out, "problem") << notation(finding.problem) << '\n';
     const std::string complete = completeness(finding);
-    section(out, "degree") << (complete == "unknown" ? "at least " : "") << count.solutions
+    section(out, "degree") << (complete == "unknown" ? "at least " : "") << finding.solutions()
                            << (complete == "certified" ? " certified, all found" : " by evidence")
                            << '\n';
     section(out, "ways") << count.edges << " of " << count.ways

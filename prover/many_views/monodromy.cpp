@@ -17,17 +17,15 @@ std::vector<Point> distinct(const SceneMonodromy& monodromy, int node) {
 
 MonodromyResult result_of(const SceneMonodromy& monodromy) {
     const std::vector<Point> points = distinct(monodromy, 0);
-    const auto first = std::ssize(points), second = std::ssize(distinct(monodromy, 1));
+    const int first = static_cast<int>(points.size());
+    const int second = static_cast<int>(distinct(monodromy, 1).size());
     const MatchedGraph& graph = monodromy.graph();
     const SceneLoops& loops = monodromy.loops();
-    MonodromyResult result{{static_cast<int>(std::max(first, second)), 0, graph.edges(),
-                            monodromy.lost(), loops.paths()},
-                           loops.images(0),
-                           loops.system(),
-                           points};
-    for (int edge = 0; edge < graph.edges(); ++edge)
-        result.edges += first == second && graph.matched(edge) == first;
-    return result;
+    return {{std::max(first, second), graph.complete_edges(first, second), graph.edges(),
+             monodromy.lost(), loops.paths()},
+            loops.images(0),
+            loops.system(),
+            points};
 }
 
 } // namespace

@@ -80,6 +80,13 @@ int MatchedGraph::matched(int edge) const {
                                                   [](int partner) { return partner >= 0; }));
 }
 
+int MatchedGraph::complete_edges(int first, int second) const {
+    int complete = 0;
+    for (int edge = 0; edge < edges(); ++edge)
+        complete += first == second && matched(edge) == first;
+    return complete;
+}
+
 std::optional<std::vector<int>> MatchedGraph::bijection(int edge, int count) const {
     if (edges_[index(edge)].has_detour || matched(edge) != count) return std::nullopt;
     return edges_[index(edge)].partner[0];

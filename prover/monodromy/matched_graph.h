@@ -47,6 +47,9 @@ public:
     /// How many solutions of either node have a partner along the edge.
     int matched(int edge) const;
 
+    /// Along how many edges all solutions are matched one to one, if the nodes have these numbers.
+    int complete_edges(int first, int second) const;
+
     /// To which solution of node 1 the edge leads each of the `count` ones of node 0. Nothing if
     /// some have no partner, or if the edge has a detour.
     std::optional<std::vector<int>> bijection(int edge, int count) const;

@@ -33,12 +33,9 @@ MonodromyCount count_solutions(const Program& program, const CountSettings& sett
     const DataMonodromy& monodromy = search.monodromy();
     const int first = monodromy.solutions(0).size(), second = monodromy.solutions(1).size();
     const MatchedGraph& graph = monodromy.graph();
-    MonodromyCount count{
-        std::max(values_at(program, monodromy, 0), values_at(program, monodromy, 1)), 0,
-        graph.edges(), monodromy.lost(), monodromy.loops().paths()};
-    for (int edge = 0; edge < graph.edges(); ++edge)
-        count.edges += first == second && graph.matched(edge) == first;
-    return count;
+    return {std::max(values_at(program, monodromy, 0), values_at(program, monodromy, 1)),
+            graph.complete_edges(first, second), graph.edges(), monodromy.lost(),
+            monodromy.loops().paths()};
 }
 
 } // namespace plprove::model
