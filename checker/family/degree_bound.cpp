@@ -95,7 +95,20 @@ static std::optional<std::size_t> bound_of_fundamental_matrices(const Problem& p
     return 4;
 }
 
-/// Items 4 to 11; none where they do not apply.
+/// Items 12 and 13: two points, and a line without points in three views, with one in four.
+static std::optional<std::size_t> bound_of_two_points_and_line(const Problem& problem) {
+    const int views = std::popcount(problem.views);
+    const auto has_line = [&](std::size_t points) {
+        return std::ranges::any_of(problem.lines,
+                                   [&](const Line& line) { return line.points.size() == points; });
+    };
+    if (problem.points.size() != 2) return std::nullopt;
+    if (views == 3 && has_line(0)) return 11;
+    if (views == 4 && has_line(1)) return 26;
+    return std::nullopt;
+}
+
+/// Items 4 to 13; none where they do not apply.
 static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& problem) {
     const std::string_view cameras = problem.cameras->name;
     const int views = std::popcount(problem.views);
@@ -113,6 +126,7 @@ static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& proble
     if (cameras == "upright-shared-focal" && views == 2) return has_axis ? 4 : 5;
     if (cameras == "upright-shared-focal" && views == 3 && has_axis) return 6;
     if (cameras == "upright-shared-focal" && views == 3 && directions(problem) >= 3) return 14;
+    if (cameras == "upright-shared-focal") return bound_of_two_points_and_line(problem);
     return std::nullopt;
 }
 
