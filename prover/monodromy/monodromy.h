@@ -65,15 +65,18 @@ public:
         int most_solutions = 0; ///< stops when more are known
     };
 
-    /// Where the number is not known: follows all solutions along all edges.
+    /// Where the number is not known: follows all solutions along all edges. A few edges may lead a
+    /// part of the solutions to themselves, so it looks along others, too.
     void until_agreed(const Agreement& agreement) {
         constexpr int few = 20;
-        while (graph_.edges() < agreement.edges)
-            add_edge();
-        for (follow_all(agreement);
-             solutions().size() <= few && graph_.edges() < agreement.edges_of_few;
-             follow_all(agreement))
-            add_edge();
+        do {
+            while (graph_.edges() < agreement.edges)
+                add_edge();
+            for (follow_all(agreement);
+                 solutions().size() <= few && graph_.edges() < agreement.edges_of_few;
+                 follow_all(agreement))
+                add_edge();
+        } while (solutions().size() <= agreement.most_solutions && find_along_others());
     }
 
     /// Follows one more edge, or what has not been followed of one, from all solutions of either
@@ -106,8 +109,14 @@ public:
 
 private:
     void add_edge() {
-        loops_.add_edge();
+        if (graph_.edges() == made_) make_edge();
         graph_.add_edge();
+    }
+
+    /// One that the graph does not have yet.
+    void make_edge() {
+        loops_.add_edge();
+        ++made_;
     }
 
     void report() const {
@@ -223,9 +232,35 @@ private:
         }
     }
 
+    /// The ends of the direction, of the few solutions that are known last. Whether one is new.
+    bool find_along(Direction direction) {
+        constexpr int few = 4;
+        const SolutionSet<Point>& known = solutions(direction.from);
+        std::vector<Point> starts;
+        for (int i = std::max(0, known.size() - few); i < known.size(); ++i)
+            starts.push_back(known[i]);
+        PathEnds<Point> ends = loops_.follow(direction, starts);
+        refuse(direction.to(), false, ends);
+        const int before = solutions(direction.to()).size();
+        for (const std::optional<Point>& end : ends)
+            index_of(direction.to(), end);
+        return solutions(direction.to()).size() > before;
+    }
+
+    /// Follows a few solutions along edges that the graph does not have, until one is new.
+    bool find_along_others() {
+        constexpr int others = 24;
+        for (int edge = graph_.edges(); edge < graph_.edges() + others; ++edge) {
+            if (edge == made_) make_edge();
+            if (find_along({edge, 0}) || find_along({edge, 1})) return true;
+        }
+        return false;
+    }
+
     Loops loops_;
     std::array<SolutionSet<Point>, 2> solutions_;
     MatchedGraph graph_;
+    int made_ = 0; ///< how many edges the loops have
     int lost_ = 0;
     Report report_;
 };

@@ -37,6 +37,12 @@ TEST_CASE("monodromy finds degrees that Groebner bases have") {
     CHECK(found("shared-focal: 3*PL/PL + 3*P/P", 16).solutions == 20);
 }
 
+TEST_CASE("monodromy finds the other half where its first edges lead one half to itself") {
+    // Five edges of this seed lead half of the 60 to itself. With signs of focal lengths each is
+    // four.
+    CHECK(found("focal: 2*P/P/P + Pabcde/Pabcde/Pabcde", 5).solutions == 4 * 60);
+}
+
 TEST_CASE("no path is lost where doubles have too few digits") {
     // In doubles alone some ways lose paths.
     CHECK(found("shared-focal: 3*PL/PL/PL + Pa/Pa/Pa", 3).solutions == 168);
