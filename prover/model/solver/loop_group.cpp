@@ -38,12 +38,10 @@ private:
     void number_values(const Program& program) {
         SolutionSet<Numbers> seen(near_at_starts, Nearness::of_coordinates);
         for (const Numbers& solution : loops_.solutions()) {
-            const std::optional<Numbers> what_counts =
-                program.counts ? values_of(program, program.counted, search_->data(), solution)
-                               : solution;
-            if (!what_counts) return;
-            const std::optional<int> known = seen.find(*what_counts);
-            value_of_.push_back(known ? *known : seen.add(*what_counts));
+            const auto values = counted_values(program, search_->data(), solution);
+            if (!values) return;
+            const std::optional<int> known = seen.find(*values);
+            value_of_.push_back(known ? *known : seen.add(*values));
         }
         values_ = seen.size();
     }

@@ -93,6 +93,18 @@ bool is_regular(const Program& program, const Numbers& data, const Numbers& unkn
     return scaled.partialPivLu().inverse().norm() < largest * (1 + length(unknowns));
 }
 
+/// The values of some scalars; nothing where a divisor is 0, or a number is not finite.
+std::optional<Numbers> values_of(const Program& program, const std::vector<ScalarIndex>& wanted,
+                                 const Numbers& data, const Numbers& unknowns) {
+    const auto scalars = run(program, wanted, data, unknowns, false);
+    if (!scalars) return std::nullopt;
+    Numbers values;
+    for (const ScalarIndex index : wanted)
+        values.push_back((*scalars)[index].value);
+    if (!std::ranges::all_of(values, is_finite)) return std::nullopt;
+    return values;
+}
+
 } // namespace
 
 std::optional<Linearisation> linearise(const Program& program, const Numbers& data,
@@ -115,15 +127,9 @@ std::optional<Linearisation> linearise(const Program& program, const Numbers& da
     return Linearisation{values, jacobian.leftCols(n), jacobian.rightCols(m)};
 }
 
-std::optional<Numbers> values_of(const Program& program, const std::vector<ScalarIndex>& wanted,
-                                 const Numbers& data, const Numbers& unknowns) {
-    const auto scalars = run(program, wanted, data, unknowns, false);
-    if (!scalars) return std::nullopt;
-    Numbers values;
-    for (const ScalarIndex index : wanted)
-        values.push_back((*scalars)[index].value);
-    if (!std::ranges::all_of(values, is_finite)) return std::nullopt;
-    return values;
+std::optional<Numbers> counted_values(const Program& program, const Numbers& data,
+                                      const Numbers& unknowns) {
+    return program.counts ? values_of(program, program.counted, data, unknowns) : unknowns;
 }
 
 double residual_of(const Program& program, const Numbers& data, const Numbers& unknowns) {

@@ -24,10 +24,10 @@ struct Linearisation {
 std::optional<Linearisation> linearise(const Program& program, const Numbers& data,
                                        const Numbers& unknowns, bool by_data);
 
-/// The values of some scalars of the program; nothing where a divisor is 0, or a number is not
-/// finite.
-std::optional<Numbers> values_of(const Program& program, const std::vector<ScalarIndex>& scalars,
-                                 const Numbers& data, const Numbers& unknowns);
+/// By what a solution is counted: the values that the model counts, else the unknowns. Nothing
+/// where a divisor is 0, or a number is not finite.
+std::optional<Numbers> counted_values(const Program& program, const Numbers& data,
+                                      const Numbers& unknowns);
 
 /// The largest absolute value of an equation, each relative to the sum of 1 and of the sizes of the
 /// unknowns times its derivatives by them; infinite where there is none.

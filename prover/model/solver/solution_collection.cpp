@@ -95,8 +95,7 @@ void SolutionCollection::add_new(const Numbers& solution, bool real) {
 }
 
 Numbers SolutionCollection::counted_by(const Numbers& unknowns) const {
-    if (!program_.counts) return unknowns;
-    return values_of(program_, program_.counted, data_, unknowns).value_or(unknowns);
+    return counted_values(program_, data_, unknowns).value_or(unknowns);
 }
 
 } // namespace plprove::model

@@ -10,16 +10,12 @@ namespace {
 
 /// How many values of what counts the solutions of a node have.
 int values_at(const Program& program, const DataMonodromy& monodromy, int node) {
-    const std::vector<Numbers>& solutions = monodromy.solutions(node).points();
-    SolutionSet<Numbers> values(near_at_starts, Nearness::of_coordinates);
-    for (const Numbers& solution : solutions) {
-        const std::optional<Numbers> value =
-            program.counts
-                ? values_of(program, program.counted, monodromy.loops().data(node), solution)
-                : solution;
-        if (value && !values.find(*value)) values.add(*value);
+    SolutionSet<Numbers> seen(near_at_starts, Nearness::of_coordinates);
+    for (const Numbers& solution : monodromy.solutions(node).points()) {
+        const auto values = counted_values(program, monodromy.loops().data(node), solution);
+        if (values && !seen.find(*values)) seen.add(*values);
     }
-    return values.size();
+    return seen.size();
 }
 
 } // namespace
