@@ -95,16 +95,20 @@ static std::optional<std::size_t> bound_of_fundamental_matrices(const Problem& p
     return 4;
 }
 
-/// Items 12 and 13: two points, and a line without points in three views, with one in four.
-static std::optional<std::size_t> bound_of_two_points_and_line(const Problem& problem) {
+/// Items 7 to 9, 12 and 13.
+static std::optional<std::size_t> bound_of_upright_shared_focal(const Problem& problem) {
     const int views = std::popcount(problem.views);
-    const auto has_line = [&](std::size_t points) {
+    const bool has_axis = std::ranges::any_of(problem.lines, is_axis);
+    const auto has_line_of = [&](std::size_t points) {
         return std::ranges::any_of(problem.lines,
                                    [&](const Line& line) { return line.points.size() == points; });
     };
-    if (problem.points.size() != 2) return std::nullopt;
-    if (views == 3 && has_line(0)) return 11;
-    if (views == 4 && has_line(1)) return 26;
+    const bool two_points = problem.points.size() == 2;
+    if (views == 2) return has_axis ? 4 : 5;
+    if (views == 3 && has_axis) return 6;
+    if (views == 3 && directions(problem) >= 3) return 14;
+    if (views == 3 && two_points && has_line_of(0)) return 11;
+    if (views == 4 && two_points && has_line_of(1)) return 26;
     return std::nullopt;
 }
 
@@ -122,11 +126,7 @@ static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& proble
         return bound_of_fundamental_matrices(problem);
     if (cameras == "upright" && views == 2) return 4;
     if (cameras == "upright" && views == 3 && directions(problem) >= 2) return 6;
-    const bool has_axis = std::ranges::any_of(problem.lines, is_axis);
-    if (cameras == "upright-shared-focal" && views == 2) return has_axis ? 4 : 5;
-    if (cameras == "upright-shared-focal" && views == 3 && has_axis) return 6;
-    if (cameras == "upright-shared-focal" && views == 3 && directions(problem) >= 3) return 14;
-    if (cameras == "upright-shared-focal") return bound_of_two_points_and_line(problem);
+    if (cameras == "upright-shared-focal") return bound_of_upright_shared_focal(problem);
     return std::nullopt;
 }
 
