@@ -232,7 +232,7 @@ private:
         }
     }
 
-    /// The ends of the direction, of the few solutions that are known last. Whether one is new.
+    /// Follows the few solutions that became known last. Whether an end is new.
     bool find_along(Direction direction) {
         constexpr int few = 4;
         const SolutionSet<Point>& known = solutions(direction.from);
