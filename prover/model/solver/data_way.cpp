@@ -9,11 +9,7 @@ namespace plprove::model {
 namespace {
 
 TrackSettings settings_for(Care care) {
-    TrackSettings settings{.prediction = 1e-3,
-                           .contraction = 0.05,
-                           .largest_step = 0.2,
-                           .smallest_step = 1e-10,
-                           .most_steps = 2000};
+    TrackSettings settings{.largest_step = 0.2, .smallest_step = 1e-10, .most_steps = 2000};
     if (care == Care::usual) return settings;
     settings.prediction = 1e-6;
     settings.contraction = 0.005;

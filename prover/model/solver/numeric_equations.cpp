@@ -84,13 +84,16 @@ Eigen::VectorXd sizes_of_terms(const Linearisation& at, const Numbers& unknowns)
 
 /// Whether the Jacobian is regular, as far as rounding lets one see: where it is not, equations
 /// whose terms change by 10^-16 have solutions 10^-8 away.
-bool is_regular(const Program& program, const Numbers& data, const Numbers& unknowns) {
-    const auto at = linearise(program, data, unknowns, false);
-    if (!at) return false;
+bool is_regular(const Linearisation& at, const Numbers& unknowns) {
     const Eigen::MatrixXcd scaled =
-        sizes_of_terms(*at, unknowns).cwiseInverse().asDiagonal() * at->by_unknowns;
+        sizes_of_terms(at, unknowns).cwiseInverse().asDiagonal() * at.by_unknowns;
     constexpr double largest = 1e7; // of the inverse, relative to the point
     return scaled.partialPivLu().inverse().norm() < largest * (1 + length(unknowns));
+}
+
+bool is_regular(const Program& program, const Numbers& data, const Numbers& unknowns) {
+    const auto at = linearise(program, data, unknowns, false);
+    return at && is_regular(*at, unknowns);
 }
 
 /// The values of some scalars; nothing where a divisor is 0, or a number is not finite.
@@ -146,13 +149,16 @@ bool keeps_conditions(const Program& program, const Numbers& data, const Numbers
 
 std::optional<Numbers> refined(const Program& program, const Numbers& data,
                                const Numbers& approximation) {
-    constexpr int steps = 3;
+    constexpr int most_steps = 3;
     constexpr double far = 1e-4;
     constexpr double converged = 1e-6;
+    constexpr double rounding = 1e-12; // another step would lead no further
+    const double size = 1 + length(approximation);
     Numbers point = approximation;
-    double moved = 0, last = 0;
-    for (int step = 0; step < steps; ++step) {
-        const auto at = linearise(program, data, point, false);
+    std::optional<Linearisation> at;
+    double moved = 0, last = size;
+    for (int step = 0; step < most_steps && last > rounding * size; ++step) {
+        at = linearise(program, data, point, false);
         if (!at) return std::nullopt;
         const Eigen::VectorXcd change = at->by_unknowns.partialPivLu().solve(at->values);
         if (!change.allFinite()) return std::nullopt;
@@ -160,8 +166,7 @@ std::optional<Numbers> refined(const Program& program, const Numbers& data,
         last = change.norm();
         moved += last;
     }
-    const double size = 1 + length(approximation);
-    if (!(moved < far * size && last < converged * size) || !is_regular(program, data, point))
+    if (!(moved < far * size && last < converged * size) || !is_regular(*at, point))
         return std::nullopt;
     return point;
 }

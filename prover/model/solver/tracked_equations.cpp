@@ -4,9 +4,25 @@
 
 namespace plprove::model {
 
+namespace {
+
+EliminationOrder order_for(const Expressions& nodes,
+                           const std::vector<DerivedEquation>& equations) {
+    std::vector<std::vector<bool>> nonzero;
+    for (const DerivedEquation& equation : equations) {
+        std::vector<bool>& row = nonzero.emplace_back();
+        for (const NodeIndex derivative : equation.by_unknown)
+            row.push_back(derivative != nodes.zero());
+    }
+    return elimination_order(std::move(nonzero));
+}
+
+} // namespace
+
 TrackedEquations::TrackedEquations(const Program& program) {
     Expressions nodes;
     const std::vector<DerivedEquation> equations = derived_equations(program, nodes);
+    order_ = order_for(nodes, equations);
     Schedule schedule = scheduled(nodes, equations);
     constants_ = std::move(schedule.constants);
     data_ = std::move(schedule.data);
@@ -27,6 +43,8 @@ TrackedEquations::TrackedEquations(const Program& program) {
     program_.copy = copies_.data();
     program_.zeros = static_cast<int>(zeros_.size());
     program_.zero = zeros_.data();
+    program_.step = order_.steps.data();
+    program_.index = order_.indices.data();
 }
 
 } // namespace plprove::model

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "prover/model/program.h"
+#include "prover/model/solver/elimination_order.h"
 #include "prover/model/solver/tracking/tracked_program.h"
 
 #include <vector>
@@ -27,6 +28,7 @@ private:
     std::vector<TrackedOperation> operations_;
     std::vector<TrackedCopy> copies_;
     std::vector<int> zeros_;
+    EliminationOrder order_;
 };
 
 } // namespace plprove::model

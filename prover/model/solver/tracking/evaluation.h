@@ -4,7 +4,7 @@
 #pragma once
 
 #include "prover/model/solver/tracking/tracked_program.h"
-#include "prover/tracking/elimination.h"
+#include "prover/tracking/pivoting.h"
 
 namespace plprove::model::PLC_LANES {
 

@@ -37,6 +37,14 @@ struct TrackedCopy {
     int to = 0, from = 0;
 };
 
+/// A step of the elimination of unknowns: which one, and the places in a list of the rows that may
+/// have it, of the other unknowns in these rows, and of the end of those. The first row is that of
+/// the pivot; the other steps that follow do without it.
+struct EliminationStep {
+    int column = 0;
+    int rows = 0, columns = 0, end = 0;
+};
+
 /// A datum that moves: its places, and the number of its curve.
 struct TrackedDatum {
     int place = 0;
@@ -61,6 +69,8 @@ struct TrackedProgram {
     const TrackedCopy* copy = nullptr;
     int zeros = 0; ///< places of the matrix
     const int* zero = nullptr;
+    const EliminationStep* step = nullptr; ///< one for each unknown
+    const int* index = nullptr;            ///< what these refer to
 
     int columns() const { return unknowns + 2; }
 };

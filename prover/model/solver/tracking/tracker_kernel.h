@@ -5,6 +5,7 @@
 #pragma once
 
 #include "prover/model/solver/tracking/evaluation.h"
+#include "prover/model/solver/tracking/sparse_elimination.h"
 #include "prover/tracking/tracker.h"
 
 namespace plprove::model::PLC_LANES {
@@ -43,9 +44,10 @@ public:
     Real correct(Real time, Step& step) {
         const int n = program_.unknowns;
         evaluate<Moving>(program_, curves_, time, places_);
-        eliminate(rows(), n, inverse_);
-        substitute(rows(), n, inverse_, nullptr, 0, n, correction_);
-        if constexpr (Moving) substitute(rows(), n, inverse_, nullptr, 0, n + 1, step_speed_);
+        SparseElimination elimination(program_, rows(), inverse_);
+        elimination.eliminate();
+        elimination.substitute(n, correction_);
+        if constexpr (Moving) elimination.substitute(n + 1, step_speed_);
         Real change = Real::of(0), norm = Real::of(1);
         for (int k = 0; k < n; ++k) {
             change = change + square(correction_[k]);
