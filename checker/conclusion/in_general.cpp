@@ -6,6 +6,7 @@
 #include "checker/family/degree_bound.h"
 #include "checker/general_bounds/hilbert.h"
 #include "checker/general_bounds/proved_degrees.h"
+#include "checker/general_bounds/shared_points.h"
 #include "checker/general_bounds/three_views.h"
 #include "checker/general_degrees/multiples.h"
 #include "checker/problem/notation.h"
@@ -89,16 +90,27 @@ public:
 
 private:
     std::optional<BoundedInGeneral> by_theorem(const Problem& problem);
+    std::optional<BoundedInGeneral> by_class(const Problem& problem);
 
     ByProblem<BoundedInGeneral> by_files_;
     exactly::Degrees of_classes_{};
 };
 
+/// By theorems on all problems in three views that are calibrated, or nearly so.
+std::optional<BoundedInGeneral> Bounds::by_class(const Problem& problem) {
+    const std::optional<Problem> part = calibrated_part(problem);
+    const std::optional<Signature> signature = label_class(part ? *part : problem);
+    if (!signature) return std::nullopt;
+    const auto degree = of_classes_.of(constraint_class(*signature));
+    if (!degree) return std::nullopt;
+    if (!part) return BoundedInGeneral{degree->solutions, degree->theorem, {}, {}, true};
+    return BoundedInGeneral{
+        degree->solutions * 3 / 2, theorem_of_shared_points, {}, notation(*signature), true};
+}
+
 std::optional<BoundedInGeneral> Bounds::by_theorem(const Problem& problem) {
+    if (auto degree = by_class(problem)) return degree;
     std::optional<BoundedInGeneral> least;
-    if (const auto signature = label_class(problem))
-        if (const auto degree = of_classes_.of(constraint_class(*signature)))
-            return BoundedInGeneral{degree->solutions, degree->theorem, {}, {}, true};
     const auto consider = [&](std::optional<std::size_t> at_most, std::string_view theorem) {
         if (at_most && (!least || *at_most < least->at_most)) least = {*at_most, theorem, {}, {}};
     };

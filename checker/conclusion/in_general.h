@@ -34,7 +34,7 @@ struct BoundedInGeneral {
     std::size_t at_most = 0;
     std::string_view theorem{};
     std::string file{};
-    std::string notation{}; // of the problem, in that file
+    std::string notation{}; // of the problem, in that file; of a problem that the theorem names
     bool attained = false;  // whether the theorem says that there are exactly so many
 };
 

@@ -5,11 +5,13 @@
 #include <utility>
 
 namespace checker {
-/// Theorems on degrees of problems in general: of proofs/families.md, and two of proofs/moduli.md.
+/// Theorems on degrees of problems in general: of proofs/families.md, two of proofs/moduli.md, and
+/// that of proofs/shared_points.md.
 /// Others have a table, checker/general_bounds/proved_degrees.h.
 inline constexpr std::string_view theorem_of_points_and_lines = "16";
 inline constexpr std::string_view theorem_of_cameras = "Q";
 inline constexpr std::string_view theorem_of_arrangements = "T";
+inline constexpr std::string_view theorem_of_shared_points = "W";
 
 inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems[] = {
     {theorem_of_points_and_lines, "families.md"},
@@ -24,6 +26,7 @@ inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems
     {theorem_of_cameras, "moduli.md"},
     {theorem_of_arrangements, "moduli.md"},
     {"V", "four_and_five_views.md"},
+    {theorem_of_shared_points, "shared_points.md"},
     {"U8", "three_views/6_lines_through_a_point.md"},
     {"U11", "three_views/6_lines_through_a_point.md"},
 };

@@ -90,7 +90,8 @@ many_views::SolutionsRecord record_of(const many_views::MonodromyResult& found,
 MonodromyCount counted_in_part(const Problem& problem, const ManyViewsDegreeRequest& request) {
     if (!request.path.empty()) require_complete_visibility(problem, "-o");
     if (request.at_least > 0) require_complete_visibility(problem, "--at-least");
-    const std::string text = well_formed(problem_model(problem, 0), notation(problem));
+    const std::string text =
+        well_formed(problem_model(best_view_first(problem), 0), notation(problem));
     ProgressLine line("finding solutions", 0);
     model::CountSettings settings;
     settings.seed = request.seed;

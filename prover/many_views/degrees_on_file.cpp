@@ -53,12 +53,12 @@ DegreeOnFile parse_family_degree(std::string_view line) {
 DegreeOnFile parse_three_view_degree(std::string_view line) {
     DegreeOnFile result;
     result.bound = "exact";
-    result.status = "evidence";
     result.problem = take_column(line);
     result.family = result.problem.substr(0, result.problem.find(':'));
     take_column(line);
     result.degree = take_number(line);
     result.source = line;
+    result.status = result.source.starts_with("by Theorem") ? "certified" : "evidence";
     return result;
 }
 

@@ -4,6 +4,8 @@
 #include "prover/scripts/camera_text.h"
 #include "prover/scripts/scene_text.h"
 
+#include <algorithm>
+
 namespace plprove {
 
 std::string problem_model(const Problem& problem, int claimed) {
@@ -18,6 +20,25 @@ std::string problem_model(const Problem& problem, int claimed) {
     append_scene(text, problem, matrix);
     append_counts(text, problem);
     return text.text();
+}
+
+Problem best_view_first(Problem problem) {
+    const auto points_seen = [&](int view) {
+        return std::ranges::count_if(problem.points,
+                                     [&](ViewSet seen) { return contains(seen, view); });
+    };
+    int best = 0;
+    for (int view = 1; view < problem.views; ++view)
+        if (points_seen(view) > points_seen(best)) best = view;
+    const auto exchange = [&](ViewSet& seen) {
+        const ViewSet ends = 1U | 1U << static_cast<unsigned>(best);
+        if (contains(seen, 0) != contains(seen, best)) seen ^= ends;
+    };
+    for (ViewSet& seen : problem.points)
+        exchange(seen);
+    for (Line& line : problem.lines)
+        exchange(line.seen);
+    return problem;
 }
 
 } // namespace plprove

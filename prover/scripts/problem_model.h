@@ -16,4 +16,8 @@ namespace plprove {
 /// does. Throws BadInput where the kind of cameras has no model.
 std::string problem_model(const Problem& problem, int claimed);
 
+/// The same problem, with the same degree, whose view 1 sees most points: two views in the place of
+/// each other. So the model has fewer unknowns, and paths lose less.
+Problem best_view_first(Problem problem);
+
 } // namespace plprove

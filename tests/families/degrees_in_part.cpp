@@ -21,7 +21,8 @@ namespace {
 
 std::string columns(const Problem& problem, int most) {
     if (!is_minimal(certify(problem))) return "0,not minimal";
-    const model::Program program = model::compile(model::read_model(problem_model(problem, 0)));
+    const std::string text = problem_model(best_view_first(problem), 0);
+    const model::Program program = model::compile(model::read_model(text));
     const auto found = counted_twice(most, [&](std::uint64_t seed) {
         return model::count_solutions(program, {.seed = seed, .most_solutions = most});
     });

@@ -47,7 +47,8 @@ std::vector<std::string> cells(const std::string& line) {
 /// The pages that a row takes from another one.
 const Pages& earlier_row(const std::string& cell, const std::vector<Row>& rows) {
     const std::map<std::string, std::string> named{{"the row of Q and T", "Theorems Q and T"},
-                                                   {"the row of fixed forms", "by fixed forms"}};
+                                                   {"the row of fixed forms", "by fixed forms"},
+                                                   {"the row of classes", "no point with four pins"}};
     for (const auto& [words, claim] : named) {
         if (cell.find(words) == std::string::npos) continue;
         for (const Row& row : rows)
@@ -102,7 +103,7 @@ TEST_CASE("each page of proofs/ is in its map, and each link of the map leads th
 
 TEST_CASE("the pages of a row of the map link no page of proofs/ that is not in the row") {
     const std::vector<Row> rows = rows_of_map();
-    REQUIRE(rows.size() == 20);
+    REQUIRE(rows.size() == 21);
     for (const Row& row : rows) {
         CAPTURE(row.claim);
         for (const fs::path& page : row.pages) {

@@ -86,6 +86,15 @@ TEST_CASE("the search for solutions ends where more are known than wanted, whate
     CHECK(three.paths == one.paths);
 }
 
+TEST_CASE("the view that sees most points comes first, and the degree stays") {
+    const Problem written_so = parse_problem("upright: a/P/Pa + -/P/P + 3*P/-/P + P/P/-");
+    const Problem best_first = best_view_first(written_so);
+    CHECK(notation(best_first) == "upright: Pa/P/a + P/P/- + 3*P/-/P + -/P/P");
+    const model::Program program = model::compile(model::read_model(problem_model(best_first, 0)));
+    CHECK(program.unknowns < written("upright: a/P/Pa + -/P/P + 3*P/-/P + P/P/-").program.unknowns);
+    CHECK(model::count_solutions(program, {}).solutions == 16);
+}
+
 TEST_CASE("a Groebner basis of too many unknowns is refused") {
     const model::Model large = model::read_model("model large\n"
                                                  "data d[1..33]\n"
