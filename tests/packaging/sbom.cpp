@@ -17,6 +17,7 @@ YAML::Node bill() {
 }
 
 /// The shared libraries that the installed programs name, but those of compiler, sanitizers and C.
+/// Bindings for C++ are part of their libraries; unoptimised programs call functions of theirs.
 Names needed() {
     const Outcome outcome =
         run("cd " + (installed() / "bin").string() + " && LC_ALL=C readelf -d plcheck plprove");
@@ -26,7 +27,8 @@ Names needed() {
     Names names;
     for (std::sregex_iterator i(outcome.out.begin(), outcome.out.end(), library), end; i != end;
          ++i)
-        if (!std::regex_match((*i)[1].str(), system)) names.insert((*i)[1]);
+        if (!std::regex_match((*i)[1].str(), system))
+            names.insert(std::regex_replace((*i)[1].str(), std::regex("xx|_cxx"), ""));
     return names;
 }
 
