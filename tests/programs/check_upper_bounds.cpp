@@ -60,6 +60,32 @@ TEST_CASE("with a lower bound, an upper bound makes a degree exact, and --why na
     CHECK(contains(without.out, "at least 6 solutions are certified"));
 }
 
+TEST_CASE("six points that two views share make the degree exact, of a problem proved minimal") {
+    const std::string problem = "shared-focal: P/P/P + 2*a/P/Pa + 5*P/-/P";
+    const TemporaryFolder folder;
+    const std::string file = (folder / "mine.plc").string();
+    REQUIRE(run(plprove + " problem '" + problem + "' --certificate " + file).status == 0);
+    const auto expect = [&](const std::string& degree, const std::string& files) {
+        return run(plcheck + " --why --quiet --expect '" + problem + "' --degree '" + degree +
+                   "' " + files);
+    };
+    for (const char* right : {"240", ">=240", ">=239"}) {
+        CAPTURE(right);
+        CHECK(expect(right, file).status == 0);
+    }
+    CHECK(contains(expect("240", file).out, "exactly 240, by Theorem W"));
+    for (const char* wrong : {"239", "241", ">=241"}) {
+        CAPTURE(wrong);
+        const Outcome refused = expect(wrong, file);
+        CHECK(refused.status == 1);
+        CHECK(contains(refused.out, "exactly 240 solutions are certified"));
+    }
+    // Other files do not prove that the problem is minimal.
+    const Outcome unproved = expect("240", certs + "classification.plc");
+    CHECK(unproved.status == 1);
+    CHECK(!contains(unproved.out, "Theorem W"));
+}
+
 TEST_CASE("--at-most is for projective cameras that all see everything") {
     const auto refusal = [](const std::string& problem) {
         const Outcome outcome = run(plprove + " degree '" + problem + "' --at-most 1,1");
