@@ -34,6 +34,9 @@ private:
         Front front{column, {}, {}};
         for (std::size_t row = 0; row < nonzero_.size(); ++row)
             if (row_left_[row] && nonzero_[row][column]) front.rows.push_back(row);
+        if (front.rows.empty()) // the matrix is singular: a pivot that is 0
+            front.rows.push_back(
+                static_cast<std::size_t>(std::ranges::find(row_left_, true) - row_left_.begin()));
         for (std::size_t other = 0; other < nonzero_.size(); ++other)
             if (other != column && column_left_[other] &&
                 std::ranges::any_of(front.rows,
@@ -65,7 +68,7 @@ private:
         for (const std::size_t row : front.rows)
             for (const std::size_t column : front.others)
                 nonzero_[row][column] = true;
-        if (!front.rows.empty()) row_left_[front.rows.front()] = false;
+        row_left_[front.rows.front()] = false;
         column_left_[front.column] = false;
     }
 

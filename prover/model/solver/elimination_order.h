@@ -16,7 +16,7 @@ struct EliminationOrder {
 /// Takes the unknown next that makes fewest products (after H. M. Markowitz, Management Science
 /// 1957). `nonzero` says of a square matrix where it may have other numbers than 0: each row in a
 /// step counts as having all columns of the step, so any of these rows may have the pivot (A.
-/// George, E. Ng, SIAM J. Sci. Stat. Comput. 1987). Needs a regular matrix.
+/// George, E. Ng, SIAM J. Sci. Stat. Comput. 1987). Of a singular matrix some pivots are 0.
 EliminationOrder elimination_order(std::vector<std::vector<bool>> nonzero);
 
 } // namespace plprove::model

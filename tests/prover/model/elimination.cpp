@@ -95,3 +95,16 @@ TEST_CASE("each unknown is eliminated once, where few coefficients change first"
     CHECK(order.steps[0].column > 1);
     CHECK(products < size * size * size / 6); // half of what dense equations take
 }
+
+TEST_CASE("of a singular matrix each row has a pivot, too") {
+    std::vector<std::vector<bool>> nonzero(4, {true, true, false, false});
+    std::set<int> columns, pivots;
+    const EliminationOrder order = elimination_order(nonzero);
+    for (const EliminationStep& step : order.steps) {
+        columns.insert(step.column);
+        REQUIRE(step.columns > step.rows);
+        pivots.insert(order.indices[static_cast<std::size_t>(step.rows)]);
+    }
+    CHECK(columns == std::set<int>{0, 1, 2, 3});
+    CHECK(pivots == std::set<int>{0, 1, 2, 3});
+}
