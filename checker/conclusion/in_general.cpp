@@ -104,8 +104,8 @@ std::optional<BoundedInGeneral> Bounds::by_class(const Problem& problem) {
     const auto degree = of_classes_.of(constraint_class(*signature));
     if (!degree) return std::nullopt;
     if (!part) return BoundedInGeneral{degree->solutions, degree->theorem, {}, {}, true};
-    return BoundedInGeneral{
-        degree->solutions * 3 / 2, theorem_of_shared_points, {}, notation(*signature), true};
+    return BoundedInGeneral{degree->solutions * 3 / 2, theorem_of_shared_points, {}, {}, true,
+                            notation(*signature)};
 }
 
 std::optional<BoundedInGeneral> Bounds::by_theorem(const Problem& problem) {

@@ -34,8 +34,9 @@ struct BoundedInGeneral {
     std::size_t at_most = 0;
     std::string_view theorem{};
     std::string file{};
-    std::string notation{}; // of the problem, in that file; of a problem that the theorem names
-    bool attained = false;  // whether the theorem says that there are exactly so many
+    std::string notation{};        // of the problem, in that file
+    bool attained = false;         // whether the theorem says that there are exactly so many
+    std::string calibrated_part{}; // by Theorem W, the problem whose degree is 2/3 of this number
 };
 
 /// The least that any record says for each problem, by the problem without its implied lines.

@@ -6,8 +6,7 @@
 
 namespace checker {
 /// Theorems on degrees of problems in general: of proofs/families.md, two of proofs/moduli.md, and
-/// that of proofs/shared_points.md.
-/// Others have a table, checker/general_bounds/proved_degrees.h.
+/// that of proofs/shared_points.md. Others have a table, checker/general_bounds/proved_degrees.h.
 inline constexpr std::string_view theorem_of_points_and_lines = "16";
 inline constexpr std::string_view theorem_of_cameras = "Q";
 inline constexpr std::string_view theorem_of_arrangements = "T";

@@ -3,10 +3,6 @@
 #include <algorithm>
 
 namespace checker {
-static bool sees_all(Views views, Views seen_by) {
-    return (views & ~seen_by) == 0;
-}
-
 /// Whether each line has at most one point.
 static bool points_are_free(const Problem& problem) {
     return std::ranges::all_of(problem.lines,
@@ -54,7 +50,7 @@ static std::optional<Problem> with_five_shared_points(const Problem& problem, Vi
     const Views third = problem.views & ~pair;
     Indices shared;
     for (std::size_t i = 0; i < problem.points.size(); ++i)
-        if (sees_all(pair, problem.points[i].seen_by)) shared.push_back(i);
+        if ((pair & ~problem.points[i].seen_by) == 0) shared.push_back(i);
     if (shared.size() != 6) return std::nullopt;
     for (const std::size_t i : shared)
         if (is_missed(problem, problem.points[i], third)) return without_point(problem, i);

@@ -15,17 +15,20 @@ using namespace checker;
 
 namespace {
 
+std::optional<Signature> signature_of_part(const std::string& text) {
+    const auto part = calibrated_part(parse_problem(text));
+    return part ? label_class(*part) : std::nullopt;
+}
+
 /// The degree of a minimal problem by the theorem; 0 if it says nothing.
 std::size_t degree_by_theorem(exactly::Degrees& degrees, const std::string& text) {
-    const auto part = calibrated_part(parse_problem(text));
-    const auto signature = part ? label_class(*part) : std::nullopt;
+    const auto signature = signature_of_part(text);
     if (!signature) return 0;
     return degrees.of(constraint_class(*signature)).value().solutions * 3 / 2;
 }
 
 std::string part_of(const std::string& text) {
-    const auto part = calibrated_part(parse_problem(text));
-    const auto signature = part ? label_class(*part) : std::nullopt;
+    const auto signature = signature_of_part(text);
     return signature ? notation(*signature) : "none";
 }
 

@@ -12,7 +12,7 @@ using namespace plprove::PLC_LANES;
 
 namespace {
 
-/// The matrix of a program: a row is an equation, its columns are the unknowns and `right` ones.
+/// The matrix of a program: a row is an equation, its columns are the unknowns, then right sides.
 class SparseElimination {
 public:
     SparseElimination(const TrackedProgram& program, const Rows& matrix, Number* inverse)
