@@ -8,6 +8,7 @@
 #include "checker/general_bounds/proved_degrees.h"
 #include "checker/general_bounds/shared_points.h"
 #include "checker/general_bounds/three_views.h"
+#include "checker/general_bounds/upright_views.h"
 #include "checker/general_degrees/multiples.h"
 #include "checker/problem/notation.h"
 
@@ -104,8 +105,12 @@ std::optional<BoundedInGeneral> Bounds::by_class(const Problem& problem) {
     const auto degree = of_classes_.of(constraint_class(*signature));
     if (!degree) return std::nullopt;
     if (!part) return BoundedInGeneral{degree->solutions, degree->theorem, {}, {}, true};
-    return BoundedInGeneral{degree->solutions * 3 / 2, theorem_of_shared_points, {}, {}, true,
-                            notation(*signature)};
+    return BoundedInGeneral{degree->solutions * 3 / 2,
+                            theorem_of_shared_points,
+                            {},
+                            {},
+                            true,
+                            "its degree is 3/2 times that of " + notation(*signature)};
 }
 
 std::optional<BoundedInGeneral> Bounds::by_theorem(const Problem& problem) {
@@ -122,6 +127,10 @@ std::optional<BoundedInGeneral> Bounds::by_theorem(const Problem& problem) {
 }
 
 std::optional<BoundedInGeneral> bound_in_general(const Findings& findings, const Problem& problem) {
+    if (const auto degree = degree_in_upright_views(without_implied_lines(problem)))
+        return BoundedInGeneral{*degree, theorem_of_upright_views,
+                                {},      {},
+                                true,    "its solutions are counted by their valuations"};
     return Bounds(findings).least(problem);
 }
 

@@ -34,9 +34,9 @@ struct BoundedInGeneral {
     std::size_t at_most = 0;
     std::string_view theorem{};
     std::string file{};
-    std::string notation{};        // of the problem, in that file
-    bool attained = false;         // whether the theorem says that there are exactly so many
-    std::string calibrated_part{}; // by Theorem W, the problem whose degree is 2/3 of this number
+    std::string notation{}; // of the problem, in that file
+    bool attained = false;  // whether the theorem says that there are exactly so many
+    std::string reason{};   // then, if the theorem is not on label classes
 };
 
 /// The least that any record says for each problem, by the problem without its implied lines.
@@ -44,7 +44,8 @@ ByProblem<BoundedInGeneral> bounds_in_general(const Findings& findings);
 
 UpperBound upper_bound(const BoundedInGeneral& bound);
 
-/// The least that the theorems or any record say; none if they do not speak of the problem.
+/// The least that the theorems or any record say; none if they do not speak of the problem. Theorem
+/// D takes seconds, so it speaks here alone.
 std::optional<BoundedInGeneral> bound_in_general(const Findings& findings, const Problem& problem);
 
 /// Files of solutions that count more than a theorem or a file of upper bounds allows, and these

@@ -105,12 +105,12 @@ KnownDegree degree_of(const Classification& classes, const Findings& findings, c
     known.files.upper = {proved.file};
     known.bounds.at_most = upper_bound(*bound);
     if (!bound->file.empty()) known.files.upper.push_back(bound->file);
-    if (!bound->calibrated_part.empty()) {
+    if (!bound->reason.empty()) {
         known.bounds.theorem = exactly::Degree{bound->at_most, bound->theorem};
         known.bounds.counted = known.bounds.at_least;
         known.bounds.at_least = std::max(known.bounds.counted, bound->at_most);
         known.files.lower = {proved.file};
-        known.source = "its degree is 3/2 times that of " + bound->calibrated_part;
+        known.source = bound->reason;
     } else if (known.bounds.at_least == 0) {
         known.bounds.at_least = 1;
         known.files.lower = {proved.file};

@@ -6,11 +6,13 @@
 
 namespace checker {
 /// Theorems on degrees of problems in general: of proofs/families.md, two of proofs/moduli.md, and
-/// that of proofs/shared_points.md. Others have a table, checker/general_bounds/proved_degrees.h.
+/// those of proofs/shared_points.md and proofs/upright_views.md. Others have a table,
+/// checker/general_bounds/proved_degrees.h.
 inline constexpr std::string_view theorem_of_points_and_lines = "16";
 inline constexpr std::string_view theorem_of_cameras = "Q";
 inline constexpr std::string_view theorem_of_arrangements = "T";
 inline constexpr std::string_view theorem_of_shared_points = "W";
+inline constexpr std::string_view theorem_of_upright_views = "D";
 
 inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems[] = {
     {theorem_of_points_and_lines, "families.md"},
@@ -26,6 +28,7 @@ inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems
     {theorem_of_arrangements, "moduli.md"},
     {"V", "four_and_five_views.md"},
     {theorem_of_shared_points, "shared_points.md"},
+    {theorem_of_upright_views, "upright_views.md"},
     {"U8", "three_views/6_lines_through_a_point.md"},
     {"U11", "three_views/6_lines_through_a_point.md"},
 };

@@ -3,8 +3,7 @@
 
     three_views_degrees.py KIND [NOTATION...]        a line for each constraint class, or of these problems
     three_views_degrees.py --list KIND               the constraint classes alone, for degrees_in_part
-    three_views_degrees.py --check TABLE EVERY       whether each EVERY-th line of a table that Groebner bases made
-                                                     comes out again
+    three_views_degrees.py --check TABLE EVERY       whether each EVERY-th line of `upright` comes out again
     three_views_degrees.py --paths TABLE EVERY PROGRAM      the same of all lines of at most 400, by this degrees_in_part
 
 But for the last, nothing is shared with plprove or plcheck. Images are random modulo a prime, and Singular counts the
@@ -197,8 +196,8 @@ def by_paths(problems, program):
 def check(table, every, program=None):
     with open(table, encoding="utf-8") as file:
         rows = [line.strip().split(",") for line in file if not line.startswith("#")][1:]
-    known = {problem: number for problem, _, number, source in rows
-             if (int(number) <= MOST_BY_PATHS if program else source == SOURCE)}
+    known = {problem: number for problem, _, number, _ in rows
+             if (int(number) <= MOST_BY_PATHS if program else problem.startswith("upright:"))}
     known = dict(list(known.items())[::every])
     again = by_paths(known, program) if program else degrees(list(known))
     wrong = {problem: found for problem, found in again if found != known[problem]}

@@ -86,6 +86,24 @@ TEST_CASE("six points that two views share make the degree exact, of a problem p
     CHECK(!contains(unproved.out, "Theorem W"));
 }
 
+TEST_CASE("valuations make the degree exact of three views whose verticals are known") {
+    const std::string problem = "upright: 3*-/P/P + 3*P/-/P + P/P/-";
+    const TemporaryFolder folder;
+    const std::string file = (folder / "mine.plc").string();
+    const Outcome made = run(plprove + " problem '" + problem + "' --certificate " + file);
+    CHECK(contains(made.out, "16 certified: by Theorem D"));
+    const auto expect = [&](const std::string& degree) {
+        return run(plcheck + " --why --quiet --expect '" + problem + "' --degree '" + degree +
+                   "' " + file);
+    };
+    CHECK(expect("16").status == 0);
+    CHECK(contains(expect("16").out, "exactly 16, by Theorem D of proofs/upright_views.md"));
+    for (const char* wrong : {"15", "17", ">=17"}) {
+        CAPTURE(wrong);
+        CHECK(expect(wrong).status == 1);
+    }
+}
+
 TEST_CASE("--at-most is for projective cameras that all see everything") {
     const auto refusal = [](const std::string& problem) {
         const Outcome outcome = run(plprove + " degree '" + problem + "' --at-most 1,1");
