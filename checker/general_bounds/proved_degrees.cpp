@@ -101,7 +101,8 @@ static constexpr ProvedRow proved_rows[] = {
 
 /// The row's problem: each view sees each feature in the same way.
 static Problem problem_of(const ProvedRow& row) {
-    std::string notation = row.theorem == "A" || row.theorem == "B" || row.theorem == "E" ? "" : "projective: ";
+    std::string notation =
+        row.theorem == "A" || row.theorem == "B" || row.theorem == "E" ? "" : "projective: ";
     std::string_view rest = row.view;
     while (!rest.empty()) {
         const std::string_view feature = rest.substr(0, rest.find(" + "));

@@ -46,9 +46,10 @@ std::vector<std::string> cells(const std::string& line) {
 
 /// The pages that a row takes from another one.
 const Pages& earlier_row(const std::string& cell, const std::vector<Row>& rows) {
-    const std::map<std::string, std::string> named{{"the row of Q and T", "Theorems Q and T"},
-                                                   {"the row of fixed forms", "by fixed forms"},
-                                                   {"the row of classes", "no point with four pins"}};
+    const std::map<std::string, std::string> named{
+        {"the row of Q and T", "Theorems Q and T"},
+        {"the row of fixed forms", "by fixed forms"},
+        {"the row of classes", "no point with four pins"}};
     for (const auto& [words, claim] : named) {
         if (cell.find(words) == std::string::npos) continue;
         for (const Row& row : rows)
