@@ -105,12 +105,10 @@ std::optional<BoundedInGeneral> Bounds::by_class(const Problem& problem) {
     const auto degree = of_classes_.of(constraint_class(*signature));
     if (!degree) return std::nullopt;
     if (!part) return BoundedInGeneral{degree->solutions, degree->theorem, {}, {}, true};
-    return BoundedInGeneral{degree->solutions * 3 / 2,
-                            theorem_of_shared_points,
-                            {},
-                            {},
-                            true,
-                            "its degree is 3/2 times that of " + notation(*signature)};
+    return BoundedInGeneral{.at_most = degree->solutions * 3 / 2,
+                            .theorem = theorem_of_shared_points,
+                            .attained = true,
+                            .reason = "its degree is 3/2 times that of " + notation(*signature)};
 }
 
 std::optional<BoundedInGeneral> Bounds::by_theorem(const Problem& problem) {
@@ -128,9 +126,10 @@ std::optional<BoundedInGeneral> Bounds::by_theorem(const Problem& problem) {
 
 std::optional<BoundedInGeneral> bound_in_general(const Findings& findings, const Problem& problem) {
     if (const auto degree = degree_in_upright_views(without_implied_lines(problem)))
-        return BoundedInGeneral{*degree, theorem_of_upright_views,
-                                {},      {},
-                                true,    "its solutions are counted by their valuations"};
+        return BoundedInGeneral{.at_most = *degree,
+                                .theorem = theorem_of_upright_views,
+                                .attained = true,
+                                .reason = "its solutions are counted by their valuations"};
     return Bounds(findings).least(problem);
 }
 

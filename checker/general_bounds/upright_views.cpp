@@ -32,12 +32,13 @@ Observed observed(const Problem& problem, const Point& point) {
     for (const std::size_t line : point.lines)
         if (sees_all(problem.lines[line])) ++result.pencils;
     for (unsigned view = 0; view < views; ++view) {
-        const auto lines = std::ranges::count_if(point.lines, [&](std::size_t line) {
-            return (problem.lines[line].seen_by >> view & 1) != 0;
-        });
-        // Two lines through a point show the point.
-        const bool is_seen = (point.seen_by >> view & 1) != 0 || lines >= 2;
-        result.sights[view] = is_seen ? Sight::point : lines == 1 ? Sight::line : Sight::nothing;
+        const auto sees = [&](Views seen_by) { return (seen_by >> view & 1) != 0; };
+        if (sees(point.seen_by))
+            result.sights[view] = Sight::point;
+        else if (std::ranges::any_of(point.lines, [&](std::size_t line) {
+                     return sees(problem.lines[line].seen_by);
+                 }))
+            result.sights[view] = Sight::line; // just one, or it would see the point
     }
     // Of a line in all views, one view may choose the point.
     result.is_line = result.pencils == 1 && std::ranges::count(result.sights, Sight::point) <= 1;
@@ -115,16 +116,9 @@ public:
 
     /// Three planes share a direction if they are those of one line: for each line of a point.
     void add_pencils(const Observed& object) {
-        std::array<Valuations, views> seen;
-        for (Valuations& of_view : seen)
-            of_view = valuations();
-        for (std::size_t line = 0; line < object.pencils; ++line) {
-            std::array<Coordinates, views> planes;
-            for (unsigned view = 0; view < views; ++view)
-                planes[view] = object.sights[view] == Sight::point ? plane_through(view, seen[view])
-                                                                   : plane(view, valuations());
-            middle_.push_back({Role::equation, volume(planes[0], planes[1], planes[2])});
-        }
+        const std::array<Valuations, views> seen = valuations_by_view();
+        for (std::size_t line = 0; line < object.pencils; ++line)
+            add_pencil(planes_of_line(object.sights, seen));
     }
 
     std::optional<std::size_t> solutions() const {
@@ -145,6 +139,13 @@ private:
         Valuations all;
         for (std::int64_t& valuation : all)
             valuation = static_cast<std::int64_t>(random_() % 1'000'003);
+        return all;
+    }
+
+    std::array<Valuations, views> valuations_by_view() {
+        std::array<Valuations, views> all;
+        for (Valuations& of_view : all)
+            of_view = valuations();
         return all;
     }
 
@@ -169,6 +170,20 @@ private:
         Valuations v{-of_ray[0], -of_ray[1], -of_ray[2]};
         v[view] += valuations()[0];
         return plane(view, v);
+    }
+
+    /// The planes of a line through a point: a view that does not see the point has seen the plane.
+    std::array<Coordinates, views> planes_of_line(const Sights& sights,
+                                                  const std::array<Valuations, views>& seen) {
+        std::array<Coordinates, views> planes;
+        for (unsigned view = 0; view < views; ++view)
+            planes[view] = sights[view] == Sight::point ? plane_through(view, seen[view])
+                                                        : plane(view, seen[view]);
+        return planes;
+    }
+
+    void add_pencil(const std::array<Coordinates, views>& planes, Role role = Role::equation) {
+        middle_.push_back({role, volume(planes[0], planes[1], planes[2])});
     }
 
     /// From the centre of one view to that of another.
@@ -207,19 +222,17 @@ private:
 
     /// A point that all views see, or two, and the third a line through it.
     void add_point(const Observed& object) {
+        const std::array<Valuations, views> seen = valuations_by_view();
+        const std::array<Coordinates, views> planes = planes_of_line(object.sights, seen);
         std::array<Coordinates, views> to_point;
-        std::array<Coordinates, views> planes;
         std::array<Coordinates, views> rays;
         for (unsigned view = 0; view < views; ++view) {
-            const Valuations seen = valuations();
             if (object.sights[view] == Sight::point) {
-                rays[view] = ray(view, seen);
-                planes[view] = plane_through(view, seen);
+                rays[view] = ray(view, seen[view]);
                 const Valued depth = unknown();
                 for (std::size_t a = 0; a < 3; ++a)
                     to_point[view][a] = depth * rays[view][a];
             } else {
-                planes[view] = plane(view, seen);
                 for (Valued& coordinate : to_point[view])
                     coordinate = unknown();
             }
@@ -227,8 +240,7 @@ private:
         add_triangles(object.sights, to_point, rays);
         for (const unsigned view : views_with(object.sights, Sight::line))
             last_.push_back({Role::equation, dot(planes[view], to_point[view])});
-        if (object.pencils > 0)
-            middle_.push_back({Role::equation, volume(planes[0], planes[1], planes[2])});
+        if (object.pencils > 0) add_pencil(planes);
     }
 
     /// A point and two centres: those of two rays first. That two rays meet is a consequence.
@@ -258,7 +270,7 @@ private:
             for (Valued& coordinate : planes[view])
                 coordinate = multiple * coordinate;
         }
-        middle_.push_back({Role::consequence, volume(planes[0], planes[1], planes[2])});
+        add_pencil(planes, Role::consequence);
         Valued sum;
         for (std::size_t a = 0; a < 3; ++a) {
             last_.push_back({Role::relation, planes[0][a] + planes[1][a] + planes[2][a]});
@@ -276,7 +288,7 @@ private:
     std::mt19937_64 random_;
     std::size_t unknowns_ = 2; // the turns of two views
     std::array<Coordinates, 3> centres_{};
-    // Observed, in the order in which a search takes them.
+    // In the order in which a search takes them.
     std::vector<Condition> first_{};
     std::vector<Condition> middle_{};
     std::vector<Condition> last_{};

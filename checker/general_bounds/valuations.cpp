@@ -224,28 +224,28 @@ private:
     /// Where a term attains the minimum of a condition.
     void visit_minimum(std::size_t index, const Region& region, std::size_t first) {
         const Terms& terms = conditions_[index].terms;
-        Region least = region;
         bool is_attained_twice = false;
         for (std::size_t k = 0; k < terms.size(); ++k) {
-            if (k == first) continue;
-            const Affine excess = least.difference(terms[k], terms[first]);
-            if (!is_zero(excess)) {
-                least.require_nonnegative(excess);
-                continue;
-            }
+            if (k == first || !is_zero(region.difference(terms[k], terms[first]))) continue;
             if (k < first) return; // the same region as for the other term
             is_attained_twice = true;
         }
+        Region least = region;
+        require_least(least, terms, first);
         if (least.is_empty()) return;
         if (is_attained_twice) return visit(index + 1, least);
         for (std::size_t second = first + 1; second < terms.size(); ++second) {
             Region tie = region;
             if (!tie.restrict_to(tie.difference(terms[second], terms[first]))) continue;
-            for (std::size_t k = 0; k < terms.size(); ++k)
-                if (k != first && k != second)
-                    tie.require_nonnegative(tie.difference(terms[k], terms[first]));
+            require_least(tie, terms, first);
             if (!tie.is_empty()) visit(index + 1, tie);
         }
+    }
+
+    static void require_least(Region& region, const Terms& terms, std::size_t first) {
+        for (const Term& term : terms)
+            if (const Affine excess = region.difference(term, terms[first]); !is_zero(excess))
+                region.require_nonnegative(excess);
     }
 
     /// The terms that attain the minimum.

@@ -22,6 +22,13 @@ std::string record_of(const std::string& problem, const std::string& file) {
     return text.substr(0, text.find('\n') + 1) + text.substr(start, end + 1 - start);
 }
 
+/// What plcheck says of a degree that someone expects.
+Outcome expect_degree(const std::string& problem, const std::string& degree,
+                      const std::string& files) {
+    return run(plcheck + " --why --quiet --expect '" + problem + "' --degree '" + degree + "' " +
+               files);
+}
+
 } // namespace
 
 TEST_CASE("the file of upper bounds in FORMAT.md holds, and is what plprove writes") {
@@ -66,8 +73,7 @@ TEST_CASE("six points that two views share make the degree exact, of a problem p
     const std::string file = (folder / "mine.plc").string();
     REQUIRE(run(plprove + " problem '" + problem + "' --certificate " + file).status == 0);
     const auto expect = [&](const std::string& degree, const std::string& files) {
-        return run(plcheck + " --why --quiet --expect '" + problem + "' --degree '" + degree +
-                   "' " + files);
+        return expect_degree(problem, degree, files);
     };
     for (const char* right : {"240", ">=240", ">=239"}) {
         CAPTURE(right);
@@ -93,8 +99,7 @@ TEST_CASE("valuations make the degree exact of three views whose verticals are k
     const Outcome made = run(plprove + " problem '" + problem + "' --certificate " + file);
     CHECK(contains(made.out, "16 certified: by Theorem D"));
     const auto expect = [&](const std::string& degree) {
-        return run(plcheck + " --why --quiet --expect '" + problem + "' --degree '" + degree +
-                   "' " + file);
+        return expect_degree(problem, degree, file);
     };
     CHECK(expect("16").status == 0);
     CHECK(contains(expect("16").out, "exactly 16, by Theorem D of proofs/upright_views.md"));

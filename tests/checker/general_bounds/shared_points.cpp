@@ -6,10 +6,9 @@
 #include "checker/degrees/constraint_class.h"
 #include "checker/exactly/degree.h"
 #include "checker/problem/notation.h"
+#include "tests/checker/general_bounds/degrees_on_file.h"
 
 #include <doctest/doctest.h>
-#include <fstream>
-#include <sstream>
 
 using namespace checker;
 
@@ -57,19 +56,12 @@ TEST_CASE("the theorem says nothing of other problems") {
 
 TEST_CASE(
     "the degrees of three views with a common focal length on file are those of the theorem") {
-    std::ifstream table(SOURCE_DIR "/certs/three-views-in-part.csv");
     exactly::Degrees degrees;
     int count = 0;
-    for (std::string line; std::getline(table, line);) {
-        if (!line.starts_with("shared-focal: ") || !line.ends_with(",by Theorem W")) continue;
-        std::istringstream columns(line);
-        std::string text, classes, degree;
-        std::getline(columns, text, ',');
-        std::getline(columns, classes, ',');
-        std::getline(columns, degree, ',');
-        CAPTURE(text);
-        if (degree == "0") continue; // the problem is not minimal
-        CHECK(std::to_string(degree_by_theorem(degrees, text)) == degree);
+    for (const OnFileInPart& row : degrees_in_part_on_file("shared-focal")) {
+        if (row.source != "by Theorem W" || row.degree == "0") continue; // 0: not minimal
+        CAPTURE(row.problem);
+        CHECK(std::to_string(degree_by_theorem(degrees, row.problem)) == row.degree);
         ++count;
     }
     CHECK(count == 941);

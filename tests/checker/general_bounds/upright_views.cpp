@@ -2,10 +2,9 @@
 #include "checker/general_bounds/upright_views.h"
 
 #include "checker/problem/notation.h"
+#include "tests/checker/general_bounds/degrees_on_file.h"
 
 #include <doctest/doctest.h>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 using namespace checker;
@@ -20,22 +19,14 @@ std::optional<std::size_t> degree(const std::string& text) {
 
 TEST_CASE("degrees of three views with known verticals are those that Groebner bases count") {
     constexpr int every = 60; // each takes some seconds
-    std::ifstream table(SOURCE_DIR "/certs/three-views-in-part.csv");
     int minimal = 0;
-    for (std::string line; std::getline(table, line);) {
-        if (!line.starts_with("upright: ")) continue;
-        std::istringstream columns(line);
-        std::string text, classes, number, source;
-        std::getline(columns, text, ',');
-        std::getline(columns, classes, ',');
-        std::getline(columns, number, ',');
-        std::getline(columns, source, ',');
-        CAPTURE(text);
-        CHECK((number == "0") != (source == "by Theorem D"));
-        if (number == "0" || minimal++ % every != 0) continue; // not minimal, or not now
-        const auto found = degree(text);
+    for (const OnFileInPart& row : degrees_in_part_on_file("upright")) {
+        CAPTURE(row.problem);
+        CHECK((row.degree == "0") != (row.source == "by Theorem D"));
+        if (row.degree == "0" || minimal++ % every != 0) continue; // not minimal, or not now
+        const auto found = degree(row.problem);
         REQUIRE(found.has_value());
-        CHECK(std::to_string(*found) == number);
+        CHECK(std::to_string(*found) == row.degree);
     }
     CHECK(minimal == 613);
 }
@@ -55,6 +46,11 @@ TEST_CASE("the order of the views, and which view sees a line, do not matter") {
         CAPTURE(text);
         CHECK(degree(text) == 16);
     }
+}
+
+TEST_CASE("a second line, in a view that sees one of both, does not matter") {
+    CHECK(degree("upright: a/a/a + 3*-/P/P + 2*P/a/a") == 8);
+    CHECK(degree("upright: a/a/a + 3*-/P/P + P/a/a + Pab/b/a") == 8);
 }
 
 TEST_CASE("two lines that all views see leave six solutions") {
