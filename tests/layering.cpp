@@ -32,13 +32,14 @@ const std::map<std::string, Folders> other_claims{
     {"degrees", {"effort", "fibres"}},
     {"registration", {}},
     {"counts", {}},
+    {"permutations", {}},
     {"exactly", {"degrees"}},
     {"family", {"effort"}},
     {"general_degrees", {"effort", "family", "degrees"}},
     {"general_bounds", {"effort", "family", "general_degrees"}},
     {"conclusion",
      {"degrees", "counts", "exactly", "family", "general_degrees", "general_bounds", "model",
-      "registration", ""}}};
+      "permutations", "registration", ""}}};
 
 /// The folders of prover/, from the bottom to the top.
 const Folders layers{"system",      "format",    "geometry",     "cameras",   "problem",

@@ -2,6 +2,7 @@
 
 #include "checker/conclusion/pages_of_theorems.h"
 #include "checker/degrees/constraint_class.h"
+#include "checker/permutations/all_permutations.h"
 
 #include <set>
 
@@ -50,6 +51,7 @@ void add_theorems(DegreeTable& table, const Classification& classes,
         if (!degree) continue;
         DegreeBounds& known = table[key];
         known.theorem = degree;
+        known.all_permutations = has_all_permutations(key);
         known.at_least = std::max(known.at_least, degree->solutions);
         if (!known.at_most || degree->solutions <= known.at_most->solutions)
             known.at_most = UpperBound{degree->solutions, ByTheorem{degree->theorem}};

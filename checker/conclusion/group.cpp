@@ -1,9 +1,12 @@
 #include "checker/conclusion/group.h"
 
+#include "checker/conclusion/pages_of_theorems.h"
+
 namespace checker {
 std::string group_of(const DegreeBounds& bounds) {
     if (!bounds.theorem) return {};
     const std::size_t degree = bounds.theorem->solutions;
+    if (bounds.all_permutations) return say("S", degree);
     bool has_cycle = false, is_even = false, is_odd = false;
     for (const FrobeniusElement& element : bounds.frobenius) {
         has_cycle |= 2 * element.cycle > degree && element.cycle + 2 < degree;
@@ -13,6 +16,12 @@ std::string group_of(const DegreeBounds& bounds) {
     }
     if (!has_cycle) return {};
     return say(is_even && is_odd ? "S" : ">=A", degree);
+}
+
+std::string source_of_group(const DegreeBounds& bounds) {
+    if (!bounds.all_permutations) return "by fibres: proofs/fibres.md";
+    return say("by Theorem ", theorem_of_permutations, " of proofs/",
+               page_of(theorem_of_permutations));
 }
 
 bool implies_group(const std::string& known, const std::string& expected) {

@@ -1,5 +1,6 @@
 // The monodromy group of the camera solutions of a class: how they are permuted along loops of
-// images (proofs/fibres.md). Here permutations that fibres prove are put together.
+// images. Theorem S says so (proofs/all_permutations.md), or permutations that fibres prove, put
+// together (proofs/fibres.md).
 #pragma once
 
 #include "checker/conclusion/degree_bounds.h"
@@ -8,6 +9,9 @@ namespace checker {
 /// What is known of the group, if there are d solutions: `S<d>`, the symmetric group; `>=A<d>`, it
 /// contains the alternating group; empty if nothing.
 std::string group_of(const DegreeBounds& bounds);
+
+/// How it is known: `by fibres: proofs/fibres.md`.
+std::string source_of_group(const DegreeBounds& bounds);
 
 /// Whether the group that is known is as expected, both as above.
 bool implies_group(const std::string& known, const std::string& expected);

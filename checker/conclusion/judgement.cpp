@@ -85,12 +85,14 @@ static std::string judge_group(Judgement& judgement, const Classification& class
         return "these files do not say to which class it reduces; add certs/classification.plc, "
                "or its certificate";
     const Signature& signature = classes.representatives[*proved.number];
-    const std::string group = group_of(bounds_of(findings.degrees, signature));
+    const DegreeBounds bounds = bounds_of(findings.degrees, signature);
+    const std::string group = group_of(bounds);
     if (group.empty())
-        return "no fibres certify its group; add the file that plprove group PROBLEM -o FILE "
-               "writes";
-    judgement.why.push_back(say("its group is ", group, ", by fibres: proofs/fibres.md"));
+        return "no theorem and no fibres certify its group; add the file that plprove group "
+               "PROBLEM -o FILE writes";
+    judgement.why.push_back(say("its group is ", group, ", ", source_of_group(bounds)));
     if (!implies_group(group, expected.group)) return "the group is certified to be " + group;
+    if (bounds.all_permutations) return {};
     for (const std::string& file : degree_files(classes, findings, constraint_class(signature)))
         add_file(judgement, file);
     return {};

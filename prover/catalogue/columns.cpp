@@ -136,8 +136,8 @@ const Column table[] = {
      "how many solutions the hardest step of the problem has, by its group (Galois width)",
      [](const Entry& e) { return known_value(e.width()); }},
     {"group_status", text, true,
-     "certified: plcheck certifies the group by certs/groups; evidence: loops that plprove "
-     "followed",
+     "certified: plcheck certifies the group, by a theorem or by certs/groups; evidence: loops "
+     "that plprove followed",
      [](const Entry& e) { return text_value(e.group, &ClassGroup::status); }},
 };
 

@@ -14,8 +14,10 @@ constexpr const char* head =
     "# How loops of photos permute the solutions, by constraint class. S312: in all ways, 312! in "
     "number. `<S8 wr S2 wr S10`: in some of the ways that\n"
     "# keep blocks together, 10 of 2 of 8 solutions. width: how many solutions the hardest step "
-    "has. certified: plcheck certifies it by certs/groups/*.plc.\n"
-    "# evidence: loops that plprove followed numerically (docs/groups.md).\n"
+    "has. certified: plcheck certifies it, by Theorem S\n"
+    "# (proofs/all_permutations.md) or by certs/groups/*.plc. evidence: loops that plprove "
+    "followed "
+    "numerically (docs/groups.md).\n"
     "number,group,order,width,status\n";
 
 } // namespace
