@@ -61,8 +61,9 @@ public:
     /// When a run ends whose number of solutions is not known.
     struct Agreement {
         int edges = 0;
-        int edges_of_few = 0;   ///< where few solutions are known
-        int most_solutions = 0; ///< stops when more are known
+        int edges_of_few = 0;        ///< where few solutions are known
+        int most_solutions = 0;      ///< stops when more are known at the first node
+        bool at_either_node = false; ///< ... or at the second one
     };
 
     /// Where the number is not known: follows all solutions along all edges. A few edges may lead a
@@ -76,7 +77,7 @@ public:
                  solutions().size() <= few && graph_.edges() < agreement.edges_of_few;
                  follow_all(agreement))
                 add_edge();
-        } while (solutions().size() <= agreement.most_solutions && find_along_others());
+        } while (!are_enough(agreement) && find_along_others());
     }
 
     /// Follows one more edge, or what has not been followed of one, from all solutions of either
@@ -202,9 +203,13 @@ private:
         return found;
     }
 
+    bool are_enough(const Agreement& agreement) const {
+        return solutions().size() > agreement.most_solutions ||
+               (agreement.at_either_node && solutions(1).size() > agreement.most_solutions);
+    }
+
     /// Follows solutions along the first edge that has some without a partner; false if none has.
     bool follow_some(int count) {
-        constexpr int lanes = 16; // to fill
         const int known = solutions().size();
         // The first edge, and companions, reach nearly all solutions from a few. The others lead to
         // these: so they are followed for some solutions at a time.
@@ -217,15 +222,18 @@ private:
         return false;
     }
 
-    /// Until each solution has been along each edge.
+    /// Until each solution has been along each edge, or enough are known.
     void follow_all(const Agreement& agreement) {
         for (bool moved = true; moved;) {
             moved = false;
             for (int edge = 0; edge < graph_.edges(); ++edge)
                 for (const int from : {0, 1}) {
-                    if (solutions().size() > agreement.most_solutions) return;
-                    if (!follow({edge, from}, std::numeric_limits<int>::max())) continue;
-                    follow_doubtful({edge, from});
+                    const Direction direction{edge, from};
+                    if (are_enough(agreement)) return;
+                    const int missing =
+                        agreement.most_solutions + 1 - solutions(direction.to()).size();
+                    if (!follow(direction, std::max(lanes, missing))) continue;
+                    follow_doubtful(direction);
                     moved = true;
                     report();
                 }
@@ -256,6 +264,8 @@ private:
         }
         return false;
     }
+
+    static constexpr int lanes = 16; ///< to fill: fewer paths take as long
 
     Loops loops_;
     std::array<SolutionSet<Point>, 2> solutions_;

@@ -33,9 +33,9 @@ SolvedData StartSearch::first_solution() {
 }
 
 bool StartSearch::is_complete() const {
-    const int most =
-        settings_.known > 0 ? static_cast<int>(settings_.known) : settings_.most_solutions + 1;
-    return monodromy_.solutions().size() >= most;
+    const int first = monodromy_.solutions(0).size(), second = monodromy_.solutions(1).size();
+    return settings_.known > 0 ? first >= static_cast<int>(settings_.known)
+                               : std::max(first, second) > settings_.most_solutions;
 }
 
 void StartSearch::follow_loops() {
@@ -43,7 +43,7 @@ void StartSearch::follow_loops() {
     if (settings_.known > 0)
         monodromy_.reach(static_cast<int>(settings_.known), most_edges);
     else
-        monodromy_.until_agreed({edges, edges_of_few, settings_.most_solutions});
+        monodromy_.until_agreed({edges, edges_of_few, settings_.most_solutions, true});
 }
 
 /// Whether another random solution leads to one that is new.

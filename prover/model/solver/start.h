@@ -20,7 +20,7 @@ struct StartSettings {
     std::size_t known = 0;
     std::function<void(std::size_t found)> found = {}; ///< told how many are found
     Bends bends = Bends::usual;
-    int most_solutions = 20'000; ///< the search ends when more are found
+    int most_solutions = 20'000; ///< the search ends when more are found, for some data
 };
 
 /// The relative distance of approximations of one solution.
