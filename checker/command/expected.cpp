@@ -40,13 +40,19 @@ static ExpectedDegree parse_degree(std::string_view text) {
     return {exactly, *solutions};
 }
 
-/// Reads S312, or >=A312.
+/// Reads S312, >=A312 or <S8 wr S2 wr S10.
 static std::string parse_group(std::string_view text) {
-    const bool is_bound = text.starts_with(">=A");
-    if ((is_bound || text.starts_with('S')) && parse_number(text.substr(is_bound ? 3 : 1)))
-        return std::string(text);
-    throw WrongUsage{
-        say("--group ", printable(text, 40), " is no group; write S312, or '>=A312' in quotes")};
+    constexpr std::string_view of_five_points = " wr S2 wr S10";
+    std::string_view number = text;
+    if (text.starts_with('S'))
+        number.remove_prefix(1);
+    else if (text.starts_with(">=A"))
+        number.remove_prefix(3);
+    else if (text.starts_with("<S") && text.ends_with(of_five_points))
+        number = text.substr(2, text.size() - 2 - of_five_points.size());
+    if (number.size() < text.size() && parse_number(number)) return std::string(text);
+    throw WrongUsage{say("--group ", printable(text, 40),
+                         " is no group; write S312, or '>=A312' or '<S8 wr S2 wr S10' in quotes")};
 }
 
 /// Whether only section 13 of FORMAT.md may spell this: a kind of cameras, shared lines, many

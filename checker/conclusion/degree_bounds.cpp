@@ -3,6 +3,7 @@
 #include "checker/conclusion/pages_of_theorems.h"
 #include "checker/degrees/constraint_class.h"
 #include "checker/permutations/all_permutations.h"
+#include "checker/permutations/five_shared_points.h"
 
 #include <set>
 
@@ -43,6 +44,11 @@ static std::set<Signature> asked_classes(const DegreeTable& table, const Classif
     return keys;
 }
 
+static std::string_view theorem_on_group(const Signature& signature) {
+    if (has_all_permutations(signature)) return theorem_of_permutations;
+    return has_all_permutations_of_third_cameras(signature) ? theorem_of_five_points : "";
+}
+
 void add_theorems(DegreeTable& table, const Classification& classes,
                   const std::vector<bool>& minimal, const AskedDegrees& asked) {
     exactly::Degrees degrees;
@@ -51,7 +57,7 @@ void add_theorems(DegreeTable& table, const Classification& classes,
         if (!degree) continue;
         DegreeBounds& known = table[key];
         known.theorem = degree;
-        known.all_permutations = has_all_permutations(key);
+        known.group_theorem = theorem_on_group(key);
         known.at_least = std::max(known.at_least, degree->solutions);
         if (!known.at_most || degree->solutions <= known.at_most->solutions)
             known.at_most = UpperBound{degree->solutions, ByTheorem{degree->theorem}};

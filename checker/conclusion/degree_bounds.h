@@ -30,7 +30,7 @@ struct DegreeBounds {
     std::optional<UpperBound> at_most{};
     std::optional<exactly::Degree> theorem{};  // what it says; none if it was not asked
     std::vector<FrobeniusElement> frobenius{}; // permutations of solutions, by fibres
-    bool all_permutations = false;             // along loops of images, by Theorem S
+    std::string_view group_theorem{};          // that says the group, S or P; empty if none
 
     bool exact() const { return at_most && at_most->solutions == at_least; }
 };

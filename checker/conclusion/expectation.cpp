@@ -6,8 +6,9 @@ static std::string in_words(const ExpectedDegree& degree, std::string_view solut
 }
 
 std::string group_in_words(const std::string& group) {
-    return group.starts_with(">=") ? " has a group that contains " + group.substr(2)
-                                   : " has the group " + group;
+    if (group.starts_with(">=")) return " has a group that contains " + group.substr(2);
+    if (group.starts_with('<')) return " has a group of index 2 in " + group.substr(1);
+    return " has the group " + group;
 }
 
 static std::string in_words(const ExpectedModel& expected) {

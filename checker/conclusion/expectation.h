@@ -17,7 +17,7 @@ struct ExpectedProblem {
     bool in_general = false; // whether only section 13 may spell it
     std::string verdict{};   // a word of `expected_verdicts`, perhaps with a number; empty for any
     std::optional<ExpectedDegree> degree{};
-    std::string group{}; // S312 or >=A312, see group.h; empty for any
+    std::string group{}; // as in group.h; empty for any
 };
 
 /// That every label class has a certificate.
@@ -61,6 +61,6 @@ inline constexpr std::array<std::string_view, 6> expected_verdicts{
 std::string in_words(const Expectation& expectation);
 std::string in_words(const ExpectedProblem& expected);
 
-/// ` has the group S312`, or ` has a group that contains A312`.
+/// ` has the group S312`, ` has a group that contains A312`, or ` has a group of index 2 in ...`.
 std::string group_in_words(const std::string& group);
 } // namespace checker

@@ -6,7 +6,9 @@ namespace checker {
 std::string group_of(const DegreeBounds& bounds) {
     if (!bounds.theorem) return {};
     const std::size_t degree = bounds.theorem->solutions;
-    if (bounds.all_permutations) return say("S", degree);
+    if (bounds.group_theorem == theorem_of_permutations) return say("S", degree);
+    if (bounds.group_theorem == theorem_of_five_points)
+        return say("<S", degree / 20, " wr S2 wr S10"); // 20 poses of two views
     bool has_cycle = false, is_even = false, is_odd = false;
     for (const FrobeniusElement& element : bounds.frobenius) {
         has_cycle |= 2 * element.cycle > degree && element.cycle + 2 < degree;
@@ -19,9 +21,8 @@ std::string group_of(const DegreeBounds& bounds) {
 }
 
 std::string source_of_group(const DegreeBounds& bounds) {
-    if (!bounds.all_permutations) return "by fibres: proofs/fibres.md";
-    return say("by Theorem ", theorem_of_permutations, " of proofs/",
-               page_of(theorem_of_permutations));
+    if (bounds.group_theorem.empty()) return "by fibres: proofs/fibres.md";
+    return say("by Theorem ", bounds.group_theorem, " of proofs/", page_of(bounds.group_theorem));
 }
 
 bool implies_group(const std::string& known, const std::string& expected) {

@@ -1,13 +1,14 @@
 // The monodromy group of the camera solutions of a class: how they are permuted along loops of
-// images. Theorem S says so (proofs/all_permutations.md), or permutations that fibres prove, put
-// together (proofs/fibres.md).
+// images. Theorems S and P say so (proofs/all_permutations.md, proofs/five_shared_points.md), or
+// permutations that fibres prove, put together (proofs/fibres.md).
 #pragma once
 
 #include "checker/conclusion/degree_bounds.h"
 
 namespace checker {
 /// What is known of the group, if there are d solutions: `S<d>`, the symmetric group; `>=A<d>`, it
-/// contains the alternating group; empty if nothing.
+/// contains the alternating group; `<S8 wr S2 wr S10`, the group of Theorem P, of index 2 in this
+/// one; empty if nothing.
 std::string group_of(const DegreeBounds& bounds);
 
 /// How it is known: `by fibres: proofs/fibres.md`.

@@ -14,8 +14,9 @@ inline constexpr std::string_view theorem_of_arrangements = "T";
 inline constexpr std::string_view theorem_of_shared_points = "W";
 inline constexpr std::string_view theorem_of_upright_views = "D";
 
-/// The theorem on groups.
+/// Theorems on groups.
 inline constexpr std::string_view theorem_of_permutations = "S";
+inline constexpr std::string_view theorem_of_five_points = "P";
 
 inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems[] = {
     {theorem_of_points_and_lines, "families.md"},
@@ -33,6 +34,7 @@ inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems
     {theorem_of_shared_points, "shared_points.md"},
     {theorem_of_upright_views, "upright_views.md"},
     {theorem_of_permutations, "all_permutations.md"},
+    {theorem_of_five_points, "five_shared_points.md"},
     {"U8", "three_views/6_lines_through_a_point.md"},
     {"U11", "three_views/6_lines_through_a_point.md"},
 };

@@ -77,13 +77,9 @@ private:
         return normals;
     }
 
-    /// Adds the equation of a point of a plane that a line chosen at random meets: two of these
-    /// lines give independent equations (Lemma 2).
     bool cut(std::vector<Motion>& conditions, const Motion& one, const Motion& other) {
-        Echelon both = cameras_;
-        if (!both.add(one) || !both.add(other)) return false;
         conditions.push_back(one);
-        return cameras_.add(one);
+        return cameras_.cut(one, other);
     }
 
     bool keep(std::vector<Motion>& conditions, const Motion& condition) {

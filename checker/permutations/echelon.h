@@ -24,6 +24,14 @@ public:
         return true;
     }
 
+    /// Adds the condition that a point of a plane, which the views determine, is on some line; the
+    /// other condition has another line through this point. Whether the two are independent: then
+    /// the point moves in two dimensions (proofs/all_permutations.md, Lemma 2).
+    bool cut(const Motion& condition, const Motion& other) {
+        Echelon both = *this;
+        return both.add(condition) && both.add(other) && add(condition);
+    }
+
     /// How many of the conditions are independent of those before; they are added.
     template <class Conditions> std::size_t add_all(const Conditions& conditions) {
         std::size_t added = 0;

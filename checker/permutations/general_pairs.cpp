@@ -48,6 +48,20 @@ bool has_four_zeros(const Quartic& f) {
     return resultant(by_first, by_second) != Residue{};
 }
 
+/// Whether the ratios of these numbers do.
+bool moves_in_two_dimensions(std::span<const Equation> numbers, const Echelon& cameras) {
+    Echelon ratios = cameras;
+    std::size_t moving = 0;
+    const Equation& first = numbers.front();
+    for (const Equation& other : numbers.subspan(1)) {
+        Motion ratio;
+        for (std::size_t k = 0; k < ratio.size(); ++k)
+            ratio[k] = first.value * other.derivatives[k] - other.value * first.derivatives[k];
+        moving += ratios.add(ratio) ? 1 : 0;
+    }
+    return moving >= 2;
+}
+
 ResidueVector unit(std::size_t i) {
     ResidueVector result{};
     result[i] = Residue{1};
@@ -60,16 +74,7 @@ bool pin_is_general(const NormalsOfPin& normals, const Echelon& cameras, Drawn& 
     for (std::size_t i = 0; i < 8; ++i)
         form[i] =
             MovingViews::pencil({normals[0][i & 1], normals[1][i >> 1 & 1], normals[2][i >> 2]});
-    Echelon ratios = cameras;
-    std::size_t moving = 0;
-    for (std::size_t i = 1; i < 8; ++i) {
-        Motion ratio;
-        for (std::size_t k = 0; k < ratio.size(); ++k)
-            ratio[k] =
-                form[0].value * form[i].derivatives[k] - form[i].value * form[0].derivatives[k];
-        moving += ratios.add(ratio) ? 1 : 0;
-    }
-    if (moving < 2) return false;
+    if (!moves_in_two_dimensions(form, cameras)) return false;
     // Eliminate the direction in view 3 from the form and how it moves: a determinant of bidegree
     // (2, 2) in the others. Its coefficients in the second are quadratic forms in the first.
     const Motion motion = cameras.motion(drawn);
@@ -86,6 +91,35 @@ bool pin_is_general(const NormalsOfPin& normals, const Echelon& cameras, Drawn& 
     const Quadratic middle = sum(coefficient(0, 1), coefficient(1, 0), Residue{1});
     return has_four_zeros(
         sum(product(middle, middle), product(coefficient(0, 0), coefficient(1, 1)), -Residue{4}));
+}
+
+bool known_pin_is_general(const std::array<ResidueVector, 2>& normals, std::size_t u,
+                          const Echelon& cameras, Drawn& drawn) {
+    // The coordinates of both normals in the frame of the two other views.
+    std::array<std::array<Equation, 2>, 3> coordinates;
+    std::vector<Equation> all;
+    for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t k = 0; k < 2; ++k) {
+            std::array<ResidueVector, 3> vectors;
+            vectors[u] = normals[k];
+            vectors[(u + 1) % 3] = unit((a + 1) % 3);
+            vectors[(u + 2) % 3] = unit((a + 2) % 3);
+            coordinates[a][k] = MovingViews::pencil(vectors);
+            all.push_back(coordinates[a][k]);
+        }
+    if (!moves_in_two_dimensions(all, cameras)) return false;
+    // For no direction in view u the plane keeps its normal: two minors have no zero in common.
+    const Motion motion = cameras.motion(drawn);
+    const auto minor = [&](std::size_t a, std::size_t b) {
+        const auto normal = [&](std::size_t c) {
+            return std::array{coordinates[c][0].value, coordinates[c][1].value};
+        };
+        const auto moved = [&](std::size_t c) {
+            return std::array{coordinates[c][0].along(motion), coordinates[c][1].along(motion)};
+        };
+        return sum(product(normal(a), moved(b)), product(normal(b), moved(a)), -Residue{1});
+    };
+    return resultant(minor(0, 1), minor(0, 2)) != Residue{};
 }
 
 bool line_is_general(const BilinearForm& form, const Echelon& cameras, Drawn& drawn) {

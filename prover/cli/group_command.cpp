@@ -141,7 +141,7 @@ std::string text_report(const Asked& asked, const Found& found) {
     section(out, "degree") << asked.degree << ' ' << asked.status << '\n';
     write_loops(out, found.by_loops);
     if (const auto known = certified_group(asked))
-        section(out, "certified") << known->name << ": plcheck --group " << known->name << '\n';
+        section(out, "certified") << "by plcheck --group '" << known->name << "'\n";
     if (found.by_fibres) write_fibres(out, *found.by_fibres);
     return out.str();
 }

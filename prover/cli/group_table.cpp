@@ -15,9 +15,8 @@ constexpr const char* head =
     "number. `<S8 wr S2 wr S10`: in some of the ways that\n"
     "# keep blocks together, 10 of 2 of 8 solutions. width: how many solutions the hardest step "
     "has. certified: plcheck certifies it, by Theorem S\n"
-    "# (proofs/all_permutations.md) or by certs/groups/*.plc. evidence: loops that plprove "
-    "followed "
-    "numerically (docs/groups.md).\n"
+    "# or P (proofs/all_permutations.md, proofs/five_shared_points.md) or by certs/groups/*.plc. "
+    "evidence: loops that plprove followed numerically (docs/groups.md).\n"
     "number,group,order,width,status\n";
 
 } // namespace

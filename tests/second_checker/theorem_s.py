@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""The tests of Theorem S a second time, from its page (proofs/all_permutations.md) alone.
+"""The tests of Theorems S and P a second time, from their pages alone (proofs/all_permutations.md
+and proofs/five_shared_points.md).
 
     theorem_s.py PLCHECK CERTS [EVERY]
 
 makes the tests of section 5 for all minimal constraint classes (or the first of each EVERY), and
 compares with the groups that plcheck certifies from the classification in the folder CERTS. The
-table CERTS/groups.csv must not have a smaller group where the tests succeed.
+table CERTS/groups.csv must not have another group where the tests succeed.
 
 It shares nothing with checker/. The prime is another one, and so are the places. Derivatives are
 those of numbers a + b e with e^2 = 0, along a basis of the motions. Zeros of binary forms are found
@@ -388,13 +389,116 @@ def has_all_permutations(features, seed):
         for own in rows)
 
 
+def known_in_third_view(features, i, j, u):
+    """(pins of known points, known lines, lines through shared points, P/a/a, P/P/- by i and j)"""
+    points, lines, through_shared, incidences, rays = [], 0, 0, 0, {i: 0, j: 0}
+    for feature in features:
+        in_all = frozenset({0, 1, 2}) in feature.lines
+        if feature.point is None:
+            lines += 1
+        elif len(feature.point) == 3:
+            points.append(len(feature.lines))
+        elif len(feature.point) == 1:
+            incidences += 1
+        elif feature.point == {i, j}:
+            lines += in_all
+            through_shared += bool(feature.lines) and not in_all
+        elif feature.lines:
+            points.append(int(in_all))
+        else:
+            rays[min(feature.point - {u})] += 1
+    return points, lines, through_shared, incidences, rays
+
+
+def has_all_third_cameras(features, seed):
+    """The tests of Theorem P."""
+    shared = [pair for pair in ((0, 1), (0, 2), (1, 2))
+              if sum(set(pair) <= (f.point or set()) for f in features) == 5]
+    if len(shared) != 1:
+        return False
+    i, j = shared[0]
+    u = 3 - i - j
+    points, lines, through_shared, incidences, rays = known_in_third_view(features, i, j, u)
+    if not incidences or not (2 * len(points) + lines <= 3 or (len(points), lines) == (2, 0)):
+        return False
+    place = Place(seed)
+    place.known = place.known.with_all(place.relative_pose(i, j))
+
+    def image(point):
+        return place.incidence(i, place.ray(i, point), j, place.plane(j, point), u,
+                               place.plane(u, point))
+
+    meets = []
+    for _ in range(lines):
+        point, direction = place.vector(), place.vector()
+        normals = [place.plane(v, point, direction) for v in range(3)]
+        parallel = place.seen(u, cross(direction, place.vector()))
+        if not place.cut(det(normals[i], normals[j], normals[u]),
+                         det(normals[i], normals[j], parallel)):
+            return False
+        meets.append(place.incidence(i, place.ray(i, point), j, normals[j], u, normals[u]))
+    known = [place.vector() for _ in points]
+    if not all(map(place.keep, meets + [image(point) for point in known for _ in range(2)])):
+        return False
+    for point, pins in zip(known, points):
+        for _ in range(pins):
+            direction = place.vector()
+            if not general_known_pin(place, point, i, j, u) or not place.keep(
+                    det(*(place.plane(v, point, direction) for v in range(3)))):
+                return False
+    motion = place.known.motion(place.draw)
+    if not all(place.general_matrices(view, u, motion) for view in (i, j) if rays[view]):
+        return False
+    seen = [view for view in (i, j) if rays[view]]
+    for chosen in product((False, True), repeat=len(seen)):
+        for number in range(through_shared + 1):
+            taken = [view for view, is_in in zip(seen, chosen) if is_in]
+            size = sum(rays[view] for view in taken) + number
+            more = [row for view in taken for row in place.relative_pose(view, u)]
+            for _ in range(number):
+                point = place.vector()
+                more += [image(point).by, image(point).by]
+            if size and len(place.known.with_all(more)) - len(place.known) <= size:
+                return False
+    return True
+
+
+def general_known_pin(place, point, i, j, u):
+    """Lemma P3."""
+    normals = [place.plane(u, point) for _ in range(2)]
+    units = [[Small(int(a == b)) for b in range(3)] for a in range(3)]
+    # The coordinates of the normals, as view i sees them.
+    frame = [place.seen(i, unit) for unit in units]
+    form = [[dot(axis, normal) for normal in normals] for axis in frame]
+    first, *others = [x for row in form for x in row]
+    ratios = [[(first.value * x - other.value * y) % P for x, y in zip(other.by, first.by)]
+              for other in others]
+    if len(place.known.with_all(ratios)) < len(place.known) + 2:
+        return False
+    motion = place.known.motion(place.draw)
+    value = [[x.value for x in row] for row in form]
+    moved = [[x.along(motion) for x in row] for row in form]
+    minors = [less(times(value[a], moved[b]), times(value[b], moved[a]))
+              for a, b in ((0, 1), (0, 2), (1, 2))]
+    if not any(len(trimmed(minor)) == 3 for minor in minors):
+        return False  # a zero at infinity, perhaps
+    return len(common_divisor(common_divisor(minors[0], minors[1]), minors[2])) == 1
+
+
+def rows_of(path):
+    """The rows of a table, by their numbers."""
+    with open(path, encoding="utf-8") as lines:
+        return {int(row["number"]): row
+                for row in csv.DictReader(line for line in lines if not line.startswith("#"))}
+
+
 def main(plcheck, certs, every=1):
     output = subprocess.run([plcheck, "--json", "--table", f"{certs}/classification.plc"],
                             capture_output=True, text=True, check=True).stdout
     certified = dict(json.loads(output)["certified_groups"])
-    with open(f"{certs}/groups.csv", encoding="utf-8") as lines:
-        on_file = {int(row["number"]): row["group"]
-                   for row in csv.DictReader(line for line in lines if not line.startswith("#"))}
+    on_file = {number: row["group"] for number, row in rows_of(f"{certs}/groups.csv").items()}
+    degrees = {number: int(row["degree"])
+               for number, row in rows_of(f"{certs}/degrees.csv").items()}
     seen, wrong, found = set(), 0, 0
     for number, signature in enumerate(CLASSES.all()):
         features = [FEATURES[i] for i, n in enumerate(signature) for _ in range(n)]
@@ -405,15 +509,19 @@ def main(plcheck, certs, every=1):
         seen.add(key)
         if (len(seen) - 1) % every:
             continue
-        in_all_ways = has_all_permutations(features, number)
-        found += in_all_ways
-        if in_all_ways != (number in certified) or (
-                in_all_ways and " wr " in on_file.get(number, "")):
+        degree = degrees[number]
+        group = None
+        if has_all_permutations(features, number):
+            group = f"S{degree}"
+        elif has_all_third_cameras(features, number):
+            group = f"<S{degree // 20} wr S2 wr S10"
+        found += group is not None
+        if group != certified.get(number) or group not in (None, on_file.get(number)):
             wrong += 1
-            print(f"class {number}: {in_all_ways}, plcheck {certified.get(number)}, "
+            print(f"class {number}: {group}, plcheck {certified.get(number)}, "
                   f"on file {on_file.get(number)}")
-    print(f"{len(seen)} constraint classes, of {-(-len(seen) // every)} {found} have all "
-          f"permutations, {wrong} differ")
+    print(f"{len(seen)} constraint classes, of {-(-len(seen) // every)} {found} have their group by "
+          f"theorem, {wrong} differ")
     return 1 if wrong or not found else 0
 
 

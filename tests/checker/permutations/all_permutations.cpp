@@ -1,6 +1,7 @@
 // Theorem S: of which classes it says that their solutions are permuted in all ways.
 #include "checker/permutations/all_permutations.h"
 
+#include "checker/permutations/five_shared_points.h"
 #include "checker/permutations/general_pairs.h"
 #include "checker/problem/notation.h"
 
@@ -82,4 +83,22 @@ TEST_CASE("general pairs of cameras are told from special ones") {
     CHECK(line_is_general(form_of(normals, drawn.vector()), all, drawn));
     // The plane contains the ray of view 1: then the form is a product.
     CHECK(!line_is_general(form_of(normals, drawn.normal_to(views.from(0, point))), all, drawn));
+}
+
+TEST_CASE("Theorem P says how third cameras are permuted where two views share five points") {
+    const auto says_so_of_third = [](std::initializer_list<std::pair<const char*, unsigned>> of) {
+        Signature signature{};
+        for (const auto& [feature, times] : of)
+            signature[index_of(feature)] += times;
+        return has_all_permutations_of_third_cameras(signature);
+    };
+    CHECK(says_so_of_third({{"Pa/Pa/Pa", 1}, {"a/P/Pa", 1}, {"P/-/P", 4}, {"a/a/P", 1}}));
+    CHECK(says_so_of_third({{"-/P/P", 5}, {"P/-/P", 2}, {"P/P/-", 2}, {"P/a/a", 2}}));
+    CHECK(says_so_of_third({{"P/P/-", 5}, {"a/a/P", 6}}));
+    // Two pairs of views share five points, or none does.
+    CHECK(!says_so_of_third({{"-/P/P", 5}, {"P/-/P", 5}, {"P/a/a", 1}}));
+    CHECK(!says_so_of_third({{"-/P/P", 4}, {"P/-/P", 4}, {"P/a/a", 3}}));
+    // Three known points, and a known point with three lines: by smaller steps.
+    CHECK(!says_so_of_third({{"P/P/P", 3}, {"-/P/P", 2}}));
+    CHECK(!says_so_of_third({{"Pabc/Pabc/Pabc", 1}, {"P/P/-", 4}, {"a/a/P", 1}}));
 }
