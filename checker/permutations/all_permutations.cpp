@@ -146,8 +146,8 @@ private:
 
     /// The bilinear form of the directions that views i and j see of a line through the point,
     /// where view u sees this line.
-    BilinearForm forms_of_line(const ResidueVector& point, std::size_t i, std::size_t j,
-                               std::size_t u, const ResidueVector& seen) {
+    BilinearForm form_of_line(const ResidueVector& point, std::size_t i, std::size_t j,
+                              std::size_t u, const ResidueVector& seen) {
         BilinearForm form;
         const ResidueVector first[2] = {plane(i, point).vector, plane(i, point).vector};
         const ResidueVector second[2] = {plane(j, point).vector, plane(j, point).vector};
@@ -173,7 +173,7 @@ private:
                    cut(conditions,
                        views_.incidence(ray(i, point), auxiliary, {u, line[u]}).derivatives,
                        views_.incidence(ray(i, point), auxiliary, plane(u, point)).derivatives) &&
-                   line_is_general(forms_of_line(point, i, j, u, line[u]), cameras_, drawn_) &&
+                   line_is_general(form_of_line(point, i, j, u, line[u]), cameras_, drawn_) &&
                    keep(conditions, MovingViews::pencil(line).derivatives);
         });
     }
