@@ -135,6 +135,9 @@ private:
 
     bool pairs_are_irreducible() {
         const Motion motion = cameras_.motion(drawn_);
+        // An axis that is isotropic would not do (Lemma P2).
+        const ResidueVector turn = minus(turn_of(pair_.u, motion), turn_of(pair_.i, motion));
+        if (dot(turn, turn) == Residue{}) return false;
         for (std::size_t t = 0; t < 2; ++t)
             if (third_.epipolar[t] > 0 &&
                 !epipolar_form_is_general(views_, partner(t), pair_.u, motion))

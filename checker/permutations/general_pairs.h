@@ -16,7 +16,7 @@ using BilinearForm = std::array<std::array<Equation, 2>, 2>;
 bool pin_is_general(const NormalsOfPin& normals, const Echelon& cameras, Drawn& drawn);
 
 /// A line through a known point, and its direction in view u, if the two other views do not move
-/// relative to each other (proofs/five_shared_points.md, Lemma P3).
+/// relative to each other (proofs/five_shared_points.md, Lemma P5).
 bool known_pin_is_general(const std::array<ResidueVector, 2>& normals, std::size_t u,
                           const Echelon& cameras, Drawn& drawn);
 

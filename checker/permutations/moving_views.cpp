@@ -37,6 +37,12 @@ private:
 };
 } // namespace
 
+ResidueVector turn_of(std::size_t view, const Motion& motion) {
+    if (view == 0) return {};
+    const std::size_t first = 3 * (view - 1);
+    return {motion[first], motion[first + 1], motion[first + 2]};
+}
+
 Residue Equation::along(const Motion& motion) const {
     Residue sum{};
     for (std::size_t i = 0; i < motion.size(); ++i)

@@ -14,6 +14,9 @@ using ResidueVector = Vector3<Residue>;
 /// A motion, or the derivatives of an equation.
 using Motion = std::array<Residue, 12>;
 
+/// How a motion turns a view.
+ResidueVector turn_of(std::size_t view, const Motion& motion);
+
 /// A ray or the normal of a plane, in space, that an image fixes in a view: it turns with it.
 struct Seen {
     std::size_t view = 0;

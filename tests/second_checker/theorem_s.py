@@ -447,6 +447,9 @@ def has_all_third_cameras(features, seed):
                     det(*(place.plane(v, point, direction) for v in range(3)))):
                 return False
     motion = place.known.motion(place.draw)
+    turn = [x.along(motion) for x in minus(place.turns[u], place.turns[i])]
+    if not dot(turn, turn) % P:  # Lemma P2
+        return False
     if not all(place.general_matrices(view, u, motion) for view in (i, j) if rays[view]):
         return False
     seen = [view for view in (i, j) if rays[view]]
@@ -464,7 +467,7 @@ def has_all_third_cameras(features, seed):
 
 
 def general_known_pin(place, point, i, j, u):
-    """Lemma P3."""
+    """Lemma P5."""
     normals = [place.plane(u, point) for _ in range(2)]
     units = [[Small(int(a == b)) for b in range(3)] for a in range(3)]
     # The coordinates of the normals, as view i sees them.
