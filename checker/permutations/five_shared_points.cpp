@@ -26,10 +26,9 @@ std::optional<Pair> pair_with_five_points(const Signature& signature) {
 /// What the images say of the third camera, if the pose of the two others is known: the table of
 /// section 1 of the page.
 struct ThirdView {
-    std::vector<unsigned> points{};        // known points with their images: how many pins
-    unsigned lines = 0;                    // known lines with their images
-    unsigned lines_of_points = 0;          // images of lines through shared points
-    unsigned incidences = 0;               // images of points of known lines, and the reverse
+    std::vector<unsigned> points{}; // known points with their images: how many pins
+    unsigned lines = 0;             // known lines with their images
+    unsigned incidences = 0; // images of lines through known points, or of points of known lines
     std::array<unsigned, 2> epipolar = {}; // images of points that view i sees, or view j
 };
 
@@ -48,7 +47,7 @@ ThirdView third_view(const Signature& signature, const Pair& pair) {
             else if (std::popcount(feature.point) == 1)
                 ++result.incidences;
             else if (shared && feature.pins == 1)
-                ++(line_in_all ? result.lines : result.lines_of_points);
+                ++(line_in_all ? result.lines : result.incidences);
             else if (seen_by_u && feature.pins == 1)
                 result.points.push_back(line_in_all ? 1 : 0);
             else if (seen_by_u)
@@ -146,23 +145,17 @@ private:
     }
 
     /// As in Theorem S, for conditions that do not know the whole camera.
-    bool free_conditions_are_independent() {
-        for (unsigned chosen = 0; chosen < 4; ++chosen)
-            for (unsigned images = 0; images <= third_.lines_of_points; ++images) {
-                Echelon known = cameras_;
-                std::size_t count = images;
-                for (std::size_t t = 0; t < 2; ++t) {
-                    if (!has_view(chosen, t) || third_.epipolar[t] == 0) continue;
-                    known.add_all(views_.relative_pose(partner(t), pair_.u));
-                    count += third_.epipolar[t];
-                }
-                for (unsigned n = 0; n < images; ++n) {
-                    const ResidueVector point = drawn_.vector();
-                    known.add(image_of(point));
-                    known.add(image_of(point));
-                }
-                if (count > 0 && known.size() - cameras_.size() <= count) return false;
+    bool free_conditions_are_independent() const {
+        for (unsigned chosen = 1; chosen < 4; ++chosen) {
+            Echelon known = cameras_;
+            std::size_t count = 0;
+            for (std::size_t t = 0; t < 2; ++t) {
+                if (!has_view(chosen, t) || third_.epipolar[t] == 0) continue;
+                known.add_all(views_.relative_pose(partner(t), pair_.u));
+                count += third_.epipolar[t];
             }
+            if (count > 0 && known.size() - cameras_.size() <= count) return false;
+        }
         return true;
     }
 

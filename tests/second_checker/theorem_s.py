@@ -390,8 +390,8 @@ def has_all_permutations(features, seed):
 
 
 def known_in_third_view(features, i, j, u):
-    """(pins of known points, known lines, lines through shared points, P/a/a, P/P/- by i and j)"""
-    points, lines, through_shared, incidences, rays = [], 0, 0, 0, {i: 0, j: 0}
+    """(pins of known points, known lines, incidences, how many P/P/- for views i and j)"""
+    points, lines, incidences, rays = [], 0, 0, {i: 0, j: 0}
     for feature in features:
         in_all = frozenset({0, 1, 2}) in feature.lines
         if feature.point is None:
@@ -402,12 +402,12 @@ def known_in_third_view(features, i, j, u):
             incidences += 1
         elif feature.point == {i, j}:
             lines += in_all
-            through_shared += bool(feature.lines) and not in_all
+            incidences += bool(feature.lines) and not in_all
         elif feature.lines:
             points.append(int(in_all))
         else:
             rays[min(feature.point - {u})] += 1
-    return points, lines, through_shared, incidences, rays
+    return points, lines, incidences, rays
 
 
 def has_all_third_cameras(features, seed):
@@ -418,7 +418,7 @@ def has_all_third_cameras(features, seed):
         return False
     i, j = shared[0]
     u = 3 - i - j
-    points, lines, through_shared, incidences, rays = known_in_third_view(features, i, j, u)
+    points, lines, incidences, rays = known_in_third_view(features, i, j, u)
     if not incidences or not (2 * len(points) + lines <= 3 or (len(points), lines) == (2, 0)):
         return False
     place = Place(seed)
@@ -454,15 +454,11 @@ def has_all_third_cameras(features, seed):
         return False
     seen = [view for view in (i, j) if rays[view]]
     for chosen in product((False, True), repeat=len(seen)):
-        for number in range(through_shared + 1):
-            taken = [view for view, is_in in zip(seen, chosen) if is_in]
-            size = sum(rays[view] for view in taken) + number
-            more = [row for view in taken for row in place.relative_pose(view, u)]
-            for _ in range(number):
-                point = place.vector()
-                more += [image(point).by, image(point).by]
-            if size and len(place.known.with_all(more)) - len(place.known) <= size:
-                return False
+        taken = [view for view, is_in in zip(seen, chosen) if is_in]
+        size = sum(rays[view] for view in taken)
+        more = [row for view in taken for row in place.relative_pose(view, u)]
+        if size and len(place.known.with_all(more)) - len(place.known) <= size:
+            return False
     return True
 
 
