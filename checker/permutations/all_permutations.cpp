@@ -186,8 +186,8 @@ private:
             const auto [i, j, u] = seen_and_unseen(feature);
             const ResidueVector point = drawn_.vector();
             const Seen auxiliary = plane(j, point);
-            const auto image = [&] {
-                return views_.incidence(ray(i, point), auxiliary, plane(u, point)).derivatives;
+            const auto image = [&, ray = ray(i, point), u = u] {
+                return views_.incidence(ray, auxiliary, plane(u, point)).derivatives;
             };
             free_.image[u].push_back(trifocal_.size());
             auto& [conditions, moves] = trifocal_.emplace_back();

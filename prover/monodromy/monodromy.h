@@ -61,9 +61,10 @@ public:
     /// When a run ends whose number of solutions is not known.
     struct Agreement {
         int edges = 0;
-        int edges_of_few = 0;        ///< where few solutions are known
-        int most_solutions = 0;      ///< stops when more are known at the first node
-        bool at_either_node = false; ///< ... or at the second one
+        int edges_of_few = 0;   ///< where few solutions are known
+        int most_solutions = 0; ///< stops when more are known at the first node
+        /// Or at the second one; and then it follows no more paths at a time than are missing.
+        bool at_either_node = false;
     };
 
     /// Where the number is not known: follows all solutions along all edges. A few edges may lead a
@@ -208,6 +209,11 @@ private:
                (agreement.at_either_node && solutions(1).size() > agreement.most_solutions);
     }
 
+    int most_paths(Direction direction, const Agreement& agreement) const {
+        if (!agreement.at_either_node) return std::numeric_limits<int>::max();
+        return std::max(lanes, agreement.most_solutions + 1 - solutions(direction.to()).size());
+    }
+
     /// Follows solutions along the first edge that has some without a partner; false if none has.
     bool follow_some(int count) {
         const int known = solutions().size();
@@ -230,9 +236,7 @@ private:
                 for (const int from : {0, 1}) {
                     const Direction direction{edge, from};
                     if (are_enough(agreement)) return;
-                    const int missing =
-                        agreement.most_solutions + 1 - solutions(direction.to()).size();
-                    if (!follow(direction, std::max(lanes, missing))) continue;
+                    if (!follow(direction, most_paths(direction, agreement))) continue;
                     follow_doubtful(direction);
                     moved = true;
                     report();

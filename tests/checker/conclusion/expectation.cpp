@@ -217,8 +217,8 @@ TEST_CASE("groups, by fibres and the degree that a theorem says") {
     CHECK(report.judgement.why.back() == "its group is S312, by fibres: proofs/fibres.md");
     CHECK(conclusion(report_on({all}, group("S312"))) ==
           "NOT VERIFIED: " + chicago +
-              " has the group S312: no fibres certify its group; add the file that plprove group "
-              "PROBLEM -o FILE writes (classification.plc)\n");
+              " has the group S312: no theorem and no fibres certify its group; add the file that "
+              "plprove group PROBLEM -o FILE writes (classification.plc)\n");
     CHECK(contains(json(report), "\"certified_groups\": [\n  [2394, \"S312\"]]"));
     CHECK(contains(text(report), "312 solutions with the group S312: class 2394"));
 }
