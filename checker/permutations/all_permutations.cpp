@@ -59,24 +59,6 @@ private:
         return is_seen_twice(feature) && feature.pins == 1 && feature.pin[0] == all_views;
     }
 
-    Seen ray(std::size_t view, const ResidueVector& point) const {
-        return {view, views_.from(view, point)};
-    }
-
-    /// A plane of the view that contains the point.
-    Seen plane(std::size_t view, const ResidueVector& point) {
-        return {view, drawn_.normal_to(views_.from(view, point))};
-    }
-
-    /// The planes of a line through the point.
-    Normals planes(const ResidueVector& point) {
-        const ResidueVector direction = drawn_.vector();
-        Normals normals;
-        for (std::size_t view = 0; view < 3; ++view)
-            normals[view] = cross(direction, views_.from(view, point));
-        return normals;
-    }
-
     bool cut(std::vector<Motion>& conditions, const Motion& one, const Motion& other) {
         conditions.push_back(one);
         return cameras_.cut(one, other);
@@ -93,7 +75,7 @@ private:
         std::vector<std::pair<ResidueVector, Normals>> lines;
         const bool directions = for_each(is_line, [&](const Feature&) {
             const ResidueVector point = drawn_.vector();
-            const Normals normals = planes(point);
+            const Normals normals = views_.planes(drawn_, point);
             lines.emplace_back(point, normals);
             // Another plane of view 3 that is parallel to the line.
             Normals others = normals;
@@ -105,18 +87,21 @@ private:
         if (!directions) return false;
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const auto& [point, normals] = lines[i];
-            const Equation meet = views_.incidence(ray(0, point), {1, normals[1]}, {2, normals[2]});
+            const Equation meet =
+                views_.incidence(views_.ray(0, point), {1, normals[1]}, {2, normals[2]});
             if (!keep(trifocal_[i].conditions, meet.derivatives)) return false;
         }
         return for_each(is_star, [&](const Feature& feature) {
             const ResidueVector point = drawn_.vector();
             stars_.push_back({point, trifocal_.size(), feature.pins});
             auto& conditions = trifocal_.emplace_back().conditions;
-            const Seen first = ray(0, point);
-            return keep(conditions, views_.epipolar(first, ray(1, point)).derivatives) &&
-                   keep(conditions, views_.epipolar(first, ray(2, point)).derivatives) &&
-                   keep(conditions,
-                        views_.incidence(first, plane(1, point), plane(2, point)).derivatives);
+            const Seen first = views_.ray(0, point);
+            return keep(conditions, views_.epipolar(first, views_.ray(1, point)).derivatives) &&
+                   keep(conditions, views_.epipolar(first, views_.ray(2, point)).derivatives) &&
+                   keep(conditions, views_
+                                        .incidence(first, views_.plane(drawn_, 1, point),
+                                                   views_.plane(drawn_, 2, point))
+                                        .derivatives);
         });
     }
 
@@ -126,9 +111,9 @@ private:
                 std::array<std::array<ResidueVector, 2>, 3> normals;
                 for (std::size_t view = 0; view < 3; ++view)
                     for (ResidueVector& normal : normals[view])
-                        normal = plane(view, point).vector;
+                        normal = views_.plane(drawn_, view, point).vector;
                 if (!pin_is_general(normals, cameras_, drawn_)) return false;
-                const Equation pencil = MovingViews::pencil(planes(point));
+                const Equation pencil = MovingViews::pencil(views_.planes(drawn_, point));
                 if (!keep(trifocal_[place].conditions, pencil.derivatives)) return false;
             }
         return true;
@@ -137,7 +122,7 @@ private:
     /// The point of `a/Pa/Pa` and `a/P/Pa`, in the two views that see it.
     bool place_point(std::vector<Motion>& conditions, const ResidueVector& point, std::size_t i,
                      std::size_t j) {
-        const Seen first = ray(i, point), second = ray(j, point);
+        const Seen first = views_.ray(i, point), second = views_.ray(j, point);
         // Another point of view j on the epipolar line.
         const Seen other{j, plus(second.vector, times(drawn_.number(), views_.baseline(i, j)))};
         return cut(conditions, views_.epipolar(first, second).derivatives,
@@ -149,8 +134,10 @@ private:
     BilinearForm form_of_line(const ResidueVector& point, std::size_t i, std::size_t j,
                               std::size_t u, const ResidueVector& seen) {
         BilinearForm form;
-        const ResidueVector first[2] = {plane(i, point).vector, plane(i, point).vector};
-        const ResidueVector second[2] = {plane(j, point).vector, plane(j, point).vector};
+        const ResidueVector first[2] = {views_.plane(drawn_, i, point).vector,
+                                        views_.plane(drawn_, i, point).vector};
+        const ResidueVector second[2] = {views_.plane(drawn_, j, point).vector,
+                                         views_.plane(drawn_, j, point).vector};
         for (std::size_t a = 0; a < 2; ++a)
             for (std::size_t b = 0; b < 2; ++b) {
                 Normals normals;
@@ -166,13 +153,16 @@ private:
         return for_each(is_line_with_two_points, [&](const Feature& feature) {
             const auto [i, j, u] = seen_and_unseen(feature);
             const ResidueVector point = drawn_.vector();
-            const Normals line = planes(point);
+            const Normals line = views_.planes(drawn_, point);
             auto& conditions = trifocal_.emplace_back().conditions;
-            const Seen auxiliary = plane(j, point);
+            const Seen auxiliary = views_.plane(drawn_, j, point);
             return place_point(conditions, point, i, j) &&
                    cut(conditions,
-                       views_.incidence(ray(i, point), auxiliary, {u, line[u]}).derivatives,
-                       views_.incidence(ray(i, point), auxiliary, plane(u, point)).derivatives) &&
+                       views_.incidence(views_.ray(i, point), auxiliary, {u, line[u]}).derivatives,
+                       views_
+                           .incidence(views_.ray(i, point), auxiliary,
+                                      views_.plane(drawn_, u, point))
+                           .derivatives) &&
                    line_is_general(form_of_line(point, i, j, u, line[u]), cameras_, drawn_) &&
                    keep(conditions, MovingViews::pencil(line).derivatives);
         });
@@ -185,9 +175,9 @@ private:
         const bool placed = for_each(accept, [&](const Feature& feature) {
             const auto [i, j, u] = seen_and_unseen(feature);
             const ResidueVector point = drawn_.vector();
-            const Seen auxiliary = plane(j, point);
-            const auto image = [&, ray = ray(i, point), u = u] {
-                return views_.incidence(ray, auxiliary, plane(u, point)).derivatives;
+            const Seen auxiliary = views_.plane(drawn_, j, point);
+            const auto image = [&, ray = views_.ray(i, point), u = u] {
+                return views_.incidence(ray, auxiliary, views_.plane(drawn_, u, point)).derivatives;
             };
             free_.image[u].push_back(trifocal_.size());
             auto& [conditions, moves] = trifocal_.emplace_back();

@@ -71,42 +71,26 @@ public:
     }
 
 private:
-    Seen ray(std::size_t view, const ResidueVector& point) const {
-        return {view, views_.from(view, point)};
-    }
-
-    /// A plane of the view that contains the point.
-    Seen plane(std::size_t view, const ResidueVector& point) {
-        return {view, drawn_.normal_to(views_.from(view, point))};
-    }
-
     /// The image of a known point is on a line.
     Motion image_of(const ResidueVector& point) {
-        return views_.incidence(ray(pair_.i, point), plane(pair_.j, point), plane(pair_.u, point))
+        return views_
+            .incidence(views_.ray(pair_.i, point), views_.plane(drawn_, pair_.j, point),
+                       views_.plane(drawn_, pair_.u, point))
             .derivatives;
-    }
-
-    /// The planes of a line through the point.
-    std::array<ResidueVector, 3> planes(const ResidueVector& point) {
-        const ResidueVector direction = drawn_.vector();
-        std::array<ResidueVector, 3> normals;
-        for (std::size_t view = 0; view < 3; ++view)
-            normals[view] = cross(direction, views_.from(view, point));
-        return normals;
     }
 
     bool place_lines() {
         std::vector<Motion> meets;
         for (unsigned n = 0; n < third_.lines; ++n) {
             const ResidueVector point = drawn_.vector();
-            const auto normals = planes(point);
+            const auto normals = views_.planes(drawn_, point);
             auto others = normals; // another plane of view u that is parallel to the line
             others[pair_.u] = drawn_.normal_to(cross(normals[pair_.i], normals[pair_.j]));
             if (!cameras_.cut(MovingViews::pencil(normals).derivatives,
                               MovingViews::pencil(others).derivatives))
                 return false;
             meets.push_back(views_
-                                .incidence(ray(pair_.i, point), {pair_.j, normals[pair_.j]},
+                                .incidence(views_.ray(pair_.i, point), {pair_.j, normals[pair_.j]},
                                            {pair_.u, normals[pair_.u]})
                                 .derivatives);
         }
@@ -121,10 +105,11 @@ private:
         }
         for (std::size_t n = 0; n < points.size(); ++n)
             for (unsigned pin = 0; pin < third_.points[n]; ++pin) {
-                const std::array normals{plane(pair_.u, points[n]).vector,
-                                         plane(pair_.u, points[n]).vector};
+                const std::array normals{views_.plane(drawn_, pair_.u, points[n]).vector,
+                                         views_.plane(drawn_, pair_.u, points[n]).vector};
                 if (!known_pin_is_general(normals, pair_.u, cameras_, drawn_) ||
-                    !cameras_.add(MovingViews::pencil(planes(points[n])).derivatives))
+                    !cameras_.add(
+                        MovingViews::pencil(views_.planes(drawn_, points[n])).derivatives))
                     return false;
             }
         return true;

@@ -69,6 +69,14 @@ MovingViews::MovingViews(Drawn& drawn) {
         centre = drawn.vector();
 }
 
+std::array<ResidueVector, 3> MovingViews::planes(Drawn& drawn, const ResidueVector& point) const {
+    const ResidueVector direction = drawn.vector();
+    std::array<ResidueVector, 3> normals;
+    for (std::size_t view = 0; view < 3; ++view)
+        normals[view] = cross(direction, from(view, point));
+    return normals;
+}
+
 Equation MovingViews::epipolar(const Seen& ray, const Seen& other) const {
     const ResidueVector base = baseline(ray.view, other.view);
     const ResidueVector product = cross(ray.vector, other.vector);

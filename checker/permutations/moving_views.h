@@ -51,6 +51,15 @@ public:
     ResidueVector from(std::size_t view, const ResidueVector& point) const {
         return minus(point, centres_[view]);
     }
+    Seen ray(std::size_t view, const ResidueVector& point) const {
+        return {view, from(view, point)};
+    }
+    /// A plane of the view that contains the point.
+    Seen plane(Drawn& drawn, std::size_t view, const ResidueVector& point) const {
+        return {view, drawn.normal_to(from(view, point))};
+    }
+    /// The normals of the planes, by view, of a line through the point.
+    std::array<ResidueVector, 3> planes(Drawn& drawn, const ResidueVector& point) const;
     ResidueVector baseline(std::size_t first, std::size_t second) const {
         return minus(centres_[second], centres_[first]);
     }
