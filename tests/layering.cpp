@@ -35,7 +35,7 @@ const std::map<std::string, Folders> other_claims{
     {"permutations", {}},
     {"exactly", {"degrees"}},
     {"family", {"effort"}},
-    {"general_degrees", {"effort", "family", "degrees"}},
+    {"general_degrees", {"effort", "family", "fibres", "degrees"}},
     {"general_bounds", {"effort", "family", "general_degrees"}},
     {"conclusion",
      {"degrees", "counts", "exactly", "family", "general_degrees", "general_bounds", "model",
@@ -44,8 +44,8 @@ const std::map<std::string, Folders> other_claims{
 /// The folders of prover/, from the bottom to the top.
 const Folders layers{"system",      "format",    "geometry",     "cameras",   "problem",
                      "reasons",     "minimal",   "tracking",     "groups",    "monodromy",
-                     "three_views", "model",     "generate",     "importers", "fibres",
-                     "many_views",  "catalogue", "degree_sweep", "solver",    "estimator",
+                     "three_views", "model",     "generate",     "importers", "many_views",
+                     "fibres",      "catalogue", "degree_sweep", "solver",    "estimator",
                      "drawing",     "library",   "scripts",      "cli"};
 
 /// A line `#include "to"` in the file `from`; both are paths in the project.

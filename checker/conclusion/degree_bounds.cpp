@@ -18,7 +18,8 @@ DegreeTable bounds_by_files(const Classification& classes, const std::vector<boo
     for (const LowerBound& bound : lower) {
         DegreeBounds& known = table[constraint_class(classes.representatives[bound.number])];
         known.counted = known.at_least = std::max(known.counted, bound.solutions);
-        if (bound.frobenius) known.frobenius.push_back(*bound.frobenius);
+        known.cycle_types.insert(known.cycle_types.end(), bound.cycle_types.begin(),
+                                 bound.cycle_types.end());
     }
     for (std::size_t n = 0; n < minimal.size() && !upper.empty(); ++n) {
         if (!minimal[n]) continue;

@@ -28,9 +28,9 @@ struct DegreeBounds {
     std::size_t at_least = 0; // by records, or by theorem
     std::size_t counted = 0;  // by records alone
     std::optional<UpperBound> at_most{};
-    std::optional<exactly::Degree> theorem{};  // what it says; none if it was not asked
-    std::vector<FrobeniusElement> frobenius{}; // permutations of solutions, by fibres
-    std::string_view group_theorem{};          // that says the group, S or P; empty if none
+    std::optional<exactly::Degree> theorem{}; // what it says; none if it was not asked
+    std::vector<CycleType> cycle_types{};     // of permutations of solutions, by fibres
+    std::string_view group_theorem{};         // that says the group, S or P; empty if none
 
     bool exact() const { return at_most && at_most->solutions == at_least; }
 };

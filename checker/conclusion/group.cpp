@@ -4,20 +4,12 @@
 
 namespace checker {
 std::string group_of(const DegreeBounds& bounds) {
-    if (!bounds.theorem) return {};
-    const std::size_t degree = bounds.theorem->solutions;
+    if (!bounds.exact()) return {};
+    const std::size_t degree = bounds.at_least;
     if (bounds.group_theorem == theorem_of_permutations) return say("S", degree);
     if (bounds.group_theorem == theorem_of_five_points)
         return say("<S", degree / 20, " wr S2 wr S10"); // 20 poses of two views
-    bool has_cycle = false, is_even = false, is_odd = false;
-    for (const FrobeniusElement& element : bounds.frobenius) {
-        has_cycle |= 2 * element.cycle > degree && element.cycle + 2 < degree;
-        const bool of_all = element.solutions == degree;
-        is_even |= of_all && element.even;
-        is_odd |= of_all && !element.even;
-    }
-    if (!has_cycle) return {};
-    return say(is_even && is_odd ? "S" : ">=A", degree);
+    return group_shown_by(bounds.cycle_types, degree, Orbits::one);
 }
 
 std::string source_of_group(const DegreeBounds& bounds) {

@@ -42,11 +42,12 @@ ByProblem<ProvedInGeneral> verdicts_in_general(const Findings& findings) {
 ByProblem<CountedInGeneral> counts_in_general(const Findings& findings) {
     ByProblem<CountedInGeneral> counts;
     for (const ReplayedFile* file : files_of<SolutionsFile>(findings))
-        for (const auto& [notation, problem, solutions] :
+        for (const auto& [notation, problem, solutions, cycle_types] :
              std::get<SolutionsFile>(file->content).counts) {
             CountedInGeneral& most = counts[without_implied_lines(problem)];
-            if (solutions > most.counted)
-                most = {at_least(problem, solutions), solutions, file->name, notation};
+            if (solutions > most.counted ||
+                (solutions == most.counted && cycle_types.size() > most.cycle_types.size()))
+                most = {at_least(problem, solutions), solutions, file->name, notation, cycle_types};
         }
     return counts;
 }
@@ -170,6 +171,8 @@ DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& proble
         if (!exact) continue;
         ++degrees.exact;
         if (bound->file.empty()) ++degrees.exact_by_theorem;
+        if (counted && !group_shown_by(counted->cycle_types, solutions, Orbits::one).empty())
+            ++degrees.groups;
     }
     return degrees;
 }

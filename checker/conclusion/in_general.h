@@ -21,6 +21,7 @@ struct CountedInGeneral {
     std::size_t counted = 0;
     std::string file{};
     std::string notation{}; // of the problem, in that file
+    std::vector<CycleType> cycle_types{};
 };
 
 /// The most that any record proves for each problem, by the problem without its implied lines.
@@ -57,6 +58,7 @@ struct DegreesInGeneral {
     std::map<std::size_t, std::size_t> at_least{}; // how many problems have each lower bound
     std::size_t exact = 0;                         // of how many bounds meet
     std::size_t exact_by_theorem = 0;              // of these, by theorem
+    std::size_t groups = 0;                        // of these, with a group that fibres certify
 };
 
 DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& problems);

@@ -77,23 +77,35 @@ static std::string judge_verdict(Judgement& judgement, const Proved& proved,
     return gap;
 }
 
+/// The files whose fibres are of the problem, or of its class.
+static std::vector<std::string> files_of_fibres(const Classification& classes,
+                                                const Findings& findings, const Proved& proved,
+                                                const Problem& problem) {
+    std::vector<std::string> files;
+    if (proved.number)
+        files = degree_files(classes, findings,
+                             constraint_class(classes.representatives[*proved.number]));
+    const CountedInGeneral counted = count_in_general(findings, problem);
+    if (!counted.cycle_types.empty()) files.push_back(counted.file);
+    return files;
+}
+
 /// Judges the group of the solutions: adds the steps, returns what is missing.
 static std::string judge_group(Judgement& judgement, const Classification& classes,
                                const Findings& findings, const Proved& proved,
                                const ExpectedProblem& expected) {
-    if (!proved.number)
+    const KnownDegree known = degree_of(classes, findings, proved, expected);
+    if (known.source.empty() && !expected.in_general)
         return "these files do not say to which class it reduces; add certs/classification.plc, "
                "or its certificate";
-    const Signature& signature = classes.representatives[*proved.number];
-    const DegreeBounds bounds = bounds_of(findings.degrees, signature);
-    const std::string group = group_of(bounds);
+    const std::string group = group_of(known.bounds);
     if (group.empty())
         return "no theorem and no fibres certify its group; add the file that plprove group "
                "PROBLEM -o FILE writes";
-    judgement.why.push_back(say("its group is ", group, ", ", source_of_group(bounds)));
+    judgement.why.push_back(say("its group is ", group, ", ", source_of_group(known.bounds)));
     if (!implies_group(group, expected.group)) return "the group is certified to be " + group;
-    if (!bounds.group_theorem.empty()) return {};
-    for (const std::string& file : degree_files(classes, findings, constraint_class(signature)))
+    if (!known.bounds.group_theorem.empty()) return {};
+    for (const std::string& file : files_of_fibres(classes, findings, proved, expected.problem))
         add_file(judgement, file);
     return {};
 }

@@ -99,6 +99,9 @@ KnownDegree degree_of(const Classification& classes, const Findings& findings, c
         known.files.lower = {counted.file};
         if (known.source.empty()) known.source = source_of(counted);
     }
+    // Of a label class these are fibres of the same cameras, in another chart.
+    known.bounds.cycle_types.insert(known.bounds.cycle_types.end(), counted.cycle_types.begin(),
+                                    counted.cycle_types.end());
     if (proved.verdict != "minimal" || known.bounds.exact()) return known;
     const auto bound = bound_in_general(findings, expected.problem);
     if (!bound) return known;

@@ -17,7 +17,9 @@ struct ProvedModel {
     bool excluded() const { return at_most == std::size_t{0}; } // not minimal
     bool exact() const { return minimal() && at_most == at_least; }
     /// What is known of the group of its solutions; empty if nothing (frobenius.h).
-    std::string group() const { return exact() ? group_shown_by(cycle_types, at_least) : ""; }
+    std::string group() const {
+        return exact() ? group_shown_by(cycle_types, at_least, Orbits::unknown) : "";
+    }
 };
 
 /// Of each model that a file which counts is about, by its text.

@@ -2,7 +2,6 @@
 
 #include "checker/degrees/cameras_at.h"
 #include "checker/degrees/solutions.h"
-#include "checker/fibres/frobenius.h"
 #include "checker/fibres/prove_fibre.h"
 #include "checker/minimal/obstruction.h"
 
@@ -107,39 +106,6 @@ static CameraSystem system_of(const DegreeRecord& record, const Classification& 
     return system;
 }
 
-/// A fibre, and the factor of its polynomial that is irreducible, or empty.
-struct FibreRecord {
-    Fibre fibre{};
-    Polynomial factor{}; // without its highest term
-};
-
-static FibreRecord read_fibre_record(Reader& reader) {
-    const std::size_t degree = read_fibre_degree(reader);
-    FibreRecord record{read_fibre(reader, degree, camera_unknowns)};
-    if (reader.comes("factor")) {
-        reader.take("factor");
-        const auto factor_degree =
-            static_cast<std::size_t>(reader.integer(1, static_cast<std::int64_t>(degree)));
-        record.factor = read_residues(reader, factor_degree);
-        reader.end_line();
-    }
-    return record;
-}
-
-/// Throws Refused if the factor is none, or is not proved irreducible.
-static FrobeniusElement frobenius_of(const FibreRecord& record) {
-    const Polynomial& lower = record.fibre.lower;
-    const FrobeniusElement element{lower.size(), frobenius_is_even(lower), record.factor.size()};
-    if (record.factor.empty()) return element;
-    Polynomial factor = record.factor;
-    factor.push_back({1});
-    if (!remainder(Extension(lower).modulus_polynomial(), factor).empty())
-        throw Refused("the factor does not divide the polynomial");
-    if (!is_irreducible_of_prime_degree(record.factor))
-        throw Refused("the factor is not irreducible, or its degree is no prime");
-    return element;
-}
-
 /// What the records of a file are about, and where what they prove goes.
 class DegreeReplay {
 public:
@@ -153,6 +119,7 @@ public:
             const DegreeRecord record = read_record(reader_);
             const std::string about = say("class ", record.number);
             if (record.number < due) throw Malformed{{record.line, about + ": is out of order"}};
+            if (record.number != fibres_.number) finish_fibres();
             const bool is_fibre = reader_.comes("fibre");
             due = is_fibre ? record.number : record.number + 1;
             if (is_fibre)
@@ -160,17 +127,28 @@ public:
             else
                 replay_solutions(record, about);
         }
+        finish_fibres();
     }
 
 private:
     void replay_fibre(const DegreeRecord& record, const std::string& about) {
-        const FibreRecord fibre = read_fibre_record(reader_);
+        const std::size_t degree = read_fibre_degree(reader_);
+        const Fibre fibre = read_fibre(reader_, degree, camera_unknowns, camera_unknowns);
         records_.replay(record.line, about + ": ", [&] {
-            records_.spend(effort_of(fibre.fibre));
-            prove_fibre<CamerasAt>(system_of(record, classes_), fibre.fibre);
-            const FrobeniusElement frobenius = frobenius_of(fibre);
-            file_.bounds.push_back({record.number, frobenius.solutions, frobenius});
+            records_.spend(effort_of(fibre));
+            prove_fibre<CamerasAt>(system_of(record, classes_), fibre);
+            file_.bounds.push_back({record.number, degree, {}});
+            fibres_.number = record.number;
+            fibres_.proved.push_back(fibre.lower);
         });
+    }
+
+    /// Adds what all fibres of one class show.
+    void finish_fibres() {
+        if (fibres_.proved.empty()) return;
+        const auto spend = [&](std::uint64_t effort) { records_.spend(effort); };
+        file_.bounds.back().cycle_types = cycle_types_of(fibres_.proved, spend);
+        fibres_ = {};
     }
 
     void replay_solutions(const DegreeRecord& record, const std::string& about) {
@@ -184,11 +162,18 @@ private:
         if (count) file_.bounds.push_back({record.number, *count, {}});
     }
 
+    /// The fibres of a class that hold, by their polynomials.
+    struct Fibres {
+        std::size_t number = 0;
+        std::vector<Polynomial> proved{};
+    };
+
     Reader& reader_;
     const Classification& classes_;
     DegreeFile& file_;
     Records records_;
     SolutionsReplay solutions_;
+    Fibres fibres_{};
 };
 
 DegreeFile replay_degrees(Reader& reader, const Classification& classes,

@@ -3,18 +3,13 @@
 #include "checker/algebra/dual.h"
 
 namespace checker {
-std::vector<Residue> read_residues(Reader& reader, std::size_t count) {
+std::vector<Residue> read_residue_line(Reader& reader, std::string_view word, std::size_t count) {
+    reader.take(word);
     std::vector<Residue> residues;
     for (std::size_t i = 0; i < count; ++i) {
         const auto value = reader.integer(0, static_cast<std::int64_t>(modulus) - 1);
         residues.push_back({static_cast<std::uint64_t>(value)});
     }
-    return residues;
-}
-
-std::vector<Residue> read_residue_line(Reader& reader, std::string_view word, std::size_t count) {
-    reader.take(word);
-    std::vector<Residue> residues = read_residues(reader, count);
     reader.end_line();
     return residues;
 }
@@ -33,13 +28,13 @@ std::size_t read_fibre_degree(Reader& reader) {
     return degree;
 }
 
-Fibre read_fibre(Reader& reader, std::size_t degree, std::size_t unknowns) {
+Fibre read_fibre(Reader& reader, std::size_t degree, std::size_t unknowns, std::size_t separating) {
     Fibre fibre;
     fibre.lower = read_residue_line(reader, "polynomial", degree);
     for (std::size_t i = 0; i < unknowns; ++i)
         fibre.unknowns.push_back(read_residue_line(reader, "unknown", degree));
     reader.take("separated by");
-    fibre.separated_by = read_numbers(reader, unknowns);
+    fibre.separated_by = read_numbers(reader, separating);
     reader.end_line();
     return fibre;
 }
@@ -47,7 +42,7 @@ Fibre read_fibre(Reader& reader, std::size_t degree, std::size_t unknowns) {
 Polynomial combination_of(const Extension& extension, const Numbers& numbers,
                           const std::vector<Polynomial>& values) {
     Polynomial sum = extension.constant({});
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < numbers.size(); ++i)
         sum =
             sum_of(std::move(sum),
                    extension.multiply(extension.constant(in_ring<Residue>(numbers[i])), values[i]));

@@ -10,11 +10,8 @@ namespace checker {
 struct Fibre {
     Polynomial lower{};                 // g without its highest term
     std::vector<Polynomial> unknowns{}; // at t
-    Numbers separated_by{};             // t is the sum of the unknowns, each times its number
+    Numbers separated_by{};             // t is the sum of the first unknowns, each times its number
 };
-
-/// Takes residues modulo q, `count` of them.
-std::vector<Residue> read_residues(Reader& reader, std::size_t count);
 
 /// Takes a word, residues, and the end of the line.
 std::vector<Residue> read_residue_line(Reader& reader, std::string_view word, std::size_t count);
@@ -25,10 +22,10 @@ Numbers read_numbers(Reader& reader, std::size_t count);
 /// Takes the line with the degree of g.
 std::size_t read_fibre_degree(Reader& reader);
 
-/// Takes the lines from `polynomial` to `separated by`.
-Fibre read_fibre(Reader& reader, std::size_t degree, std::size_t unknowns);
+/// Takes the lines from `polynomial` to `separated by`, which has so many numbers.
+Fibre read_fibre(Reader& reader, std::size_t degree, std::size_t unknowns, std::size_t separating);
 
-/// The sum of the values, each times its number.
+/// The sum of the first values, each times its number.
 Polynomial combination_of(const Extension& extension, const Numbers& numbers,
                           const std::vector<Polynomial>& values);
 

@@ -2,7 +2,7 @@
 
 #include "checker/file/complaint.h"
 
-#include <bit>
+#include <algorithm>
 #include <numeric>
 
 namespace checker {
@@ -10,15 +10,6 @@ static bool is_prime(std::size_t n) {
     for (std::size_t d = 2; d * d <= n; ++d)
         if (n % d == 0) return false;
     return n > 1;
-}
-
-/// a(b) modulo g, by Horner's rule.
-static Polynomial composition(const Extension& extension, const Polynomial& a,
-                              const Polynomial& b) {
-    Polynomial sum = extension.constant({});
-    for (std::size_t i = a.size(); i-- > 0;)
-        sum = sum_of(extension.multiply(sum, b), {a[i]});
-    return sum;
 }
 
 /// t^q modulo g.
@@ -29,23 +20,6 @@ static Polynomial frobenius_of_variable(const Extension& extension) {
         if ((modulus >> bit) & 1) product = extension.multiply(product, extension.variable());
     }
     return product;
-}
-
-// An irreducible factor of degree k divides t^(q^k) - t. As the degree l is prime, and t^(q^l) = t,
-// each has the degree l or 1; none has 1 if t^q - t has no common factor with g.
-bool is_irreducible_of_prime_degree(const Polynomial& lower) {
-    if (!is_prime(lower.size())) return false;
-    const Extension extension(lower);
-    const Polynomial t = extension.variable();
-    const Polynomial image = frobenius_of_variable(extension);
-    if (!extension.is_unit(difference_of(image, t))) return false;
-    // t^(q^n) for the leading bits n of the degree: t^(q^(a + b)) is t^(q^a) at t^(q^b).
-    Polynomial power = t;
-    for (std::size_t bit = std::bit_floor(lower.size()); bit > 0; bit /= 2) {
-        power = composition(extension, power, power);
-        if ((lower.size() & bit) != 0) power = composition(extension, power, image);
-    }
-    return power == t;
 }
 
 // The divisor of g and t^(q^n) - t is the product of the factors whose degree divides n. What is
@@ -76,64 +50,107 @@ CycleType cycle_type_of(const Polynomial& lower) {
     return lengths;
 }
 
-std::uint64_t products_for_cycle_type(std::size_t degree) {
-    return (5 * std::uint64_t{degree} + 300) * degree * degree;
+std::vector<CycleType> cycle_types_of(const std::vector<Polynomial>& fibres,
+                                      const std::function<void(std::uint64_t)>& spend) {
+    std::size_t degree = 0;
+    for (const Polynomial& lower : fibres)
+        degree = std::max(degree, lower.size());
+    std::vector<CycleType> cycle_types;
+    if (std::ranges::count(fibres, degree, &Polynomial::size) < 2) return cycle_types;
+    for (const Polynomial& lower : fibres) {
+        if (lower.size() != degree) continue;
+        spend((5 * std::uint64_t{degree} + 300) * degree * degree / 100'000);
+        cycle_types.push_back(cycle_type_of(lower));
+    }
+    return cycle_types;
 }
 
-/// Which sums parts of the cycles have.
-static std::vector<bool> sums_of_parts(const CycleType& lengths, std::size_t solutions) {
-    std::vector<bool> sums(solutions + 1);
+/// Which sums parts of the lengths have, up to a number.
+static std::vector<bool> sums_of_parts(const CycleType& lengths, std::size_t most) {
+    std::vector<bool> sums(most + 1);
     sums[0] = true;
     for (const std::size_t length : lengths)
-        for (std::size_t sum = solutions; sum >= length; --sum)
+        for (std::size_t sum = most; sum >= length; --sum)
             if (sums[sum - length]) sums[sum] = true;
     return sums;
 }
 
-std::string group_shown_by(const std::vector<CycleType>& cycle_types, std::size_t solutions) {
+/// Whether no set of points, but for none and all, may be kept by permutations with these cycles.
+static bool is_transitive(const std::vector<CycleType>& cycle_types, std::size_t points) {
+    std::vector<bool> orbit(points + 1, true); // which sizes one may have
+    for (const CycleType& lengths : cycle_types) {
+        const std::vector<bool> sums = sums_of_parts(lengths, points);
+        for (std::size_t size = 0; size <= points; ++size)
+            orbit[size] = orbit[size] && sums[size];
+    }
+    return std::ranges::count(orbit, true) == 2;
+}
+
+/// Whether a cycle may run through n blocks of so many points, with others that fill them: each has
+/// in each of these blocks as many points, its length divided by n.
+static bool fits_in_blocks(const CycleType& lengths, std::size_t cycle, std::size_t n,
+                           std::size_t block) {
+    const std::size_t length = lengths[cycle];
+    if (length % n != 0 || length / n > block) return false;
+    CycleType others; // what they have in a block
+    for (std::size_t i = 0; i < lengths.size(); ++i)
+        if (i != cycle && lengths[i] % n == 0) others.push_back(lengths[i] / n);
+    const std::size_t room = block - length / n;
+    return sums_of_parts(others, room)[room];
+}
+
+/// Whether a permutation with these cycles may permute blocks of so many points.
+static bool may_keep_blocks(const CycleType& lengths, std::size_t block) {
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        if (i > 0 && lengths[i] == lengths[i - 1]) continue;
+        bool fits = false;
+        for (std::size_t n = 1; n <= lengths[i] && !fits; ++n)
+            fits = fits_in_blocks(lengths, i, n, block);
+        if (!fits) return false;
+    }
+    return true;
+}
+
+/// Whether no blocks of points may be kept by permutations with these cycles.
+static bool is_primitive(const std::vector<CycleType>& cycle_types, std::size_t points) {
+    for (std::size_t block = 2; block < points; ++block)
+        if (points % block == 0 && std::ranges::all_of(cycle_types, [&](const CycleType& lengths) {
+                return may_keep_blocks(lengths, block);
+            }))
+            return false;
+    return true;
+}
+
+/// Whether a power of the permutation is one cycle, of a prime length p of which Jordan's theorems
+/// say that a primitive group with it contains all even permutations.
+static bool has_cycle_of_jordan(const CycleType& lengths, std::size_t points) {
+    return std::ranges::any_of(lengths, [&](std::size_t p) {
+        const bool is_alone = std::ranges::count_if(lengths, [&](std::size_t length) {
+                                  return length % p == 0;
+                              }) == 1;
+        return (p <= 3 || p + 3 <= points) && is_alone && is_prime(p);
+    });
+}
+
+std::string group_shown_by(const std::vector<CycleType>& cycle_types, std::size_t solutions,
+                           Orbits orbits) {
     std::vector<CycleType> whole; // permutations of all solutions
     for (const CycleType& lengths : cycle_types)
         if (std::accumulate(lengths.begin(), lengths.end(), std::size_t{0}) == solutions)
             whole.push_back(lengths);
-    std::vector<bool> orbit(solutions + 1, true); // which sizes one may have
-    bool has_cycle = false, is_even = false, is_odd = false;
-    for (const CycleType& lengths : whole) {
-        const std::vector<bool> sums = sums_of_parts(lengths, solutions);
-        for (std::size_t size = 0; size <= solutions; ++size)
-            orbit[size] = orbit[size] && sums[size];
-        has_cycle |= std::ranges::any_of(lengths, [&](std::size_t length) {
-            return 2 * length > solutions && length + 2 < solutions && is_prime(length);
-        });
-        ((solutions - lengths.size()) % 2 == 0 ? is_even : is_odd) = true;
-    }
-    const bool is_transitive = std::ranges::count(orbit, true) == 2; // 0 and all
-    if (!is_transitive || !has_cycle) return {};
-    return say(is_even && is_odd ? "S" : ">=A", solutions);
-}
-
-/// The resultant of two polynomials, whose last coefficients are not 0.
-static Residue resultant(Polynomial a, Polynomial b) {
-    Residue result{1};
-    while (b.size() > 1) {
-        Polynomial rest = remainder(a, b);
-        if (rest.empty()) return {};
-        result = result * power(b.back(), a.size() - rest.size());
-        if ((a.size() - 1) * (b.size() - 1) % 2 == 1) result = -result;
-        a = std::exchange(b, std::move(rest));
-    }
-    return result * power(b.back(), a.size() - 1);
-}
-
-// By Stickelberger: the discriminant is a square if and only if the degree of g less the number of
-// its factors is even.
-bool frobenius_is_even(const Polynomial& lower) {
-    const std::size_t degree = lower.size();
-    Polynomial g = lower;
-    g.push_back({1});
-    const Residue resultant_with_derivative = resultant(g, derivative(g));
-    const bool changes_sign = degree * (degree - 1) / 2 % 2 == 1;
-    const Residue discriminant =
-        changes_sign ? -resultant_with_derivative : resultant_with_derivative;
-    return power(discriminant, (modulus - 1) / 2) == Residue{1};
+    const auto has_cycle = [&](const CycleType& lengths) {
+        return has_cycle_of_jordan(lengths, solutions);
+    };
+    const auto differs = [&](const CycleType& lengths) { return lengths != whole.front(); };
+    if (std::ranges::none_of(whole, has_cycle) || std::ranges::none_of(whole, differs) ||
+        (orbits == Orbits::unknown && !is_transitive(whole, solutions)) ||
+        !is_primitive(whole, solutions))
+        return {};
+    const auto is_even = [&](const CycleType& lengths) {
+        return (solutions - lengths.size()) % 2 == 0;
+    };
+    const auto even = std::ranges::count_if(whole, is_even);
+    const bool both_signs = even > 0 && even < std::ssize(whole);
+    return say(both_signs ? "S" : ">=A", solutions);
 }
 } // namespace checker

@@ -4,6 +4,7 @@
 
 #include "checker/fibres/extension.h"
 
+#include <functional>
 #include <string>
 
 namespace checker {
@@ -14,18 +15,18 @@ using CycleType = std::vector<std::size_t>;
 /// multiple root: the degrees of the irreducible factors.
 CycleType cycle_type_of(const Polynomial& lower);
 
-/// About how many products of residues this takes.
-std::uint64_t products_for_cycle_type(std::size_t degree);
+/// The cycles of the fibres of one problem that have most solutions, given by their g, the highest
+/// terms left out. None if there is one such fibre only, as no group follows: that spares the time.
+/// `spend` is told the effort of each.
+std::vector<CycleType> cycle_types_of(const std::vector<Polynomial>& fibres,
+                                      const std::function<void(std::uint64_t)>& spend);
+
+/// Whether the solutions are known to be one orbit of the group.
+enum class Orbits { one, unknown };
 
 /// What is known of the group of so many solutions, if its permutations over the rational numbers
 /// have cycles like these: `S<d>`, the symmetric group; `>=A<d>`, it contains the alternating
 /// group; empty if nothing. Other numbers of solutions are ignored.
-std::string group_shown_by(const std::vector<CycleType>& cycle_types, std::size_t solutions);
-
-/// Whether the polynomial, its highest term left out, is irreducible and of prime degree.
-bool is_irreducible_of_prime_degree(const Polynomial& lower);
-
-/// Whether the permutation is even: g, its highest term left out, has no multiple root, and its
-/// discriminant is a square modulo q.
-bool frobenius_is_even(const Polynomial& lower);
+std::string group_shown_by(const std::vector<CycleType>& cycle_types, std::size_t solutions,
+                           Orbits orbits);
 } // namespace checker

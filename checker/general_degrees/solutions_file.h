@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/effort/execution.h"
+#include "checker/fibres/frobenius.h"
 #include "checker/file/reader.h"
 #include "checker/problem/problem.h"
 
@@ -12,6 +13,9 @@ struct SolutionCount {
     std::string notation{};
     Problem problem{};
     std::size_t solutions = 0;
+    /// Of permutations of the solutions, by this and other fibres of the problem
+    /// (proofs/fibres.md).
+    std::vector<CycleType> cycle_types{};
 };
 
 /// What a file of solutions proves.

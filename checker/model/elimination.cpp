@@ -59,9 +59,8 @@ static Variables variables_of(const Layout& layout, const Elimination& eliminati
 
 Elimination read_elimination(Reader& reader, const Layout& layout) {
     Elimination result;
-    reader.take("elimination $ data");
-    result.data = read_residues(reader, layout.data.scalars);
-    reader.end_line();
+    reader.take("elimination $");
+    result.data = read_residue_line(reader, "data", layout.data.scalars);
     result.groups = read_groups(reader, layout);
     reader.take("basis");
     if (!reader.at_end()) result.basis = read_ascending(reader, 999'999);

@@ -7,7 +7,7 @@ ModelFibre read_fibre(Reader& reader, const Layout& layout) {
     ModelFibre fibre;
     const std::size_t degree = read_fibre_degree(reader);
     fibre.data = read_residue_line(reader, "data", layout.data.scalars);
-    fibre.solutions = read_fibre(reader, degree, layout.unknowns.scalars);
+    fibre.solutions = read_fibre(reader, degree, layout.unknowns.scalars, layout.unknowns.scalars);
     fibre.distinct = degree;
     if (layout.counted > 0) {
         reader.take("distinct");

@@ -31,11 +31,7 @@ ModelFile replay_model(Reader& reader, const Execution& execution) try {
         });
     }
     std::erase_if(values, [&](const Polynomial& h) { return h.size() != file.at_least; });
-    if (values.size() < 2 || file.at_least < 8) values.clear(); // no group follows
-    for (const Polynomial& h : values) {
-        records.spend(products_for_cycle_type(h.size()) / products_per_effort);
-        file.cycle_types.push_back(cycle_type_of(h));
-    }
+    file.cycle_types = cycle_types_of(values, [&](std::uint64_t effort) { records.spend(effort); });
     std::uint64_t products = 0;
     const auto spend = [&](std::uint64_t more) {
         products += more;

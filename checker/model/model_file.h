@@ -21,7 +21,7 @@ struct ModelFile {
 
     /// The group that the records show (frobenius.h); empty if none.
     std::string group() const {
-        return at_most == at_least ? group_shown_by(cycle_types, at_least) : "";
+        return at_most == at_least ? group_shown_by(cycle_types, at_least, Orbits::unknown) : "";
     }
 };
 

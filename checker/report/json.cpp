@@ -78,7 +78,7 @@ static std::string members(const ProblemFile& file) {
 
 static std::string members(const DegreeFile& file) {
     std::vector<std::string> items;
-    for (const auto& [number, solutions, frobenius] : file.bounds)
+    for (const auto& [number, solutions, cycle_types] : file.bounds)
         items.push_back(say("{\"class\": ", number, ", \"certified_at_least\": ", solutions, "}"));
     return ", \"degrees\": " + array_of(items);
 }
@@ -94,7 +94,7 @@ static std::string members(const ProblemsFile& file) {
 
 static std::string members(const SolutionsFile& file) {
     std::vector<std::string> items;
-    for (const auto& [notation, problem, solutions] : file.counts)
+    for (const auto& [notation, problem, solutions, cycle_types] : file.counts)
         items.push_back(say("{\"problem\": ", json_string(notation),
                             ", \"certified_at_least\": ", solutions, "}"));
     return ", \"solutions\": " + array_of(items);
@@ -152,7 +152,7 @@ static std::string item(const paper::FamilyTable& table) {
     return say("{\"family\": ", json_string(table.family), ", \"claims\": ", array_of(claims),
                ", \"degrees\": ", array_of(degrees), ", \"lower_bounds\": ", array_of(bounds),
                ", \"exact\": ", table.exact, ", \"exact_by_theorem\": ", table.exact_by_theorem,
-               "}");
+               ", \"certified_groups\": ", table.groups, "}");
 }
 
 static std::string item(const paper::DegreeClaim& c) {

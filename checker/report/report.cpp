@@ -69,6 +69,7 @@ static void add_families(Report& report) {
         table.lower_bounds = degrees.at_least;
         table.exact = degrees.exact;
         table.exact_by_theorem = degrees.exact_by_theorem;
+        table.groups = degrees.groups;
         for (paper::FamilyDegree& degree : table.degrees) {
             const Problem problem = parse_problem(degree.problem);
             const auto bound = bound_in_general(findings, problem);
@@ -128,7 +129,7 @@ static Proofs proofs_of(const Findings& findings) {
             proofs.problems[file->meaning] = file->problem + " is " + file->verdict;
         if (const auto* file = std::get_if<ProblemsFile>(&content)) add(proofs, *file);
         if (const auto* file = std::get_if<DegreeFile>(&content))
-            for (const auto& [number, solutions, frobenius] : file->bounds)
+            for (const auto& [number, solutions, cycle_types] : file->bounds)
                 proofs.solutions[number] = std::max(proofs.solutions[number], solutions);
         add_once(proofs.files, name);
     }

@@ -191,7 +191,10 @@ static std::string tables_of_families(const Report& report) {
                       table_of_degrees(table.degrees), list_of_lower_bounds(table.lower_bounds));
         if (table.exact > 0)
             result += say("exactly: the degrees of ", counted(table.exact, "minimal problem"), ", ",
-                          table.exact_by_theorem, " of them by theorem\n\n");
+                          table.exact_by_theorem, " of them by theorem\n");
+        if (table.groups > 0)
+            result += say("the groups of ", table.groups, " of them, by fibres\n");
+        if (table.exact > 0) result += '\n';
     }
     return result;
 }

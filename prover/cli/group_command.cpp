@@ -8,6 +8,7 @@
 #include "prover/cli/problem_report.h"
 #include "prover/cli/sections.h"
 #include "prover/fibres/group.h"
+#include "prover/format/certificate_text.h"
 #include "prover/many_views/degrees_on_file.h"
 #include "prover/many_views/loop_group.h"
 #include "prover/problem/notation.h"
@@ -39,13 +40,14 @@ constexpr const char* group_examples =
     "With -o it looks for a certificate, too: it computes all solutions modulo a prime, for\n"
     "random images (a fibre). The factors of their polynomial are as long as the cycles of a\n"
     "permutation in the group. By them plcheck certifies that the group contains all even\n"
-    "permutations (docs/groups.md).\n\n"
+    "permutations (docs/groups.md). One fibre certifies that there are so many solutions.\n\n"
     "Examples:\n"
     "  plprove group Chicago                        takes a second\n"
     "  plprove group 2394 -o chicago.plc            with a certificate, two minutes\n"
     "  plprove group '3*P/P/P + a/a/a' --json       for machines\n"
     "  plprove group five-point                     two views\n"
-    "  plprove group 'projective: 7*P/P'            lists of two more papers\n"
+    "  plprove group 'projective: 7*P/P' -o file.plc\n"
+    "                                               lists of two more papers, certificates, too\n"
     "  plprove group models/five_points.model       a problem that is given by equations; -o FILE\n"
     "                                               certifies the number of solutions, too\n"
     "  plprove group --up-to 300 -o groups.csv      a table of all problems of at most 300\n"
@@ -100,15 +102,6 @@ Asked asked(const std::string& spec) {
     return {notation(decision.problem), *degree, "certified", decision.classes};
 }
 
-/// Throws BadInput where no fibre can certify the group.
-void require_certifiable(const Asked& problem) {
-    if (!problem.classes)
-        throw BadInput("certificates of groups are for three calibrated views: leave -o out");
-    if (!has_cycle_length(problem.degree))
-        throw BadInput(problem.problem + " has " + std::to_string(problem.degree) +
-                       " solutions: too few for a certificate; leave -o out");
-}
-
 void write_loops(std::ostream& out, const std::optional<LoopGroup>& found) {
     section(out, "group");
     if (!found) {
@@ -119,13 +112,26 @@ void write_loops(std::ostream& out, const std::optional<LoopGroup>& found) {
     write_steps(out, found->group);
 }
 
-void write_fibres(std::ostream& out, const GroupSearch& found) {
+/// Whether the solutions fall into blocks that loops keep together.
+bool decomposes(const std::optional<LoopGroup>& by_loops) {
+    return by_loops && by_loops->group.steps.size() > 1;
+}
+
+/// Why fibres certify no group.
+std::string why_no_group(const Found& found) {
+    if (found.by_fibres->records.empty()) return "none was found; try another --seed";
+    if (found.by_fibres->degree == 1) return "there is one solution";
+    if (decomposes(found.by_loops)) return "it does not contain all even permutations, by evidence";
+    return "more may, see --fibres";
+}
+
+void write_fibres(std::ostream& out, const Found& found) {
     section(out, "fibres");
-    if (found.group().empty())
-        out << "certify no group: no cycle has a prime length l with d/2 < l < d - 2\n";
+    if (found.by_fibres->group.empty())
+        out << "certify no group: " << why_no_group(found) << '\n';
     else
-        out << found.group() << ": certified once plcheck accepts it\n";
-    write_cycles(out, found.cycle_types);
+        out << found.by_fibres->group << ": certified once plcheck accepts it\n";
+    write_cycles(out, found.by_fibres->cycle_types);
 }
 
 /// The group that plcheck certifies, if it does.
@@ -142,7 +148,7 @@ std::string text_report(const Asked& asked, const Found& found) {
     write_loops(out, found.by_loops);
     if (const auto known = certified_group(asked))
         section(out, "certified") << "by plcheck --group '" << known->name << "'\n";
-    if (found.by_fibres) write_fibres(out, *found.by_fibres);
+    if (found.by_fibres) write_fibres(out, found);
     return out.str();
 }
 
@@ -157,7 +163,7 @@ std::string json_report(const Asked& asked, const Found& found) {
         json["evidence"] = evidence_json(found.by_loops->group, found.by_loops->loops);
     if (const auto known = certified_group(asked)) json["certified_group"] = known->name;
     if (found.by_fibres)
-        json["fibres"] = {{"group", found.by_fibres->group()},
+        json["fibres"] = {{"group", found.by_fibres->group},
                           {"cycle_types", found.by_fibres->cycle_types}};
     return json.dump(2) + "\n";
 }
@@ -178,13 +184,19 @@ GroupSearch search_by_fibres(const Asked& problem, GroupOptions options) {
         line.show(static_cast<std::size_t>(fibres),
                   " so far, the next one to " + std::to_string(bits) + " bits");
     };
-    return find_group(problem.classes->constraint, problem.degree, options);
+    if (problem.classes) return find_group(problem.classes->constraint, problem.degree, options);
+    return find_group(*problem.in_general, problem.degree, options);
 }
 
-/// Fibres of a group that keeps blocks together have no cycle that certifies it: one will do.
+/// No fibres certify a group that keeps blocks together: one will do, for the number of solutions.
 int most_fibres(const GroupRequest& request, const std::optional<LoopGroup>& by_loops) {
-    const bool decomposes = by_loops && by_loops->group.steps.size() > 1;
-    return decomposes ? 1 : request.options.fibres;
+    return decomposes(by_loops) ? 1 : request.options.fibres;
+}
+
+/// The file of these records.
+std::string certificate_of(const Asked& problem, const std::string& records) {
+    if (problem.classes) return degree_file(records);
+    return certificate_file("solutions", records, "give a problem with fewer solutions");
 }
 
 int find_group_of(const GroupRequest& request, const Deliver& deliver) {
@@ -193,18 +205,19 @@ int find_group_of(const GroupRequest& request, const Deliver& deliver) {
                                     request.options.fibres, request.json},
                                    deliver);
     const Asked problem = asked(request.spec);
-    if (!request.path.empty()) require_certifiable(problem);
     Found found{search_by_loops(problem, request.options.seed), {}};
     if (!request.path.empty()) {
         GroupOptions options = request.options;
         options.fibres = most_fibres(request, found.by_loops);
         found.by_fibres = search_by_fibres(problem, options);
         if (!found.by_fibres->records.empty())
-            deliver(request.path, degree_file(found.by_fibres->records));
+            deliver(request.path, certificate_of(problem, found.by_fibres->records));
     }
     if (request.path != "-")
         deliver("-", request.json ? json_report(problem, found) : text_report(problem, found));
-    const bool certified = found.by_fibres && !found.by_fibres->group().empty();
+    const bool has_certificate = found.by_fibres && !found.by_fibres->records.empty();
+    const bool certified =
+        has_certificate && (!found.by_fibres->group.empty() || problem.degree == 1);
     return certified || (!found.by_fibres && found.by_loops) ? 0 : exit_failure;
 }
 

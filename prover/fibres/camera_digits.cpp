@@ -27,18 +27,4 @@ std::vector<std::vector<BigComplex>> CameraDigits::slopes(const Point& point,
     return result;
 }
 
-std::vector<model::RefinedSolution> starting_points(const DegreeCertificate& certificate) {
-    std::vector<model::RefinedSolution> result;
-    for (const StartingValues& solution : certificate.solutions) {
-        result.push_back({solution.real, std::vector<BigComplex>(camera_dimension)});
-        auto value = solution.values.begin();
-        for (BigComplex& x : result.back().coordinates) {
-            arb_set_si(acb_realref(x.get()), *value++);
-            if (!solution.real) arb_set_si(acb_imagref(x.get()), *value++);
-            acb_mul_2exp_si(x.get(), x.get(), -solution.bits);
-        }
-    }
-    return result;
-}
-
 } // namespace plprove

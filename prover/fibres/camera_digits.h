@@ -1,4 +1,4 @@
-// The camera equations at points with many digits, and the solutions of a certificate.
+// The camera equations at points with many digits.
 #pragma once
 
 #include "prover/fibres/camera_images.h"
@@ -19,8 +19,5 @@ public:
 private:
     CameraImages images_;
 };
-
-/// The solutions of a certificate, as it has them.
-std::vector<model::RefinedSolution> starting_points(const DegreeCertificate& certificate);
 
 } // namespace plprove

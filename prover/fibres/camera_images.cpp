@@ -1,12 +1,10 @@
 #include "prover/fibres/camera_images.h"
 
+#include "prover/minimal/placement.h"
+
 namespace plprove {
 
 namespace {
-
-IntegerVector cross(const IntegerVector& a, const IntegerVector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// The free vectors of the system, as the certificate has them.
 std::vector<IntegerVector> free_vectors(const CameraSystem& system,

@@ -26,11 +26,8 @@ struct ClassFibre {
 std::optional<ClassFibre> find_class_fibre(std::size_t number, int degree, std::uint64_t seed,
                                            const std::function<void(long)>& progress);
 
-/// The irreducible factors of the polynomial, in ascending order of degrees.
-std::vector<model::Univariate> factors_of(const ClassFibre& fibre);
-
-/// The record of the fibre, without the first line of the file; with an irreducible factor of prime
-/// degree, if one is named. Throws FormatLimit if the format does not allow it.
-std::string write_record(const ClassFibre& fibre, const model::Univariate* factor);
+/// The record of the fibre, without the first line of the file. Throws FormatLimit if the format
+/// does not allow it.
+std::string write_record(const ClassFibre& fibre);
 
 } // namespace plprove

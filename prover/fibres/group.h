@@ -1,9 +1,13 @@
-// The monodromy group of the camera solutions of a class: how they are permuted along loops of
-// images. Fibres over F_q show permutations in it (proofs/fibres.md).
+// The monodromy group of the camera solutions of a class, or of a problem in general: how they are
+// permuted along loops of images. Fibres over F_q show permutations in it (proofs/fibres.md).
 #pragma once
 
-#include "prover/fibres/class_fibre.h"
+#include "prover/groups/cycle_types.h"
+#include "prover/problem/problem.h"
 
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,21 +23,29 @@ struct GroupOptions {
 /// What fibres show of the group of `degree` solutions.
 struct GroupSearch {
     int degree = 0;
-    std::vector<std::vector<int>> cycle_types; ///< of one permutation a fibre, ascending
-    bool alternating = false; ///< whether a cycle shows that the group contains A_d
-    bool even = false;        ///< whether one permutation is even
-    bool odd = false;         ///< whether one permutation is odd
-    std::string records;      ///< of the fibres that show this
-
-    bool symmetric() const { return alternating && even && odd; }
-    /// `S<d>`, `>=A<d>`, or empty, as plcheck will find.
-    std::string group() const;
+    std::vector<CycleType> cycle_types; ///< of one permutation a fibre
+    std::string group;                  ///< `S<d>`, `>=A<d>`, or empty, as plcheck will find
+    std::string records; ///< of as few fibres as show this; of the first one if none do
 };
 
-/// Whether a prime l has d/2 < l < d - 2, so that a cycle of this length can be looked for.
-bool has_cycle_length(int degree);
+/// A fibre, as the search for a group needs it.
+struct FibreRecord {
+    CycleType cycle_type; ///< of the permutation that it shows
+    std::string record;   ///< without the first line of the file
+};
 
-/// Computes fibres until the group is known, or there are as many as the options say.
+/// The fibre of a seed; nothing where a step fails. Tells how many bits its solutions have.
+using FindFibre =
+    std::function<std::optional<FibreRecord>(std::uint64_t seed, const std::function<void(long)>&)>;
+
+/// Computes fibres until the group is known, there are as many as the options say, or too many
+/// steps have failed. One solution needs one fibre only.
+GroupSearch search_group(int degree, const GroupOptions& options, const FindFibre& find_fibre);
+
+/// Of a label class.
 GroupSearch find_group(std::size_t number, int degree, const GroupOptions& options);
+
+/// Of a minimal problem whose views see everything, with cameras that have their coordinates once.
+GroupSearch find_group(const Problem& problem, int degree, const GroupOptions& options);
 
 } // namespace plprove

@@ -1,15 +1,14 @@
 #include "prover/groups/cycle_types.h"
 
-#include "prover/groups/jordan.h"
-
 #include <algorithm>
+#include <flint/ulong_extras.h>
 #include <set>
 
 namespace plprove {
 
 namespace {
 
-/// How many points some of the cycles may have together.
+/// How many points some of the cycles may have together; 0 for none of them.
 std::set<int> sizes_of_unions(const CycleType& lengths) {
     std::set<int> sizes{0};
     for (const int length : lengths) {
@@ -32,23 +31,68 @@ bool may_be_intransitive(const std::vector<CycleType>& cycle_types, int degree) 
     return false;
 }
 
+/// Whether a cycle may run through n blocks, with as many points in each, where other cycles fill
+/// up the blocks.
+bool may_run_through(const CycleType& lengths, std::size_t cycle, int n, int block) {
+    CycleType shares;
+    for (std::size_t other = 0; other < lengths.size(); ++other)
+        if (other != cycle && lengths[other] % n == 0) shares.push_back(lengths[other] / n);
+    return sizes_of_unions(shares).contains(block - lengths[cycle] / n);
+}
+
+/// Whether a permutation with these cycles may permute blocks of so many points.
+bool may_keep_blocks(const CycleType& lengths, int block) {
+    for (std::size_t cycle = 0; cycle < lengths.size(); ++cycle) {
+        bool possible = false;
+        for (int n = 1; n <= lengths[cycle] && !possible; ++n)
+            possible = lengths[cycle] % n == 0 && may_run_through(lengths, cycle, n, block);
+        if (!possible) return false;
+    }
+    return true;
+}
+
+bool may_be_imprimitive(const std::vector<CycleType>& cycle_types, int degree) {
+    for (int block = 2; block < degree; ++block) {
+        const auto keeps = [&](const CycleType& lengths) {
+            return may_keep_blocks(lengths, block);
+        };
+        if (degree % block == 0 && std::ranges::all_of(cycle_types, keeps)) return true;
+    }
+    return false;
+}
+
+/// Whether a power is a single cycle, of a prime length that Jordan's theorems are about.
+bool has_single_cycle(const CycleType& lengths, int degree) {
+    return std::ranges::any_of(lengths, [&](int p) {
+        if (!n_is_prime(static_cast<ulong>(p)) || p > std::max(3, degree - 3)) return false;
+        return std::ranges::count_if(lengths, [&](int length) { return length % p == 0; }) == 1;
+    });
+}
+
 bool has_even_sign(const CycleType& lengths, int degree) {
     return (degree - static_cast<int>(lengths.size())) % 2 == 0;
 }
 
+/// Which cycles, degree and orbits a search for few records is about.
+struct Wanted {
+    const std::string& group;
+    const std::vector<CycleType>& cycle_types;
+    int degree;
+    bool transitive;
+};
+
 /// Looks at all choices of `count` cycle types that begin with those that are chosen.
-bool choose(const std::string& group, const std::vector<CycleType>& cycle_types, int degree,
-            std::size_t count, std::vector<std::size_t>& chosen) {
+bool choose(const Wanted& wanted, std::size_t count, std::vector<std::size_t>& chosen) {
     if (chosen.size() == count) {
         std::vector<CycleType> own;
         for (const std::size_t place : chosen)
-            own.push_back(cycle_types[place]);
-        return group_shown_by(own, degree) == group;
+            own.push_back(wanted.cycle_types[place]);
+        return group_shown_by(own, wanted.degree, wanted.transitive) == wanted.group;
     }
-    for (std::size_t next = chosen.empty() ? 0 : chosen.back() + 1; next < cycle_types.size();
-         ++next) {
+    for (std::size_t next = chosen.empty() ? 0 : chosen.back() + 1;
+         next < wanted.cycle_types.size(); ++next) {
         chosen.push_back(next);
-        if (choose(group, cycle_types, degree, count, chosen)) return true;
+        if (choose(wanted, count, chosen)) return true;
         chosen.pop_back();
     }
     return false;
@@ -56,23 +100,24 @@ bool choose(const std::string& group, const std::vector<CycleType>& cycle_types,
 
 } // namespace
 
-std::string group_shown_by(const std::vector<CycleType>& cycle_types, int degree) {
-    bool has_cycle = false, even = false, odd = false;
+std::string group_shown_by(const std::vector<CycleType>& cycle_types, int degree, bool transitive) {
+    bool has_cycle = false, even = false, odd = false, differ = false;
     for (const CycleType& lengths : cycle_types) {
-        for (const int length : lengths)
-            has_cycle |= shows_alternating(degree, length);
+        has_cycle |= has_single_cycle(lengths, degree);
+        differ |= lengths != cycle_types.front();
         (has_even_sign(lengths, degree) ? even : odd) = true;
     }
-    if (!has_cycle || may_be_intransitive(cycle_types, degree)) return {};
+    if (!has_cycle || !differ || may_be_imprimitive(cycle_types, degree)) return {};
+    if (!transitive && may_be_intransitive(cycle_types, degree)) return {};
     return (even && odd ? "S" : ">=A") + std::to_string(degree);
 }
 
 std::vector<std::size_t> fewest_that_show(const std::string& group,
                                           const std::vector<CycleType>& cycle_types, int degree,
-                                          std::size_t most) {
+                                          std::size_t most, bool transitive) {
     std::vector<std::size_t> chosen;
     for (std::size_t count = 2; count <= most; ++count)
-        if (choose(group, cycle_types, degree, count, chosen)) return chosen;
+        if (choose({group, cycle_types, degree, transitive}, count, chosen)) return chosen;
     return {};
 }
 

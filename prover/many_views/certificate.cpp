@@ -1,6 +1,5 @@
 #include "prover/many_views/certificate.h"
 
-#include "prover/format/certificate_text.h"
 #include "prover/many_views/integer_pictures.h"
 #include "prover/many_views/path.h"
 #include "prover/many_views/standard_chart.h"
@@ -126,12 +125,14 @@ std::vector<StartingValues> written(Arrivals<Point>& arrivals, IntegerSystem& sy
 
 } // namespace
 
-SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t seed, int threads) {
+SolutionsRecord certify(const MonodromyResult& found, int wanted, std::uint64_t seed, int threads,
+                        int largest) {
     constexpr std::uint64_t stream = 2; // another one than that of monodromy
-    constexpr double scale = 64;        // of random integer images
+    constexpr double usual_scale = 64;  // of random integer images
+    const double scale = usual_scale * largest / usual_coordinate;
     const Problem& problem = found.system.problem();
     Random random(seed, stream);
-    const IntegerImages integers = random_integer_images(problem, problem.views, random);
+    const IntegerImages integers = random_integer_images(problem, problem.views, random, largest);
     IntegerSystem system(problem, integers, scale);
     Arrivals<Point> arrivals = no_arrivals();
     int in_vain = 0;
@@ -157,13 +158,18 @@ SolutionsRecord certify(const Problem& points, const IntegerImages& integers, in
     return {points, integers, written(arrivals, system)};
 }
 
+void append_images(CertificateText& text, const Problem& problem, const IntegerImages& views) {
+    constexpr std::size_t digits = 9;
+    text.line("problem", notation(problem));
+    for (const std::vector<int>& view : views)
+        text.line("view", coordinates(view, digits));
+}
+
 std::string write_solutions(std::span<const SolutionsRecord> records) {
-    constexpr std::size_t digits_of_images = 9, digits_of_solutions = 18;
+    constexpr std::size_t digits_of_solutions = 18;
     CertificateText text;
     for (const SolutionsRecord& record : records) {
-        text.line("problem", notation(record.problem));
-        for (const std::vector<int>& view : record.views)
-            text.line("view", coordinates(view, digits_of_images));
+        append_images(text, record.problem, record.views);
         for (const StartingValues& solution : record.solutions) {
             std::vector<std::string> words;
             for (const std::int64_t value : solution.values)

@@ -8,7 +8,6 @@ namespace plprove::many_views {
 
 namespace {
 
-constexpr int largest_coordinate = 99;
 constexpr int largest_factor = 5;
 
 int random_integer(int largest, Random& random) {
@@ -16,7 +15,7 @@ int random_integer(int largest, Random& random) {
 }
 
 /// What one view sees.
-std::vector<int> random_numbers(const Problem& problem, Random& random) {
+std::vector<int> random_numbers(const Problem& problem, int largest_coordinate, Random& random) {
     std::vector<int> numbers;
     const auto add = [&](std::size_t count, int largest) {
         for (; count > 0; --count)
@@ -32,10 +31,11 @@ std::vector<int> random_numbers(const Problem& problem, Random& random) {
     return numbers;
 }
 
-ViewImages<Complex> vectors_of(const Problem& problem, std::span<const int> numbers) {
-    ViewImages<Complex> view;
+template <class Scalar>
+ViewImages<Scalar> vectors_of(const Problem& problem, std::span<const int> numbers) {
+    ViewImages<Scalar> view;
     const auto take = [&] {
-        const Vector<Complex> vector{Complex(numbers[0]), Complex(numbers[1]), Complex(numbers[2])};
+        const Vector<Scalar> vector{Scalar(numbers[0]), Scalar(numbers[1]), Scalar(numbers[2])};
         numbers = numbers.subspan(3);
         return vector;
     };
@@ -44,7 +44,7 @@ ViewImages<Complex> vectors_of(const Problem& problem, std::span<const int> numb
             view.points.push_back(take());
             continue;
         }
-        view.points.push_back({Complex(numbers[0]), Complex(numbers[1]), Complex(0)});
+        view.points.push_back({Scalar(numbers[0]), Scalar(numbers[1]), Scalar(0)});
         numbers = numbers.subspan(2);
     }
     for (const Line& line : problem.lines) {
@@ -101,12 +101,13 @@ bool conforms(const Problem& problem, const ViewImages<Complex>& view) {
 
 } // namespace
 
-IntegerImages random_integer_images(const Problem& problem, int views, Random& random) {
+IntegerImages random_integer_images(const Problem& problem, int views, Random& random,
+                                    int largest) {
     constexpr int most_tries = 10'000;
     IntegerImages images;
     for (int tries = 0; tries < most_tries; ++tries) {
-        const std::vector<int> numbers = random_numbers(problem, random);
-        const ViewImages<Complex> view = vectors_of(problem, numbers);
+        const std::vector<int> numbers = random_numbers(problem, largest, random);
+        const ViewImages<Complex> view = vectors_of<Complex>(problem, numbers);
         if (!has_different_points(problem, view) || !conforms(problem, view)) continue;
         images.push_back(numbers);
         if (std::ssize(images) == views) return images;
@@ -114,10 +115,17 @@ IntegerImages random_integer_images(const Problem& problem, int views, Random& r
     throw FormatLimit("found no integer images whose coordinates the format allows: leave -o out");
 }
 
+Images<std::int64_t> exact_images(const Problem& problem, const IntegerImages& integers) {
+    Images<std::int64_t> images;
+    for (const std::vector<int>& numbers : integers)
+        images.push_back(vectors_of<std::int64_t>(problem, numbers));
+    return images;
+}
+
 Images<Complex> scaled(const Problem& problem, const IntegerImages& integers, double scale) {
     Images<Complex> images;
     for (const std::vector<int>& numbers : integers) {
-        ViewImages<Complex> view = vectors_of(problem, numbers);
+        ViewImages<Complex> view = vectors_of<Complex>(problem, numbers);
         for (std::size_t p = 0; p < view.points.size(); ++p)
             if (!carrier(problem, static_cast<int>(p)))
                 for (Complex& x : view.points[p])

@@ -1,8 +1,11 @@
-// The lines of a fibre in a certificate (certs/FORMAT.md, section 16).
+// The lines of a fibre in a certificate (certs/FORMAT.md, section 16), and what its polynomial
+// shows.
 #pragma once
 
 #include "prover/format/certificate_text.h"
 #include "prover/model/univariate.h"
+
+#include <vector>
 
 namespace plprove::model {
 
@@ -12,5 +15,9 @@ std::vector<std::uint64_t> coefficients(const Univariate& polynomial, std::size_
 /// Adds the lines from `polynomial` to `separated by`.
 void append_solutions(CertificateText& text, const Univariate& polynomial,
                       const std::vector<Univariate>& unknowns, const std::vector<int>& form);
+
+/// The degrees of the irreducible factors, ascending: the lengths of the cycles of a permutation of
+/// the solutions.
+std::vector<int> factor_degrees(const Univariate& polynomial);
 
 } // namespace plprove::model

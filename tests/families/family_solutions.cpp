@@ -1,5 +1,6 @@
 // Certificates of the degrees of a family that are on file (certs/family-degrees.csv): a file of
-// solutions (certs/FORMAT.md, section 14), with all solutions of each problem, by its degree.
+// solutions (certs/FORMAT.md, section 14), with all solutions of each problem, by its degree. Where
+// `plprove group PROBLEM -o FILE` makes fibres, these take their place in certs/solutions.
 //
 // Usage: family_solutions FAMILY MOST [PROBLEM]...
 //

@@ -121,12 +121,13 @@ std::size_t class_of(const File& record) {
     return std::stoul(record[0][1]);
 }
 
+/// The records with solutions, not those with fibres.
 std::vector<File> committed_degrees() {
     std::vector<File> all;
     for (const char* name :
          {"one-pin", "points-and-lines", "registrations", "small", "three-points"})
         for (File& record : records(split(committed("degrees/" + std::string(name) + ".plc"))))
-            all.push_back(std::move(record));
+            if (shown(record) > 0) all.push_back(std::move(record));
     std::ranges::stable_sort(all, {}, class_of);
     return all;
 }

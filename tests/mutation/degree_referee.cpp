@@ -304,7 +304,7 @@ DegreeReferee::DegreeReferee() {
 
 std::optional<std::string>
 DegreeReferee::objection(const std::string& text, const std::vector<checker::LowerBound>& bounds) {
-    for (const auto& [number, solutions, frobenius] : bounds) {
+    for (const auto& [number, solutions, cycle_types] : bounds) {
         if (known_.contains(number) && solutions > known_[number])
             return "more solutions than there are";
         // A class may have several fibres.

@@ -91,7 +91,7 @@ private:
 
 Claims claims_of(const checker::DegreeFile& file) {
     Claims claims;
-    for (const auto& [number, solutions, frobenius] : file.bounds)
+    for (const auto& [number, solutions, cycle_types] : file.bounds)
         claims.push_back(checker::say("class ", number, ": at least ", solutions));
     return claims;
 }

@@ -2,7 +2,7 @@
 
 from algebra import apply, cross, dot, quaternion_matrix
 from features import CLASSES, FEATURES, TABLE, obstruction
-from fibre import is_regular, read_fibre, require_irreducible, division
+from fibre import is_regular, read_fibre
 from grammar import Fault, require
 
 VIEWS = (0, 1, 2)
@@ -148,9 +148,6 @@ class File:
             if count > 10000 or len(lines["unknown"]) != 11 or len(lines["INT"]) != 11 or \
                     any(len(line["RESIDUE"]) != count for line in residues):
                 raise Fault("the lines of a fibre")
-            for factor in fibre["factor"]:
-                if factor["COUNT"][0] > count or len(factor["RESIDUE"]) != factor["COUNT"][0]:
-                    raise Fault("the line of a factor")
             self.records.append((number, [read_images(image) for image in record["image"]], fibre))
 
     def check(self, record):
@@ -174,9 +171,6 @@ class File:
             columns.append([more.value(e) - less.value(e) for e in equations.list])
         require(is_regular(ring, [list(row) for row in zip(*columns)]), "a singular Jacobian")
         cameras.check(ring, equations)
-        for factor in fibre["factor"]:
-            require(not division(ring.g, factor["RESIDUE"] + [1])[1], "the factor is none")
-            require_irreducible(factor["RESIDUE"])
 
     def conclude(self, _held):
         return 0, {}

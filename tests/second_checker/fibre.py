@@ -157,26 +157,38 @@ def cycle_type(g):
     return degrees
 
 
-def at(number, place):
-    """The polynomial of one number at another one."""
-    result = number.ring.number([0])
-    for coefficient in reversed(number.c):
-        result = result * place + coefficient
-    return result
+def sums_of_parts(numbers):
+    sums = {0}
+    for number in numbers:
+        sums |= {total + number for total in sums}
+    return sums
 
 
-def require_irreducible(lower):
-    """Of prime degree."""
-    degree = len(lower)
-    require(degree > 1 and all(degree % d for d in range(2, degree)), "the degree is no prime")
-    ring = Ring(lower + [1])
-    t, image = ring.variable(), power_of_variable(ring)
-    power = t  # t^(q^n) for the leading bits n of the degree
-    for bit in bin(degree)[2:]:
-        power = at(power, power)
-        if bit == "1":
-            power = at(power, image)
-    require((power - t).is_zero() and not ring.has_common_root(image - t), "it is reducible")
+def is_prime(number):
+    return number > 1 and all(number % d for d in range(2, number))
+
+
+def fits(lengths, block):
+    """Whether the cycles fit blocks of so many points."""
+    def fills(cycle):
+        others = list(lengths)
+        others.remove(cycle)
+        return any(block - cycle // n in sums_of_parts([other // n for other in others if other % n == 0])
+                   for n in range(1, cycle + 1) if cycle % n == 0)
+    return all(map(fills, set(lengths)))
+
+
+def group_shown(types, degree, one_orbit):
+    """What fibres with these cycles certify of the group of so many solutions; None if nothing."""
+    if not types or not one_orbit and set.intersection(*map(sums_of_parts, types)) != {0, degree}:
+        return None
+    blocks = [b for b in range(2, degree) if degree % b == 0]
+    alone = [p for lengths in types for p in lengths if is_prime(p) and sum(l % p == 0 for l in lengths) == 1]
+    if any(all(fits(lengths, block) for lengths in types) for block in blocks) or \
+            not any(p <= 3 or p <= degree - 3 for p in alone) or len(set(map(tuple, types))) < 2:
+        return None
+    parities = {len(lengths) % 2 for lengths in types}
+    return f"S{degree}" if len(parities) == 2 else f">=A{degree}"
 
 
 def read_fibre(node):

@@ -17,7 +17,7 @@ LIMITS = {"INT": (-999999, 999999), "ENTRY": (1 - 10**1000, 10**1000 - 1), "MINO
           "ROW": NUMBERED, "COLUMN": (1, 11), "OWN": NUMBERED, "POSITION": (1, 1000), "K": NUMBERED,
           "DEGREE": (1, 6), "EQUATION": NUMBERED, "MONOMIAL": NUMBERED, "CONDITIONS": NUMBERED,
           "RESIDUE": (0, Q - 1), "COUNT": NUMBERED, "CONSTANT": COUNTED, "SIZE": (1, 100),
-          "POWER": (1, 20), "LONG": (1 - 10**18, 10**18 - 1),
+          "POWER": (1, 20), "LONG": (1 - 10**18, 10**18 - 1), "IMAGE": (1 - 10**9, 10**9 - 1),
           "BITS": (0, 200), "EDGES": (0, 99), "EXPONENT": (-99, -1),
           "POINT": NUMBERED, "JOINED": NUMBERED, "LINE": NUMBERED, "VIEW": NUMBERED}
 ASCENDING = ("ROW", "COLUMN", "OWN", "MONOMIAL", "POINT", "LINE", "VIEW")

@@ -4,7 +4,7 @@ import itertools
 import math
 import random
 
-from fibre import cycle_type, is_regular, read_fibre
+from fibre import cycle_type, group_shown, is_regular, read_fibre
 from grammar import Q, require
 from model import FUNCTIONS, RESERVED, Execution, depth_of, need, scalars
 from model_rings import LARGE, Constants, Large, Polynomial, Tangent, determinant, is_zero, plus
@@ -158,23 +158,7 @@ class File:
             return None
         fibres = [record for record in held if record.kind == "fibre" and record.number == degree]
         types = [cycle_type(self.values[id(record.node)]) for record in fibres if len(fibres) > 1]
-        is_transitive = types and set.intersection(*map(sums_of_parts, types)) == {0, degree}
-        if not is_transitive or not any(degree / 2 < length < degree - 2 and is_prime(length)
-                                        for lengths in types for length in lengths):
-            return None
-        parities = {len(lengths) % 2 for lengths in types}
-        return f"S{degree}" if len(parities) == 2 else f">=A{degree}"
-
-
-def sums_of_parts(numbers):
-    sums = {0}
-    for number in numbers:
-        sums |= {total + number for total in sums}
-    return sums
-
-
-def is_prime(number):
-    return number > 1 and all(number % d for d in range(2, number))
+        return group_shown(types, degree, one_orbit=False)
 
 
 def first_relation(rows):

@@ -5,10 +5,11 @@ import degree_file
 import general_file
 import model_file
 import problem_file
+import solutions_file
 from grammar import Fault, Parser, Refused, parse
 
 KINDS = {"classification": classification, "problem": problem_file, "problems": general_file,
-         "degrees": degree_file, "model": model_file}
+         "degrees": degree_file, "model": model_file, "solutions": solutions_file}
 
 
 class OtherKind(Exception):
@@ -20,11 +21,12 @@ def verdict(data, every=1):
     records. None for the file if it does not conform: then nothing holds, and one reason says why."""
     try:
         parser = Parser(data)
-        if parser.words[:2] == ["plcert", "2"] and parser.words[2] in ("solutions", "at-most"):
-            raise OtherKind(parser.words[2])
+        if parser.words[:3] == ["plcert", "2", "at-most"]:
+            raise OtherKind("at-most")
         node = parse(parser)
-        if any(record["solution"] for record in node["degree"]):
-            raise OtherKind("degrees")
+        if any(record["solution"] for record in node["degree"]) or \
+                any(record["general-solution"] for record in node["solutions-record"]):
+            raise OtherKind(node["words"][2])
         file = KINDS[node["words"][2]].File(node)
     except Fault as fault:
         return None, [], [str(fault)]

@@ -1,5 +1,6 @@
 // Records of solutions (FORMAT.md, section 14): what holds, and what is refused for which reason if
 // anything is altered in it.
+#include "tests/support/file.h"
 #include "tests/support/text.h"
 
 #include "checker/degrees/krawczyk.h"
@@ -134,6 +135,35 @@ TEST_CASE("zeros that explain no images are refused") {
     if (!has_arb) return;
     CHECK(contains(outcome(no_point), ": a point may be the centre of a camera"));
     CHECK(contains(outcome(no_camera), ": a camera may have a rank less than 3"));
+}
+
+/// The records of a small file of certs/vectors.
+std::string vector(const std::string& name) {
+    const std::string file = read(SOURCE_DIR "/certs/vectors/solutions-" + name + ".plc");
+    return file.substr(file.find('\n') + 1);
+}
+
+TEST_CASE("fibres hold, and two of a problem show permutations of its solutions") {
+    CHECK(outcome(vector("fibre")) == "3");
+    const ReplayedFile file =
+        replay(all_classes(), "file", "plcert 2 solutions\n" + vector("two-fibres"));
+    const std::vector<SolutionCount>& counts = std::get<SolutionsFile>(file.content).counts;
+    REQUIRE(counts.size() == 2);
+    CHECK(counts[0].cycle_types.empty());
+    CHECK(counts[1].cycle_types.size() == 2);
+}
+
+TEST_CASE("what refuses a fibre of a problem in general, and why") {
+    const std::string about = "2: projective: 7*P/P: ";
+    CHECK(outcome(vector("fibre-equation")) == about + "equation 13 is not 0");
+    CHECK(outcome(vector("fibre-separated")) == about + "the sum of `separated by` is not t");
+    CHECK(outcome(vector("fibre-centre")) == about + "a point may be the centre of a camera");
+    CHECK(outcome(vector("fibre-rank")) == about + "a camera may have a rank less than 3");
+    const std::string good = vector("fibre");
+    CHECK(contains(outcome(with(good, "7*P/P", "8*P/P")), "syntax, 3: "));
+    CHECK(contains(outcome(with(good, "fibre 3", "fibre 0")), "syntax, 5: "));
+    CHECK(contains(outcome(with(good, "fibre 3", "fibre 2")), "syntax, 6: "));
+    CHECK(contains(outcome(good + "real 0\n"), "syntax, 22: "));
 }
 
 TEST_CASE("problems with incomplete visibility are refused") {

@@ -27,32 +27,37 @@ checker::CycleType for_checker(const CycleType& lengths) {
 } // namespace
 
 TEST_CASE("of any two permutations the prover knows what the checker will find") {
-    for (const int degree : {7, 8, 9, 11}) {
+    for (const int degree : {2, 3, 4, 5, 6, 7, 8, 9, 11}) {
         int symmetric = 0, alternating = 0;
         const std::vector<CycleType> types = partitions(degree);
-        for (const CycleType& a : types)
-            for (const CycleType& b : types) {
-                const std::string group = plprove::group_shown_by({a, b}, degree);
-                CHECK(group == checker::group_shown_by({for_checker(a), for_checker(b)},
-                                                       static_cast<std::size_t>(degree)));
-                if (group == "S" + std::to_string(degree)) ++symmetric;
-                if (group.starts_with(">=")) ++alternating;
-            }
-        // Below eight there is no prime that could show it.
-        CHECK((symmetric > 0) == (degree >= 8));
-        CHECK((alternating > 0) == (degree >= 8));
+        for (const bool transitive : {false, true})
+            for (const CycleType& a : types)
+                for (const CycleType& b : types) {
+                    const std::string group = plprove::group_shown_by({a, b}, degree, transitive);
+                    const auto orbits =
+                        transitive ? checker::Orbits::one : checker::Orbits::unknown;
+                    CHECK(group == checker::group_shown_by({for_checker(a), for_checker(b)},
+                                                           static_cast<std::size_t>(degree),
+                                                           orbits));
+                    if (group == "S" + std::to_string(degree)) ++symmetric;
+                    if (group.starts_with(">=")) ++alternating;
+                }
+        CHECK(symmetric > 0);
+        CHECK((alternating > 0) == (degree > 2));
     }
 }
 
 TEST_CASE("as few permutations as will do, the first ones") {
     const std::vector<CycleType> types{{1, 2, 5}, {3, 5}, {1, 7}, {3, 5}, {8}};
-    const auto chosen = [&](const std::string& group, std::size_t most) {
-        return plprove::fewest_that_show(group, types, 8, most);
+    const auto chosen = [&](const std::string& group, std::size_t most, bool transitive = false) {
+        return plprove::fewest_that_show(group, types, 8, most, transitive);
     };
     using Places = std::vector<std::size_t>;
     CHECK(chosen("S8", 2) == Places{1, 4});
+    CHECK(chosen("S8", 2, true) == Places{0, 1});
     CHECK(chosen(">=A8", 3) == Places{0, 4});
     CHECK(chosen("S8", 1).empty());
-    CHECK(plprove::fewest_that_show("S8", {types[0], types[1], types[2]}, 8, 2).empty());
-    CHECK(plprove::fewest_that_show("S8", {types[0], types[1], types[2]}, 8, 3) == Places{0, 1, 2});
+    CHECK(plprove::fewest_that_show("S8", {types[1], types[3]}, 8, 2, true).empty());
+    CHECK(plprove::fewest_that_show("S8", {types[1], types[3], types[0]}, 8, 3, true) ==
+          Places{0, 2});
 }

@@ -1,0 +1,62 @@
+#include "prover/fibres/scene_fibre.h"
+
+#include "prover/fibres/exact_solutions.h"
+#include "prover/fibres/scene_digits.h"
+#include "prover/many_views/certificate.h"
+#include "prover/model/fibre_text.h"
+
+#include <thread>
+
+namespace plprove {
+
+namespace {
+
+int all_threads() {
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+} // namespace
+
+std::optional<many_views::MonodromyResult> find_scenes(const Problem& problem, int degree,
+                                                       std::uint64_t seed) {
+    constexpr std::uint64_t most_runs = 8;
+    many_views::MonodromySettings settings;
+    settings.threads = all_threads();
+    settings.edges = 3; // usually find all
+    settings.most_solutions = degree;
+    for (std::uint64_t run = 0; run < most_runs; ++run) {
+        auto found = many_views::run_monodromy(problem, most_runs * seed + run, settings);
+        if (std::ssize(found.points) == degree) return found;
+    }
+    return std::nullopt;
+}
+
+std::optional<SceneFibre> find_scene_fibre(const many_views::MonodromyResult& scenes,
+                                           std::uint64_t seed,
+                                           const std::function<void(long)>& progress) {
+    constexpr int largest_coordinate = 3; // coefficients of the solutions are short then
+    const int degree = static_cast<int>(std::ssize(scenes.points));
+    const many_views::SolutionsRecord record =
+        many_views::certify(scenes, degree, seed, all_threads(), largest_coordinate);
+    if (record.count() != degree) return std::nullopt;
+    SceneEquations scene = scene_equations(record.problem, record.views);
+    SceneFibre fibre{record.problem, record.views, {}, random_form(scene.camera_coordinates, seed)};
+    const SceneDigits equations(std::move(scene));
+    auto solutions = exact_solutions(equations, record.solutions, fibre.form, progress,
+                                     [&](const auto& point, const auto& digits) {
+                                         return equations.is_degenerate(point, digits);
+                                     });
+    if (!solutions) return std::nullopt;
+    fibre.solutions = std::move(*solutions);
+    return fibre;
+}
+
+std::string write_record(const SceneFibre& fibre) {
+    CertificateText text;
+    many_views::append_images(text, fibre.problem, fibre.views);
+    text.line("fibre", fibre.degree());
+    model::append_solutions(text, fibre.solutions.polynomial, fibre.solutions.unknowns, fibre.form);
+    return text.take();
+}
+
+} // namespace plprove
