@@ -4,6 +4,7 @@
 #pragma once
 
 #include "prover/fibres/camera_images.h"
+#include "prover/fibres/vectors_over.h"
 
 namespace plprove {
 
@@ -11,7 +12,7 @@ template <class Field>
 class CamerasOver {
 public:
     using Element = typename Field::Element;
-    using Vector = std::array<Element, 3>;
+    using Vector = VectorOver<Field>;
 
     /// At these camera coordinates, 11 of them.
     CamerasOver(const Field& field, const CameraImages& images,
@@ -118,18 +119,8 @@ private:
         return result;
     }
 
-    Element dot(const Vector& a, const Vector& b) const {
-        return field_.sum(field_.sum(field_.product(a[0], b[0]), field_.product(a[1], b[1])),
-                          field_.product(a[2], b[2]));
-    }
-    Vector cross(const Vector& a, const Vector& b) const {
-        Vector result;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            result[i] = field_.difference(field_.product(a[j], b[k]), field_.product(a[k], b[j]));
-        }
-        return result;
-    }
+    Element dot(const Vector& a, const Vector& b) const { return plprove::dot(field_, a, b); }
+    Vector cross(const Vector& a, const Vector& b) const { return plprove::cross(field_, a, b); }
     Vector minus(const Vector& a, const Vector& b) const {
         return {field_.difference(a[0], b[0]), field_.difference(a[1], b[1]),
                 field_.difference(a[2], b[2])};

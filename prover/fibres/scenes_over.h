@@ -3,6 +3,7 @@
 #pragma once
 
 #include "prover/fibres/scene_equations.h"
+#include "prover/fibres/vectors_over.h"
 
 namespace plprove {
 
@@ -51,13 +52,14 @@ public:
             for (const ScenePlace& place : scene_.points)
                 result.push_back(as_group(image(camera, place)));
             for (const auto& [first, second] : scene_.lines)
-                result.push_back(as_group(cross(image(camera, first), image(camera, second))));
+                result.push_back(
+                    as_group(cross(field_, image(camera, first), image(camera, second))));
         }
         return result;
     }
 
 private:
-    using Vector = std::array<Element, 3>;
+    using Vector = VectorOver<Field>;
     using Matrix = CameraMatrix<Element>;
     /// l · [M | t], for a line l.
     using Line = std::array<Element, 4>;
@@ -130,15 +132,6 @@ private:
         return {along(camera[0], place), along(camera[1], place), along(camera[2], place)};
     }
 
-    Vector cross(const Vector& a, const Vector& b) const {
-        Vector result;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            result[i] = field_.difference(field_.product(a[j], b[k]), field_.product(a[k], b[j]));
-        }
-        return result;
-    }
-
     /// The determinants of three columns.
     std::vector<Element> minors(const Matrix& camera) const {
         std::vector<Element> result;
@@ -146,12 +139,9 @@ private:
             return Vector{camera[0][j], camera[1][j], camera[2][j]};
         };
         for (std::size_t left_out = 0; left_out < 4; ++left_out) {
-            const Vector a = column((left_out + 1) % 4);
-            const Vector normal = cross(column((left_out + 2) % 4), column((left_out + 3) % 4));
-            Element minor = zero_;
-            for (std::size_t i = 0; i < 3; ++i)
-                minor = field_.sum(minor, field_.product(a[i], normal[i]));
-            result.push_back(minor);
+            const Vector normal =
+                cross(field_, column((left_out + 2) % 4), column((left_out + 3) % 4));
+            result.push_back(dot(field_, column((left_out + 1) % 4), normal));
         }
         return result;
     }

@@ -20,8 +20,8 @@ import sys
 import shared_points
 import three_views
 import three_views_degrees
+from ranks import Q, rank
 
-Q = 2**61 - 1
 TRIES = 4  # for each letter of a feature, to draw the lines and points that a position leaves open
 KINDS = ["upright", "upright-shared-focal", "shared-focal", "calibrated"]
 ABOVE = pathlib.Path(__file__).with_name("above_300.txt")
@@ -40,22 +40,6 @@ def determinant(rows):
         return rows[0][0] % Q
     return sum((-1) ** i * row[0] * determinant([other[1:] for other in rows[:i] + rows[i + 1:]])
                for i, row in enumerate(rows) if row[0]) % Q
-
-
-def rank(rows):
-    rows, found = [list(row) for row in rows], 0
-    for column in range(len(rows[0])):
-        pivot = next((i for i in range(found, len(rows)) if rows[i][column]), None)
-        if pivot is None:
-            continue
-        rows[found], rows[pivot] = rows[pivot], rows[found]
-        inverse = pow(rows[found][column], -1, Q)
-        for i in range(found + 1, len(rows)):
-            factor = rows[i][column] * inverse % Q
-            if factor:
-                rows[i] = [(x - factor * y) % Q for x, y in zip(rows[i], rows[found])]
-        found += 1
-    return found
 
 
 class Scene:
