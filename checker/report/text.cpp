@@ -189,12 +189,12 @@ static std::string tables_of_families(const Report& report) {
     for (const paper::FamilyTable& table : report.families) {
         result += say("\nfamily ", table.family, '\n', table_of_counts(table.claims), '\n',
                       table_of_degrees(table.degrees), list_of_lower_bounds(table.lower_bounds));
-        if (table.exact > 0)
-            result += say("exactly: the degrees of ", counted(table.exact, "minimal problem"), ", ",
-                          table.exact_by_theorem, " of them by theorem\n");
+        if (table.exact == 0) continue;
+        result += say("exactly: the degrees of ", counted(table.exact, "minimal problem"), ", ",
+                      table.exact_by_theorem, " of them by theorem\n");
         if (table.groups > 0)
             result += say("the groups of ", table.groups, " of them, by fibres\n");
-        if (table.exact > 0) result += '\n';
+        result += '\n';
     }
     return result;
 }
