@@ -11,7 +11,7 @@ namespace checker {
 /// The effort of a fibre with so many unknowns.
 inline std::uint64_t effort_of(const Fibre& fibre) {
     const std::uint64_t unknowns = fibre.unknowns.size(), degree = fibre.lower.size();
-    return 1 + 2 * unknowns * unknowns * unknowns * degree * degree / 100'000;
+    return 1 + (unknowns * unknowns + 2'500) * unknowns * degree / 10'000;
 }
 
 /// Throws Refused unless the fibre has one nondegenerate solution of the system for each root of g.

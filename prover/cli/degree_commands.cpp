@@ -5,6 +5,7 @@
 #include "prover/cli/degree_report.h"
 #include "prover/cli/many_views_degree.h"
 #include "prover/cli/two_view_report.h"
+#include "prover/fibres/class_fibre.h"
 #include "prover/problem/five_points.h"
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
@@ -33,6 +34,7 @@ constexpr const char* degree_examples =
     "  plprove degree 142849 --target 300           stop once 300 solutions are found\n"
     "  plprove degree 2394 --at-least 312 -o chicago.plc\n"
     "                                               a certificate of 312 solutions, no more\n"
+    "  plprove degree 2394 --fibre -o chicago.plc   ... modulo a prime, without floating point\n"
     "  plprove degree five-point -o five.plc        two views, with the help of a third\n"
     "  plprove degree 'projective: 7*P/P' -o f.plc  projective cameras, any number of views\n"
     "  plprove degree 'projective: 6*P/P/P' --at-most 1,2 -o three.plc\n"
@@ -83,7 +85,7 @@ DegreeReport computed(const Decision& decision, std::size_t number, DegreeOption
                   " so far, " + std::to_string(progress.edges) + " edges");
     };
     const auto begin = std::chrono::steady_clock::now();
-    report.run = compute(number, options);
+    report.run = options.fibre ? compute_class_fibre(number, options) : compute(number, options);
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return report;
@@ -91,6 +93,9 @@ DegreeReport computed(const Decision& decision, std::size_t number, DegreeOption
 
 int find_degree_in_general(const DegreeRequest& request, const Problem& problem,
                            const Deliver& deliver) {
+    if (request.options.fibre)
+        throw BadInput("--fibre is for three calibrated views: `plprove group PROBLEM -o FILE` "
+                       "finds fibres of others");
     if (request.powers)
         return propose_upper_bound(problem, *request.powers, request.options.seed, request.path,
                                    deliver);
@@ -98,6 +103,12 @@ int find_degree_in_general(const DegreeRequest& request, const Problem& problem,
                                   {request.options.seed, request.options.target,
                                    request.options.at_least, request.path, request.json},
                                   deliver);
+}
+
+/// Empty if the run has no certificate.
+std::string degree_file_of(const DegreeRun& run) {
+    if (!run.fibre.empty()) return degree_file(run.fibre);
+    return run.certificate ? write_degree_file(std::span(&*run.certificate, 1)) : std::string();
 }
 
 int find_degree(const DegreeRequest& request, const Deliver& deliver,
@@ -117,13 +128,13 @@ int find_degree(const DegreeRequest& request, const Deliver& deliver,
     if (report.run.degree < request.options.at_least)
         throw std::runtime_error("the run found only " + std::to_string(report.run.degree) +
                                  " solutions: try another --seed");
-    if (!request.path.empty() && !report.run.certificate)
+    const std::string file = degree_file_of(report.run);
+    if (!request.path.empty() && file.empty())
         throw std::runtime_error(
             "the run found no certificate" +
             (report.run.notes.empty() ? "" : " (" + report.run.notes.front() + ")") +
             ": try another --seed");
-    if (!request.path.empty())
-        deliver(request.path, write_degree_file(std::span(&*report.run.certificate, 1)));
+    if (!request.path.empty()) deliver(request.path, file);
     if (request.path != "-" && two_views)
         deliver("-", request.json ? json_two_view_report(report) : two_view_report(report));
     if (request.path != "-" && !two_views)
@@ -157,6 +168,12 @@ Command add_degree_command(CLI::App& program, Deliver deliver, ComputeDegree com
         ->type_name("CUBICS,LINEAR")
         ->excludes("--target")
         ->excludes("--at-least");
+    command
+        ->add_flag("--fibre", request->options.fibre,
+                   "certify all solutions at once, modulo a prime: plcheck needs no floating point")
+        ->excludes("--target")
+        ->excludes("--at-least")
+        ->excludes("--at-most");
     add_seed(*command, request->options.seed);
     command->add_flag("--json", request->json, "print JSON");
     command->add_option("-o,--output", request->path,

@@ -16,7 +16,10 @@ struct DegreeReport {
     double seconds = 0;
 
     /// How many solutions the certificate shows.
-    int certified() const { return run.certificate ? run.certificate->degree() : 0; }
+    int certified() const {
+        if (!run.fibre.empty()) return run.degree;
+        return run.certificate ? run.certificate->degree() : 0;
+    }
 };
 
 /// One fact a paragraph.

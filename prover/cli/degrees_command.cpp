@@ -5,6 +5,7 @@
 #include "prover/degree_sweep/classes.h"
 #include "prover/degree_sweep/collect.h"
 #include "prover/degree_sweep/sweep.h"
+#include "prover/fibres/class_fibre.h"
 #include "prover/system/exit.h"
 #include "prover/system/interruption.h"
 #include "prover/system/progress.h"
@@ -32,6 +33,8 @@ constexpr const char* degrees_examples =
     "Examples:\n"
     "  plprove degrees -o sweep                     all 10,073 systems, to 300 solutions\n"
     "  plprove degrees --exact -o sweep             ... then to the end, the small ones first\n"
+    "  plprove degrees --fibres --classes 'degree ..300' -o fibres\n"
+    "                                               ... as fibres (docs/groups.md)\n"
     "  plprove degrees --exact --classes pl0p -o pl0p\n"
     "                                               the problems with points and lines only\n"
     "  mpirun -n 64 plprove degrees --exact -o sweep\n"
@@ -51,6 +54,7 @@ struct DegreesRequest {
     std::string folder;
     DegreeOptions options{300};
     bool exact = false;
+    bool fibres = false;
     bool retry = false;
     unsigned threads = 0; ///< 0: what is useful
     std::vector<ClassFilter> classes;
@@ -175,7 +179,8 @@ bool write_collection(const SweepFolder& folder, const Selection& selection) {
 /// What the options ask of a class.
 DegreeOptions options_of(const DegreesRequest& request) {
     DegreeOptions options = request.options;
-    if (request.exact) options.target = 0;
+    if (request.exact || request.fibres) options.target = 0;
+    options.fibre = request.fibres;
     return options;
 }
 
@@ -275,6 +280,10 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
         ->check(CLI::Range(1, largest_target))
         ->capture_default_str();
     command->add_flag("--exact", request->exact, "find all solutions")->excludes("--target");
+    command
+        ->add_flag("--fibres", request->fibres,
+                   "... and certify them without floating point, all at once, modulo a prime")
+        ->excludes("--target");
     add_class_filters(*command, "--classes", request->classes,
                       "compute only these classes (default: all)");
     command
@@ -286,8 +295,9 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
     command->add_flag("--retry", request->retry,
                       "compute those again that fell short before, or whose file is damaged");
     command->footer(degrees_examples);
-    return {command,
-            [request, compute = std::move(compute)] { return find_degrees(*request, compute); }};
+    return {command, [request, compute = std::move(compute)] {
+                return find_degrees(*request, request->fibres ? compute_class_fibre : compute);
+            }};
 }
 
 Command add_collect_command(CLI::App& program) {

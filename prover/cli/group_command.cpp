@@ -43,7 +43,7 @@ constexpr const char* group_examples =
     "permutations (docs/groups.md). One fibre certifies that there are so many solutions.\n\n"
     "Examples:\n"
     "  plprove group Chicago                        takes a second\n"
-    "  plprove group 2394 -o chicago.plc            with a certificate, two minutes\n"
+    "  plprove group 2394 -o chicago.plc            with a certificate, ten seconds\n"
     "  plprove group '3*P/P/P + a/a/a' --json       for machines\n"
     "  plprove group five-point                     two views\n"
     "  plprove group 'projective: 7*P/P' -o file.plc\n"

@@ -29,8 +29,11 @@ Json json_of(const ClassResult& result) {
                  {"seconds", result.seconds}, {"seed", result.seed},
                  {"attempts", Json::array()}, {"record", sha256(result.record)},
                  {"notes", run.notes}};
-    for (const int target : result.targets)
-        json["attempts"].push_back({{"target", target}});
+    for (const auto& [target, fibre] : result.attempts) {
+        Json& attempt = json["attempts"].emplace_back(Json{{"target", target}});
+        if (fibre) attempt["fibre"] = true;
+    }
+    if (result.fibre) json["fibre"] = true;
     return json;
 }
 
@@ -90,7 +93,8 @@ ClassResult result_of(const Json& json) {
     if (!json.at("seed").is_number_unsigned()) throw BadRunLine("no seed");
     json.at("seed").get_to(result.seed);
     for (const Json& attempt : json.at("attempts"))
-        result.targets.push_back(count(attempt.at("target")));
+        result.attempts.push_back({count(attempt.at("target")), attempt.value("fibre", false)});
+    result.fibre = json.value("fibre", false);
     json.at("notes").get_to(run.notes);
     return result;
 }
@@ -100,28 +104,32 @@ ClassResult result_of(const Json& json) {
 ClassResult class_result(DegreeRun run, const DegreeOptions& options, double seconds) {
     ClassResult result;
     result.seed = options.seed;
-    result.targets = {options.target};
+    result.attempts = {{options.target, options.fibre}};
     result.seconds = seconds;
     if (run.certificate && !run.certificate->solutions.empty())
         result.record = write_record(*run.certificate);
+    result.fibre = !run.fibre.empty();
+    if (result.fibre) result.record = std::move(run.fibre);
     run.certificate.reset();
+    run.fibre.clear();
     result.run = std::move(run);
     return result;
 }
 
 ClassResult merged(ClassResult old, ClassResult recent) {
-    std::set<int> targets(old.targets.begin(), old.targets.end());
-    targets.insert(recent.targets.begin(), recent.targets.end());
+    std::set<Attempt> attempts(old.attempts.begin(), old.attempts.end());
+    attempts.insert(recent.attempts.begin(), recent.attempts.end());
     ClassResult best = std::move(old.run.degree > recent.run.degree ? old : recent);
-    best.targets = {targets.begin(), targets.end()};
+    best.attempts = {attempts.begin(), attempts.end()};
     return best;
 }
 
 bool attempted(const ClassResult& result, const DegreeOptions& options) {
-    return std::ranges::count(result.targets, options.target) > 0;
+    return std::ranges::count(result.attempts, Attempt{options.target, options.fibre}) > 0;
 }
 
 bool fulfils(const ClassResult& result, const DegreeOptions& options) {
+    if (options.fibre) return result.fibre;
     return result.run.complete || (options.target > 0 && result.run.degree >= options.target);
 }
 

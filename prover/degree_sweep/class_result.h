@@ -10,19 +10,29 @@
 
 #include "prover/three_views/degree.h"
 
+#include <compare>
 #include <filesystem>
 #include <istream>
 #include <string>
 
 namespace plprove {
 
+/// What a run looked for.
+struct Attempt {
+    int target = 0; ///< as in DegreeOptions
+    bool fibre = false;
+
+    friend auto operator<=>(const Attempt&, const Attempt&) = default;
+};
+
 /// What is known of a class from runs with one seed. `run` is the one that found most; its
 /// certificate is empty: `record` is its text, which shows run.degree solutions.
 struct ClassResult {
     std::uint64_t seed = 0;
-    std::vector<int> targets; ///< those of all runs, as in DegreeOptions
+    std::vector<Attempt> attempts; ///< all of them, ascending
     DegreeRun run;
     double seconds = 0; ///< that `run` took
+    bool fibre = false; ///< whether the record is a fibre
     std::string record; ///< empty if no solution was found
 };
 

@@ -6,10 +6,10 @@
 
 namespace plprove {
 
-/// The camera equations of a certificate with integer images.
+/// The camera equations of a class with integer images.
 class CameraDigits : public model::DigitEquations {
 public:
-    explicit CameraDigits(const DegreeCertificate& certificate);
+    explicit CameraDigits(CameraImages images) : images_(std::move(images)) {}
 
     std::vector<model::BigComplex> values(const Point& point,
                                           const model::ManyDigits& digits) const override;

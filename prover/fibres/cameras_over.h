@@ -21,15 +21,32 @@ public:
         centres_[0].fill(field.constant(0));
         centres_[1] = {field.constant(1), coordinates[6], coordinates[7]};
         centres_[2] = {coordinates[8], coordinates[9], coordinates[10]};
+        const Quaternion second(field, &coordinates[0]), third(field, &coordinates[3]);
         for (std::size_t n = 0; n < images.vectors.size(); ++n) {
             const int view = system_.vectors[n].view;
             const IntegerVector& x = images.vectors[n];
-            turned_.push_back(view == 0 ? fixed(x)
-                                        : turned(&coordinates[3 * (index(view) - 1)], x));
+            turned_.push_back(view == 0 ? fixed(x) : turned(view == 1 ? second : third, x));
         }
     }
 
-    Element value(const CameraEquation& equation) {
+    /// Of each equation its value.
+    std::vector<Element> values() const {
+        std::vector<Element> result;
+        for (const CameraEquation& equation : system_.equations)
+            result.push_back(value(equation));
+        return result;
+    }
+
+    /// Of each equation its derivatives by the 11 coordinates.
+    std::vector<std::vector<Element>> gradients() {
+        std::vector<std::vector<Element>> result;
+        for (const CameraEquation& equation : system_.equations)
+            result.push_back(gradient(equation));
+        return result;
+    }
+
+private:
+    Element value(const CameraEquation& equation) const {
         const auto& [a, b, c] = equation.vectors;
         switch (equation.kind) {
         case EquationKind::epipolar:
@@ -43,7 +60,6 @@ public:
                                  field_.product(dot(at(c), base(a, c)), dot(at(b), at(a))));
     }
 
-    /// The derivatives of an equation by the 11 coordinates.
     std::vector<Element> gradient(const CameraEquation& equation) {
         row_.assign(camera_dimension, field_.constant(0));
         const auto& [a, b, c] = equation.vectors;
@@ -72,7 +88,23 @@ public:
         return std::move(row_);
     }
 
-private:
+    /// (1, q), with the products of two coordinates of q, and 1 - q·q.
+    struct Quaternion {
+        Quaternion(const Field& field, const Element* coordinates)
+            : q(coordinates), rest(field.constant(1)) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                for (std::size_t k = 0; k < i; ++k)
+                    products[i][k] = products[k][i] = field.product(q[i], q[k]);
+                products[i][i] = field.product(q[i], q[i]);
+                rest = field.difference(rest, products[i][i]);
+            }
+        }
+
+        const Element* q;
+        std::array<Vector, 3> products;
+        Element rest;
+    };
+
     /// R^T x, and its derivatives by the three coordinates of the quaternion, if the view has some.
     struct Turned {
         Vector vector;
@@ -91,21 +123,21 @@ private:
         return {{field_.constant(x[0]), field_.constant(x[1]), field_.constant(x[2])}, {}};
     }
 
-    /// With q = (1, q) as quaternions: R^T x = 2 (q·x) q + (1 - q·q) x + 2 x × q, for vectors q, x.
-    Turned turned(const Element* q, const IntegerVector& x) const {
-        Element along = field_.constant(0), size = along;
-        for (std::size_t k = 0; k < 3; ++k) {
+    /// R^T x = 2 (q·x) q + (1 - q·q) x + 2 x × q.
+    Turned turned(const Quaternion& quaternion, const IntegerVector& x) const {
+        const Element* q = quaternion.q;
+        Element along = field_.constant(0);
+        for (std::size_t k = 0; k < 3; ++k)
             along = field_.sum(along, field_.scaled(q[k], 2 * x[k]));
-            size = field_.sum(size, field_.product(q[k], q[k]));
-        }
-        const Element rest = field_.difference(field_.constant(1), size);
         Turned result;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            const Element across =
-                field_.difference(field_.scaled(q[k], 2 * x[j]), field_.scaled(q[j], 2 * x[k]));
-            result.vector[i] = field_.sum(
-                field_.sum(field_.product(along, q[i]), field_.scaled(rest, x[i])), across);
+            Element& sum = result.vector[i];
+            sum = field_.scaled(quaternion.rest, x[i]);
+            for (std::size_t n = 0; n < 3; ++n)
+                sum = field_.sum(sum, field_.scaled(quaternion.products[n][i], 2 * x[n]));
+            sum = field_.sum(sum, field_.scaled(q[k], 2 * x[j]));
+            sum = field_.difference(sum, field_.scaled(q[j], 2 * x[k]));
             // By q_n: 2 x_n q_i + (if i = n) 2 q·x - 2 q_n x_i + 2 (x × e_n)_i.
             for (std::size_t n = 0; n < 3; ++n) {
                 Element change =

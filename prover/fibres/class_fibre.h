@@ -20,11 +20,14 @@ struct ClassFibre {
     int degree() const { return static_cast<int>(solutions.polynomial.degree()); }
 };
 
-/// The fibre over random images with small coordinates, by `degree` solutions of the engine.
-/// Another seed, other images. Nothing where a step fails; another seed may do then. `progress` is
-/// told how many bits the solutions have.
-std::optional<ClassFibre> find_class_fibre(std::size_t number, int degree, std::uint64_t seed,
-                                           const std::function<void(long)>& progress);
+/// The fibre over random images with small coordinates, by all solutions of the engine. Another
+/// seed, other images. Nothing where a step fails; another seed may do then. `bits` is told how
+/// many the solutions have. Assumes that the options have the degree.
+std::optional<ClassFibre> find_class_fibre(std::size_t number, DegreeOptions options,
+                                           const std::function<void(long)>& bits = {});
+
+/// Looks for a fibre, over some images after the other. The run has its record, or a note.
+DegreeRun compute_class_fibre(std::size_t number, const DegreeOptions& options);
 
 /// The record of the fibre, without the first line of the file. Throws FormatLimit if the format
 /// does not allow it.

@@ -3,6 +3,8 @@
 #include "prover/model/lifting/eliminant.h"
 #include "prover/three_views/random.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace plprove {
@@ -46,37 +48,48 @@ std::vector<BigComplex> values_of(const std::vector<int>& form,
 
 /// Whether the form has different values at all solutions: else no number of bits is enough.
 bool separates(const std::vector<int>& form, const model::Refinement& refinement) {
+    constexpr double near = 1e-6; // of a double, so that few pairs are compared
     const slong bits = refinement.bits();
-    const std::vector<BigComplex> values = values_of(form, refinement.solutions(), bits);
     const model::ManyDigits digits{bits};
-    for (std::size_t i = 0; i < values.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k)
+    std::vector<BigComplex> values = values_of(form, refinement.solutions(), bits);
+    const auto real_part = [](const BigComplex& x) {
+        return arf_get_d(arb_midref(acb_realref(x.get())), ARF_RND_NEAR);
+    };
+    std::ranges::sort(values, {}, real_part);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double last = real_part(values[i]) + near * (1 + std::abs(real_part(values[i])));
+        for (std::size_t k = i + 1; k < values.size() && real_part(values[k]) <= last; ++k)
             if (is_small(digits.difference(values[i], values[k]), bits)) return false;
+    }
     return true;
 }
 
-std::optional<model::Solutions> refined_solutions(model::Refinement refinement,
-                                                  const std::vector<int>& factors,
-                                                  const std::function<void(long)>& progress) {
+/// The first of the forms, and its solutions, that few enough bits determine.
+std::optional<ExactSolutions> refined_solutions(model::Refinement refinement,
+                                                const std::vector<std::vector<int>>& forms,
+                                                const std::function<void(long)>& progress) {
     constexpr slong most_bits = 4'000'000;
     while (refinement.bits() < most_bits) {
-        refinement.double_digits();
-        progress(refinement.bits());
-        auto solutions = model::eliminant(refinement.solutions(), factors, refinement.bits());
-        if (solutions) return solutions;
+        refinement.add_digits();
+        if (progress) progress(refinement.bits());
+        for (const std::vector<int>& form : forms)
+            if (auto solutions = model::eliminant(refinement.solutions(), form, refinement.bits()))
+                return ExactSolutions{form, std::move(*solutions)};
     }
     return std::nullopt;
 }
 
 } // namespace
 
-std::vector<int> random_form(std::size_t count, std::uint64_t seed) {
+std::vector<std::vector<int>> forms_of(std::size_t count, std::uint64_t seed) {
     constexpr std::uint64_t stream = 0x666f726d;
     Random random(seed, stream);
-    std::vector<int> form;
-    for (std::size_t k = 0; k < count; ++k)
-        form.push_back(static_cast<int>(random.bits() % 7) - 3);
-    return form;
+    std::vector<std::vector<int>> result(count + 1, std::vector<int>(count));
+    for (std::size_t k = 0; k < count; ++k) {
+        result[k][k] = 1;
+        result.back()[k] = static_cast<int>(random.bits() % 7) - 3;
+    }
+    return result;
 }
 
 bool is_small(const BigComplex& x, long bits) {
@@ -88,20 +101,19 @@ bool is_small(const BigComplex& x, long bits) {
     return result;
 }
 
-std::optional<model::Solutions> exact_solutions(const model::DigitEquations& equations,
-                                                std::span<const StartingValues> starts,
-                                                const std::vector<int>& form,
-                                                const std::function<void(long)>& progress,
-                                                const IsDegenerate& is_degenerate) {
+std::optional<ExactSolutions> exact_solutions(const model::DigitEquations& equations,
+                                              std::span<const StartingValues> starts,
+                                              std::vector<std::vector<int>> forms,
+                                              const std::function<void(long)>& progress,
+                                              const IsDegenerate& is_degenerate) {
     try {
         model::Refinement refinement(equations, starting_points(starts));
         const model::ManyDigits digits{refinement.bits()};
         for (const model::RefinedSolution& solution : refinement.solutions())
             if (is_degenerate(solution.coordinates, digits)) return std::nullopt;
-        if (!separates(form, refinement)) return std::nullopt;
-        std::vector<int> factors = form;
-        factors.resize(refinement.solutions().front().coordinates.size());
-        return refined_solutions(std::move(refinement), factors, progress);
+        std::erase_if(forms, [&](const auto& form) { return !separates(form, refinement); });
+        if (forms.empty()) return std::nullopt;
+        return refined_solutions(std::move(refinement), forms, progress);
     } catch (const std::runtime_error&) {
         return std::nullopt; // Newton's method fails near a singular solution
     }

@@ -14,8 +14,14 @@
 
 namespace plprove {
 
-/// Random factors from -3 to 3 of so many camera coordinates.
-std::vector<int> random_form(std::size_t count, std::uint64_t seed);
+/// Of the first unknowns, as many as the form has factors.
+struct ExactSolutions {
+    std::vector<int> form; ///< t is the sum of these unknowns, each times its factor
+    model::Solutions solutions;
+};
+
+/// Each of so many unknowns alone; and their sum, with random factors from -3 to 3.
+std::vector<std::vector<int>> forms_of(std::size_t count, std::uint64_t seed);
 
 /// Whether a number that was computed with so many bits is 0, surely enough.
 bool is_small(const model::BigComplex& x, long bits);
@@ -24,12 +30,12 @@ bool is_small(const model::BigComplex& x, long bits);
 using IsDegenerate =
     std::function<bool(const model::DigitEquations::Point&, const model::ManyDigits&)>;
 
-/// The solutions with these starting values; t is the sum of the first coordinates, each times its
-/// factor in the form. Nothing where the form has one value at two solutions, one is degenerate, or
-/// a step fails. `progress` is told how many bits the solutions have.
-std::optional<model::Solutions> exact_solutions(
+/// The solutions with these starting values, by the one of the forms that takes fewest bits.
+/// Nothing where each form has one value at two solutions, a solution is degenerate, or a step
+/// fails. `progress` is told how many bits the solutions have.
+std::optional<ExactSolutions> exact_solutions(
     const model::DigitEquations& equations, std::span<const StartingValues> starts,
-    const std::vector<int>& form, const std::function<void(long)>& progress,
+    std::vector<std::vector<int>> forms, const std::function<void(long)>& progress,
     const IsDegenerate& is_degenerate = [](const auto&, const auto&) { return false; });
 
 } // namespace plprove

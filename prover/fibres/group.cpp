@@ -62,8 +62,11 @@ GroupSearch search_group(int degree, const GroupOptions& options, const FindFibr
 }
 
 GroupSearch find_group(std::size_t number, int degree, const GroupOptions& options) {
+    DegreeOptions of_class;
+    of_class.degree = degree;
     return search_group(degree, options, [&](std::uint64_t seed, const auto& progress) {
-        return recorded(find_class_fibre(number, degree, seed, progress));
+        of_class.seed = seed;
+        return recorded(find_class_fibre(number, of_class, progress));
     });
 }
 

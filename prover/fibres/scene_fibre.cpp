@@ -1,7 +1,9 @@
 #include "prover/fibres/scene_fibre.h"
 
 #include "prover/fibres/exact_solutions.h"
+#include "prover/fibres/linear_unknowns.h"
 #include "prover/fibres/scene_digits.h"
+#include "prover/fibres/scenes_over.h"
 #include "prover/many_views/certificate.h"
 #include "prover/model/fibre_text.h"
 
@@ -39,16 +41,23 @@ std::optional<SceneFibre> find_scene_fibre(const many_views::MonodromyResult& sc
     const many_views::SolutionsRecord record =
         many_views::certify(scenes, degree, seed, all_threads(), largest_coordinate);
     if (record.count() != degree) return std::nullopt;
-    SceneEquations scene = scene_equations(record.problem, record.views);
-    SceneFibre fibre{record.problem, record.views, {}, random_form(scene.camera_coordinates, seed)};
-    const SceneDigits equations(std::move(scene));
-    auto solutions = exact_solutions(equations, record.solutions, fibre.form, progress,
-                                     [&](const auto& point, const auto& digits) {
-                                         return equations.is_degenerate(point, digits);
-                                     });
-    if (!solutions) return std::nullopt;
-    fibre.solutions = std::move(*solutions);
-    return fibre;
+    const SceneEquations scene = scene_equations(record.problem, record.views);
+    const SceneDigits equations(scene);
+    auto exact =
+        exact_solutions(equations, record.solutions, forms_of(scene.camera_coordinates, seed),
+                        progress, [&](const auto& point, const auto& digits) {
+                            return equations.is_degenerate(point, digits);
+                        });
+    if (!exact) return std::nullopt;
+    const UnivariateField field(exact->solutions.polynomial);
+    auto unknowns = with_linear_unknowns( // the depths, once the cameras are known
+        field, std::move(exact->solutions.unknowns), scene.unknowns - scene.camera_coordinates,
+        [&](const auto& point) { return ScenesOver(field, scene, point).values(); });
+    if (!unknowns) return std::nullopt;
+    return SceneFibre{record.problem,
+                      record.views,
+                      {exact->solutions.polynomial, std::move(*unknowns)},
+                      std::move(exact->form)};
 }
 
 std::string write_record(const SceneFibre& fibre) {

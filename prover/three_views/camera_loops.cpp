@@ -76,6 +76,7 @@ PathEnds<CameraPoint> CameraLoops::follow(Direction direction,
 
 PathEnds<CameraPoint> CameraLoops::follow_again(Direction direction, int attempt,
                                                 const std::vector<CameraPoint>& starts) {
+    if (counts().retried + starts.size() > most_again_) return PathEnds<CameraPoint>(starts.size());
     const Edge& edge = edges_[static_cast<std::size_t>(direction.edge)];
     const auto from = static_cast<std::size_t>(direction.from);
     if (attempt == 1)

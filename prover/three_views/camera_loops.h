@@ -8,6 +8,7 @@
 #include "prover/three_views/spurious_zeros.h"
 
 #include <functional>
+#include <limits>
 
 namespace plprove {
 
@@ -44,6 +45,10 @@ public:
     const CameraChart& chart() const { return chart_; }
     const std::vector<Complex3>& constants() const { return constants_; }
     const PathCounts& counts() const { return follower_.counts(); }
+
+    /// Follows no more paths than this again: at degenerate images many would be followed with many
+    /// digits, to no end.
+    void give_up_beyond(std::uint64_t paths) { most_again_ = paths; }
 
     // What Monodromy asks for.
     void add_edge();
@@ -84,6 +89,7 @@ private:
     std::array<Node, 2> nodes_;
     std::vector<Edge> edges_;
     PathFollower follower_;
+    std::uint64_t most_again_ = std::numeric_limits<std::uint64_t>::max();
     std::vector<SpuriousZeros> spurious_; ///< for the images of either node
 };
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace plprove {
@@ -22,6 +23,7 @@ struct DegreeOptions {
     /// Called now and then by the thread that computes; has no part in the result.
     std::function<void(const MonodromyProgress&)> progress = {};
     bool small_images = false; ///< images with few digits
+    bool fibre = false;        ///< all solutions at once, modulo q, in place of approximations
     int degree = 0;            ///< that a theorem gives: the number of all solutions
 };
 
@@ -56,6 +58,8 @@ struct DegreeRun {
     std::uint64_t failed = 0;       ///< of these, lost for good
     std::vector<std::string> notes; ///< why nothing came of it
     std::optional<DegreeCertificate> certificate; ///< of these solutions
+    std::string
+        fibre; ///< in place of the certificate, the record of a fibre; empty if there is none
 };
 
 /// Finds what the options ask for, or the solutions that it can. The same run for the same class

@@ -148,8 +148,12 @@ LowerBound find_for_integer_images(const CameraSystem& system, int wanted, std::
         vectors = small ? small_vectors(system, random) : vectors_near(system, scene, random);
         return unit_images(vectors);
     });
+    constexpr int one_of = 10; // more than at generic images
+    if (small) loops.give_up_beyond(static_cast<std::uint64_t>(4 + wanted / one_of));
     auto monodromy = camera_monodromy(std::move(loops), progress);
     monodromy.reach(wanted, most_edges);
+    const bool too_few = monodromy.solutions().size() < wanted;
+    if (small && too_few) return {{}, monodromy.loops().counts()};
     std::vector<CameraPoint> zeros;
     for (const CameraPoint& point : monodromy.solutions().points())
         zeros.push_back(standard_chart().point(monodromy.loops().chart().cameras(point)));

@@ -22,7 +22,6 @@ bool are_dependent(const IntegerVector& a, const IntegerVector& b, const Integer
 /// or lines of a view are dependent, or a point is on a line: paths would end at degenerate
 /// solutions.
 bool is_generic(const IntegerVector& x, const std::vector<IntegerVector>& others) {
-    if (x[0] == 0 || x[1] == 0 || x[2] == 0) return false;
     for (std::size_t i = 0; i < others.size(); ++i) {
         const IntegerVector& y = others[i];
         if (are_parallel(x, y) || x[0] * y[0] + x[1] * y[1] + x[2] * y[2] == 0) return false;
@@ -32,17 +31,22 @@ bool is_generic(const IntegerVector& x, const std::vector<IntegerVector>& others
     return true;
 }
 
-/// Generic vectors among those that `candidate` makes for each free vector.
-std::vector<IntegerVector>
-generic_vectors(const CameraSystem& system,
-                const std::function<IntegerVector(std::size_t)>& candidate) {
+bool has_zero(const IntegerVector& x) {
+    return x[0] == 0 || x[1] == 0 || x[2] == 0;
+}
+
+/// Makes a vector, for the free vector of this number; the earlier ones of its view are given.
+using Candidate = std::function<IntegerVector(std::size_t, const std::vector<IntegerVector>&)>;
+
+/// Generic vectors among those that `candidate` makes.
+std::vector<IntegerVector> generic_vectors(const CameraSystem& system, const Candidate& candidate) {
     std::vector<IntegerVector> result;
     std::array<std::vector<IntegerVector>, 3> views;
     for (const FreeVector& free : system.free) {
         auto& others = views[static_cast<std::size_t>(free.view)];
         IntegerVector x;
         do
-            x = candidate(result.size());
+            x = candidate(result.size(), others);
         while (!is_generic(x, others));
         others.push_back(x);
         result.push_back(x);
@@ -85,11 +89,13 @@ std::vector<IntegerVector> vectors_near(const CameraSystem& system, const Images
                                         Random& random) {
     constexpr double scale = 50;
     constexpr int choices = 100;
-    const auto candidate = [&](std::size_t f) {
-        const Images near = random_neighbour({images[f]}, random, Field::real);
+    const auto candidate = [&](std::size_t f, const auto&) {
         IntegerVector x;
-        for (std::size_t k = 0; k < 3; ++k)
-            x[k] = std::llrint(scale * near.front()[k].real());
+        do {
+            const Images near = random_neighbour({images[f]}, random, Field::real);
+            for (std::size_t k = 0; k < 3; ++k)
+                x[k] = std::llrint(scale * near.front()[k].real());
+        } while (has_zero(x));
         return x;
     };
     std::vector<IntegerVector> best;
@@ -106,15 +112,20 @@ std::vector<IntegerVector> vectors_near(const CameraSystem& system, const Images
 
 std::vector<IntegerVector> small_vectors(const CameraSystem& system, Random& random) {
     constexpr int patience = 300;
-    std::int64_t largest = 3;
+    std::int64_t largest = 2;
     int tried = 0;
-    // Where many vectors of a view have to be generic, the smallest integers do not suffice.
-    return generic_vectors(system, [&](std::size_t) {
+    return generic_vectors(system, [&](std::size_t, const std::vector<IntegerVector>& others) {
+        // Photos may be turned: so the first vector is (0, 0, 1), and the second (0, y, z).
+        if (others.empty()) return IntegerVector{0, 0, 1};
+        // Where many vectors of a view have to be generic, the smallest integers do not suffice.
         if (++tried % patience == 0) ++largest;
         const auto width = static_cast<std::uint64_t>(2 * largest + 1);
         IntegerVector x;
-        for (std::int64_t& coordinate : x)
-            coordinate = static_cast<std::int64_t>(random.bits() % width) - largest;
+        do
+            for (std::int64_t& coordinate : x)
+                coordinate = static_cast<std::int64_t>(random.bits() % width) - largest;
+        while (has_zero(x));
+        if (others.size() == 1) x[0] = 0;
         return x;
     });
 }

@@ -229,12 +229,9 @@ std::optional<std::string> objection_to_fibre(const plprove::CameraSystem& syste
                            static_cast<std::int64_t>(x[2].real())});
     const plprove::CameraImages images = plprove::camera_images(system, vectors);
     plprove::CamerasOver cameras(field, images, coordinates);
-    std::vector<std::vector<Univariate>> jacobian;
-    for (const plprove::CameraEquation& equation : system.equations) {
-        if (!cameras.value(equation).is_zero()) return "an equation is not 0";
-        jacobian.push_back(cameras.gradient(equation));
-    }
-    const Univariate determinant = plprove::model::determinant(field, jacobian);
+    const auto vanishes = [](const Univariate& value) { return value.is_zero(); };
+    if (!std::ranges::all_of(cameras.values(), vanishes)) return "an equation is not 0";
+    const Univariate determinant = plprove::model::determinant(field, cameras.gradients());
     if (field.without_common_factors(determinant).degree() != g.degree())
         return "a singular Jacobian";
     if (lines.back()->front() != "factor") return {};

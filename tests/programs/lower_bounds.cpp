@@ -1,9 +1,11 @@
 // The lower bounds of all degrees, whose certificates are not on file: anyone gets them back.
 #include "tests/support/programs.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -17,11 +19,10 @@ struct ListedCertificate {
     int solutions = 0;
 };
 
-/// What SHA256SUMS-lower-bounds lists in a folder of certs/.
-std::vector<ListedCertificate> listed_in(const std::string& folder) {
+/// What a list of digests in certs/ has.
+std::vector<ListedCertificate> listed_in(const std::string& list) {
     std::vector<ListedCertificate> certificates;
-    for (const std::string& line :
-         lines_of(read_file(certs + folder + "/SHA256SUMS-lower-bounds"))) {
+    for (const std::string& line : lines_of(read_file(certs + list))) {
         ListedCertificate& certificate = certificates.emplace_back();
         certificate.digest = line.substr(0, 64);
         certificate.file = line.substr(66);
@@ -34,6 +35,10 @@ std::vector<ListedCertificate> listed_in(const std::string& folder) {
     }
     return certificates;
 }
+
+const std::string of_classes = "degrees/SHA256SUMS-lower-bounds";
+const std::string in_general = "solutions/SHA256SUMS-lower-bounds";
+const std::string fibres = "degrees/SHA256SUMS-fibres"; // of seed 0, which their names leave out
 
 /// Lets plprove find the certificate again, and returns the path of the file.
 std::string find_again(const ListedCertificate& certificate, const TemporaryFolder& folder) {
@@ -57,6 +62,23 @@ std::map<int, int> degrees_by_class() {
     return degrees;
 }
 
+/// The numbers in a column of a table, whose first line has the names.
+std::vector<int> column_of(const std::string& table, const std::string& name) {
+    std::vector<int> column;
+    std::optional<std::size_t> place;
+    for (const std::string& line : lines_of(table)) {
+        std::istringstream text(line);
+        std::vector<std::string> row;
+        for (std::string field; std::getline(text, field, ',');)
+            row.push_back(field);
+        if (place)
+            column.push_back(std::stoi(row.at(*place)));
+        else
+            place = std::ranges::find(row, name) - row.begin();
+    }
+    return column;
+}
+
 } // namespace
 
 TEST_CASE("the list of lower bounds has for each class the degree on file, and plcheck "
@@ -66,7 +88,7 @@ TEST_CASE("the list of lower bounds has for each class the degree on file, and p
     for (const std::string& line : lines_of(read_file(certs + "degrees/lower-bounds.txt")))
         reported.insert(line);
     std::set<int> classes;
-    for (const ListedCertificate& listed : listed_in("degrees")) {
+    for (const ListedCertificate& listed : listed_in(of_classes)) {
         CAPTURE(listed.file);
         const int number = std::stoi(listed.problem);
         CHECK(degrees.at(number) == listed.solutions);
@@ -83,7 +105,7 @@ TEST_CASE("plprove gives back the bytes of a dozen certificates of lower bounds,
     constexpr int quick = 1500; // solutions, at most
     constexpr std::size_t dozen = 12;
     std::vector<ListedCertificate> small;
-    for (const ListedCertificate& listed : listed_in("degrees"))
+    for (const ListedCertificate& listed : listed_in(of_classes))
         if (listed.solutions <= quick) small.push_back(listed);
     REQUIRE(small.size() >= dozen);
     const TemporaryFolder folder;
@@ -108,6 +130,42 @@ TEST_CASE("plprove gives back the bytes of a dozen certificates of lower bounds,
     }
 }
 
+TEST_CASE("the list of fibres has each class of few solutions, and all of points and lines") {
+    const std::map<int, int> degrees = degrees_by_class();
+    std::map<int, int> expected, listed;
+    for (const auto& [number, degree] : degrees)
+        if (degree < 300) expected[number] = degree;
+    const std::string lines = run(plprove + " list --pl0p --minimal --format csv").out;
+    for (const int number : column_of(lines, "constraint_class"))
+        expected[number] = degrees.at(number);
+    for (const ListedCertificate& fibre : listed_in(fibres))
+        listed[std::stoi(fibre.problem)] = fibre.solutions;
+    CHECK(listed == expected);
+}
+
+TEST_CASE("plprove gives back the bytes of six fibres, which show all solutions") {
+    constexpr int quick = 400; // solutions, at most
+    constexpr std::size_t six = 6;
+    std::vector<ListedCertificate> small;
+    for (const ListedCertificate& listed : listed_in(fibres))
+        if (listed.solutions <= quick) small.push_back(listed);
+    REQUIRE(small.size() >= six);
+    const TemporaryFolder folder;
+    for (std::size_t i = 0; i < six; ++i) {
+        const ListedCertificate& listed = small[i * (small.size() - 1) / (six - 1)];
+        CAPTURE(listed.file);
+        const std::string path = (folder / listed.file).string();
+        const Outcome found = run(plprove + " degree " + listed.problem + " --fibre -o " + path);
+        REQUIRE(found.status == 0);
+        const Outcome checked = run(plcheck + " --json " + path);
+        CHECK(checked.status == 0);
+        const nlohmann::json file = nlohmann::json::parse(checked.out).at("files").at(0);
+        CHECK(file.at("sha256") == listed.digest);
+        CHECK(file.at("degrees").at(0).at("class") == std::stoi(listed.problem));
+        CHECK(file.at("degrees").at(0).at("certified_at_least") == listed.solutions);
+    }
+}
+
 TEST_CASE(
     "the list of lower bounds in general has problems of PLMP with more than 2,000 solutions, as "
     "certified as their lines say, and plcheck reported it") {
@@ -123,7 +181,7 @@ TEST_CASE(
         lines.insert(row[1] + ": " + row[5]);
     }
     std::set<std::string> listed;
-    for (const ListedCertificate& certificate : listed_in("solutions")) {
+    for (const ListedCertificate& certificate : listed_in(in_general)) {
         CAPTURE(certificate.file);
         const std::string said = certificate.problem + ": certified to have at least ";
         const std::size_t place = report.find(said);
@@ -143,7 +201,7 @@ TEST_CASE(
 }
 
 TEST_CASE("plprove gives back the bytes of the smallest certificate in general, and it holds") {
-    const ListedCertificate smallest = listed_in("solutions").at(0);
+    const ListedCertificate smallest = listed_in(in_general).at(0);
     const TemporaryFolder folder;
     const Outcome checked = run(plcheck + " --json " + find_again(smallest, folder));
     CHECK(checked.status == 0);

@@ -80,6 +80,38 @@ TEST_CASE("a result is read back as it was written") {
     }
 }
 
+TEST_CASE("a fibre does for approximations, but these do not for a fibre") {
+    const std::size_t number = class_with(is_well);
+    DegreeOptions all, fibre;
+    fibre.fibre = true;
+    all.degree = fibre.degree = fake_engine::degree(number);
+    const ClassResult boxes = class_result(fake_engine::compute(number, all), all, 1);
+    DegreeRun run = fake_engine::compute(number, fibre);
+    run.fibre = "degree 4 evidence none\n";
+    const ClassResult found = class_result(run, fibre, 1);
+    CHECK(fulfils(boxes, all));
+    CHECK(!fulfils(boxes, fibre));
+    CHECK(!attempted(boxes, fibre));
+    CHECK(fulfils(found, all));
+    CHECK(fulfils(found, fibre));
+    CHECK(found.record == run.fibre);
+
+    DegreeRun in_vain;
+    in_vain.number = number;
+    const ClassResult both = merged(boxes, class_result(in_vain, fibre, 1));
+    CHECK(both.record == boxes.record);
+    CHECK(!fulfils(both, fibre));
+    CHECK(attempted(both, fibre));
+    CHECK(merged(boxes, found).record == found.record);
+
+    std::istringstream file(write(merged(boxes, found)));
+    const auto again = parse_class_result(file, true);
+    REQUIRE(again);
+    CHECK(fulfils(*again, fibre));
+    CHECK(attempted(*again, all));
+    CHECK(again->record == found.record);
+}
+
 TEST_CASE("a damaged result is no result") {
     const TemporaryFolder folder;
     const std::size_t number =

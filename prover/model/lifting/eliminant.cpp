@@ -32,19 +32,26 @@ private:
     arb_poly_t value_;
 };
 
-/// The product of t - u over some solutions; and for each coordinate x the sum of x times the
-/// product of the others.
+/// The product of t - u over some solutions; and for each of the first coordinates x the sum of x
+/// times the product of the others.
 struct Part {
     RealPolynomial product;
     std::vector<RealPolynomial> sums;
 };
 
+constexpr slong every = WORD_MAX;
+
 class Parts {
 public:
+    /// With so many first coefficients of each polynomial, and sums of so many coordinates.
     Parts(const std::vector<RefinedSolution>& solutions, const std::vector<int>& factors,
-          slong bits)
-        : solutions_(solutions), factors_(factors), bits_(bits) {}
+          std::size_t sums, slong coefficients, slong bits)
+        : solutions_(solutions), factors_(factors), sums_(sums), coefficients_(coefficients),
+          bits_(bits) {}
 
+    Part all() const { return of(0, solutions_.size()); }
+
+private:
     Part of(std::size_t first, std::size_t last) const {
         if (last - first == 1) return leaf(solutions_[first]);
         const std::size_t middle = (first + last) / 2;
@@ -58,10 +65,9 @@ public:
         return result;
     }
 
-private:
     RealPolynomial product(const RealPolynomial& a, const RealPolynomial& b) const {
         RealPolynomial result;
-        arb_poly_mul(result.get(), a.get(), b.get(), bits_);
+        arb_poly_mullow(result.get(), a.get(), b.get(), coefficients_, bits_);
         return result;
     }
 
@@ -96,9 +102,9 @@ private:
             arb_addmul(number, acb_imagref(u.get()), acb_imagref(u.get()), bits_);
             part.product.set(0, number);
         }
-        for (const BigComplex& coordinate : x) {
+        for (std::size_t k = 0; k < sums_; ++k) {
             RealPolynomial& sum = part.sums.emplace_back();
-            arb_srcptr re = acb_realref(coordinate.get()), im = acb_imagref(coordinate.get());
+            arb_srcptr re = acb_realref(x[k].get()), im = acb_imagref(x[k].get());
             if (solution.real) {
                 sum.set(0, re);
                 continue;
@@ -118,6 +124,8 @@ private:
 
     const std::vector<RefinedSolution>& solutions_;
     const std::vector<int>& factors_;
+    std::size_t sums_;
+    slong coefficients_;
     slong bits_;
 };
 
@@ -155,64 +163,105 @@ bool simplest_in(Rational& result, const arb_t interval) {
            -fmpz_get_si(MAG_EXPREF(arb_radref(interval)));
 }
 
-/// The polynomial modulo q, whose coefficients are rational numbers.
-std::optional<Univariate> modulo_q(const RealPolynomial& polynomial, slong bits) {
-    constexpr slong near = -40; // an integer, surely, with an error below this power of two
-    const slong length = arb_poly_length(polynomial.get());
-    Integer common, integer;
-    Rational rational;
-    fmpz_one(common.get());
-    arb_t x;
-    arb_init(x);
-    std::vector<Modular> coefficients(static_cast<std::size_t>(length));
-    std::vector<ulong> residues(coefficients.size()), denominators(coefficients.size());
-    bool known = true;
-    for (slong i = 0; i < length && known; ++i) {
-        arb_poly_get_coeff_arb(x, polynomial.get(), i);
-        arb_mul_fmpz(x, x, common.get(), bits);
-        const bool exact = arb_is_exact(x) || MAG_EXP(arb_radref(x)) < near;
-        if (!exact || !arb_get_unique_fmpz(integer.get(), x)) {
-            known = !arb_is_exact(x) && simplest_in(rational, x);
-            fmpz_mul(common.get(), common.get(), rational.denominator());
-            fmpz_set(integer.get(), fmpq_numref(rational.get()));
+/// Polynomials whose coefficients are rational numbers, modulo q.
+class Reduction {
+public:
+    /// Finds the denominators that do not divide this one, too.
+    Reduction(slong bits, Integer denominator) : bits_(bits), common_(std::move(denominator)) {}
+
+    /// Nothing where so many bits do not determine the coefficients.
+    std::optional<Univariate> modulo_q(const RealPolynomial& polynomial) {
+        const slong length = arb_poly_length(polynomial.get());
+        std::vector<Modular> coefficients;
+        arb_t x;
+        arb_init(x);
+        bool known = true;
+        for (slong i = 0; i < length && known; ++i) {
+            arb_poly_get_coeff_arb(x, polynomial.get(), i);
+            known = read(x) && fmpz_fdiv_ui(common_.get(), modulus) != 0;
+            if (known) coefficients.push_back(residue(numerator_) * residue(common_).inverse());
         }
-        residues[static_cast<std::size_t>(i)] = fmpz_fdiv_ui(integer.get(), modulus);
-        denominators[static_cast<std::size_t>(i)] = fmpz_fdiv_ui(common.get(), modulus);
-        known = known && denominators[static_cast<std::size_t>(i)] != 0;
+        arb_clear(x);
+        if (!known) return std::nullopt;
+        return Univariate(coefficients);
     }
-    arb_clear(x);
-    if (!known) return std::nullopt;
-    for (std::size_t i = 0; i < coefficients.size(); ++i)
-        coefficients[i] = Modular::of(residues[i]) * Modular::of(denominators[i]).inverse();
-    return Univariate(coefficients);
+
+    /// A multiple of all denominators so far; to be asked last.
+    Integer take_denominator() { return std::move(common_); }
+
+private:
+    static Modular residue(const Integer& x) { return Modular::of(fmpz_fdiv_ui(x.get(), modulus)); }
+
+    /// The number, if it is determined, is `numerator_` over `common_`.
+    bool read(arb_t x) {
+        constexpr slong near = -40; // an integer, surely, with an error below this power of two
+        arb_mul_fmpz(x, x, common_.get(), bits_);
+        const bool exact = arb_is_exact(x) || MAG_EXP(arb_radref(x)) < near;
+        if (exact && arb_get_unique_fmpz(numerator_.get(), x)) return true;
+        Rational rational;
+        if (arb_is_exact(x) || !simplest_in(rational, x)) return false;
+        fmpz_mul(common_.get(), common_.get(), rational.denominator());
+        fmpz_set(numerator_.get(), fmpq_numref(rational.get()));
+        return true;
+    }
+
+    slong bits_;
+    Integer common_, numerator_;
+};
+
+Integer one() {
+    Integer result;
+    fmpz_one(result.get());
+    return result;
 }
 
-/// Whether so many bits seem to determine the coefficients: they do for the constant one of g.
-bool suffice(const std::vector<RefinedSolution>& solutions, const Parts& parts, slong bits) {
-    RealPolynomial product;
-    arb_poly_one(product.get());
-    for (std::size_t n = 0; n < solutions.size(); ++n)
-        arb_poly_mullow(product.get(), product.get(), parts.of(n, n + 1).product.get(), 1, bits);
-    return modulo_q(product, bits).has_value();
+/// The denominator of the product of u over all solutions; nothing where so many bits do not
+/// determine it.
+std::optional<Integer> denominator_of(const std::vector<int>& factors,
+                                      const std::vector<RefinedSolution>& solutions, slong bits) {
+    const Part constant = Parts(solutions, factors, 0, 1, bits).all();
+    Reduction reduction(bits, one());
+    if (!reduction.modulo_q(constant.product)) return std::nullopt;
+    return reduction.take_denominator();
+}
+
+/// The sum of a coordinate may have, beside the denominators of u, those of the coordinate. 1 where
+/// so many bits do not determine these.
+Integer denominator_of_sum(const Integer& of_u, std::size_t coordinate,
+                           const std::vector<RefinedSolution>& solutions, slong bits) {
+    std::vector<int> factors(coordinate + 1);
+    factors.back() = 1;
+    Integer result = one();
+    if (const auto own = denominator_of(factors, solutions, bits))
+        fmpz_lcm(result.get(), of_u.get(), own->get());
+    return result;
 }
 
 } // namespace
 
 std::optional<Solutions> eliminant(const std::vector<RefinedSolution>& solutions,
                                    const std::vector<int>& factors, slong bits) {
-    const Parts parts(solutions, factors, bits);
-    if (!suffice(solutions, parts, bits)) return std::nullopt;
-    const Part part = parts.of(0, solutions.size());
-    auto g = modulo_q(part.product, bits);
-    if (!g) return std::nullopt;
-    if (nmod_poly_is_squarefree(g->get()) == 0) return std::nullopt;
+    auto denominator = denominator_of(factors, solutions, bits);
+    if (!denominator) return std::nullopt;
+    // The first coefficients cost little, and tell whether there are bits enough.
+    const std::size_t count = factors.size();
+    const Part constants = Parts(solutions, factors, count, 1, bits).all();
+    std::vector<Reduction> sums;
+    for (std::size_t k = 0; k < count; ++k) {
+        sums.emplace_back(bits, denominator_of_sum(*denominator, k, solutions, bits));
+        if (!sums.back().modulo_q(constants.sums[k])) return std::nullopt;
+    }
+    const Part part = Parts(solutions, factors, count, every, bits).all();
+    Reduction polynomial(bits, std::move(*denominator));
+    const auto g = polynomial.modulo_q(part.product);
+    if (!g || nmod_poly_is_squarefree(g->get()) == 0) return std::nullopt;
     const Algebra algebra(*g);
     Univariate slope;
     nmod_poly_derivative(slope.get(), g->get());
     const Univariate inverse = algebra.inverse(slope);
     Solutions result{*g, {}};
-    for (const RealPolynomial& sum : part.sums) {
-        const auto numerator = modulo_q(sum, bits);
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto numerator = sums[k].modulo_q(part.sums[k]);
         if (!numerator) return std::nullopt;
         result.unknowns.push_back(algebra.product(*numerator, inverse));
     }

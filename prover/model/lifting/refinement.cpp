@@ -40,11 +40,12 @@ slong exponent(acb_srcptr x, slong least) {
     return result;
 }
 
-/// A Newton step with so many bits; for the derivatives half of them do. Returns the exponent of
-/// its largest change.
-slong step(const DigitEquations& equations, std::vector<BigComplex>& point, slong bits) {
+/// A Newton step with so many bits; for the derivatives those that it gains do. Returns the
+/// exponent of its largest change.
+slong step(const DigitEquations& equations, std::vector<BigComplex>& point, slong bits,
+           slong gained) {
     const auto size = static_cast<slong>(point.size());
-    const ManyDigits fine{bits}, coarse{bits / 2 + margin};
+    const ManyDigits fine{bits}, coarse{gained + 2 * margin};
     std::vector<BigComplex> rounded = point;
     for (BigComplex& x : rounded)
         acb_set_round(x.get(), x.get(), coarse.bits);
@@ -74,7 +75,7 @@ slong step(const DigitEquations& equations, std::vector<BigComplex>& point, slon
 void refine(const DigitEquations& equations, std::vector<BigComplex>& point) {
     constexpr int most_steps = 40;
     int steps = 0;
-    while (step(equations, point, first_bits) > -first_bits / 2)
+    while (step(equations, point, first_bits, first_bits / 2) > -first_bits / 2)
         if (++steps == most_steps) throw std::runtime_error("Newton's method does not converge");
 }
 
@@ -86,11 +87,13 @@ Refinement::Refinement(const DigitEquations& equations, std::vector<RefinedSolut
         refine(equations_, solution.coordinates);
 }
 
-void Refinement::double_digits() {
-    bits_ = 2 * (bits_ - margin);
+void Refinement::add_digits() {
+    constexpr slong few = 2000; // cost hardly more than fewer
+    const slong reached = bits_ - 2 * margin, gained = bits_ < few ? reached : bits_ / 2;
+    bits_ += gained;
     const auto refine_some = [&](std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n)
-            if (step(equations_, solutions_[n].coordinates, bits_) > -bits_ / 2 + margin)
+            if (step(equations_, solutions_[n].coordinates, bits_, gained) > -reached)
                 throw std::runtime_error("Newton's method loses too many digits");
         flint_cleanup(); // what FLINT keeps for a thread
     };

@@ -37,8 +37,10 @@ public:
     /// std::runtime_error where Newton's method does not converge.
     Refinement(const DigitEquations& equations, std::vector<RefinedSolution> approximations);
 
-    /// To about twice as many bits. Throws std::runtime_error where a step loses too many.
-    void double_digits();
+    /// To twice as many bits as long as these are few, then to half as many more: a step gains as
+    /// many as the derivatives have, which cost most. Throws std::runtime_error where it loses too
+    /// many.
+    void add_digits();
 
     slong bits() const { return bits_; }
     const std::vector<RefinedSolution>& solutions() const { return solutions_; }

@@ -109,7 +109,7 @@ std::optional<Solutions> exact_solutions(const DigitEquations& equations,
     Refinement refinement(equations, approximations(solutions));
     while (static_cast<std::size_t>(refinement.bits()) <
            std::min(most_bits, most_in_all / solutions.size())) {
-        refinement.double_digits();
+        refinement.add_digits();
         if (options.bits) options.bits(refinement.bits());
         auto exact = eliminant(refinement.solutions(), form, refinement.bits());
         if (exact) return exact;
