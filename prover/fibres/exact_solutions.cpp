@@ -72,8 +72,9 @@ std::optional<ExactSolutions> refined_solutions(model::Refinement refinement,
     while (refinement.bits() < most_bits) {
         refinement.add_digits();
         if (progress) progress(refinement.bits());
+        model::Eliminants eliminants(refinement.solutions(), refinement.bits());
         for (const std::vector<int>& form : forms)
-            if (auto solutions = model::eliminant(refinement.solutions(), form, refinement.bits()))
+            if (auto solutions = eliminants.of(form))
                 return ExactSolutions{form, std::move(*solutions)};
     }
     return std::nullopt;

@@ -225,34 +225,36 @@ std::optional<Integer> denominator_of(const std::vector<int>& factors,
     return reduction.take_denominator();
 }
 
+} // namespace
+
 /// The sum of a coordinate may have, beside the denominators of u, those of the coordinate. 1 where
 /// so many bits do not determine these.
-Integer denominator_of_sum(const Integer& of_u, std::size_t coordinate,
-                           const std::vector<RefinedSolution>& solutions, slong bits) {
-    std::vector<int> factors(coordinate + 1);
-    factors.back() = 1;
+Integer Eliminants::denominator_of_sum(const Integer& of_u, std::size_t coordinate) {
+    const auto [entry, is_new] = denominators_.try_emplace(coordinate);
+    std::optional<Integer>& own = entry->second;
+    if (is_new) {
+        std::vector<int> factors(coordinate + 1);
+        factors.back() = 1;
+        own = denominator_of(factors, solutions_, bits_);
+    }
     Integer result = one();
-    if (const auto own = denominator_of(factors, solutions, bits))
-        fmpz_lcm(result.get(), of_u.get(), own->get());
+    if (own) fmpz_lcm(result.get(), of_u.get(), own->get());
     return result;
 }
 
-} // namespace
-
-std::optional<Solutions> eliminant(const std::vector<RefinedSolution>& solutions,
-                                   const std::vector<int>& factors, slong bits) {
-    auto denominator = denominator_of(factors, solutions, bits);
+std::optional<Solutions> Eliminants::of(const std::vector<int>& factors) {
+    auto denominator = denominator_of(factors, solutions_, bits_);
     if (!denominator) return std::nullopt;
     // The first coefficients cost little, and tell whether there are bits enough.
     const std::size_t count = factors.size();
-    const Part constants = Parts(solutions, factors, count, 1, bits).all();
+    const Part constants = Parts(solutions_, factors, count, 1, bits_).all();
     std::vector<Reduction> sums;
     for (std::size_t k = 0; k < count; ++k) {
-        sums.emplace_back(bits, denominator_of_sum(*denominator, k, solutions, bits));
+        sums.emplace_back(bits_, denominator_of_sum(*denominator, k));
         if (!sums.back().modulo_q(constants.sums[k])) return std::nullopt;
     }
-    const Part part = Parts(solutions, factors, count, every, bits).all();
-    Reduction polynomial(bits, std::move(*denominator));
+    const Part part = Parts(solutions_, factors, count, every, bits_).all();
+    Reduction polynomial(bits_, std::move(*denominator));
     const auto g = polynomial.modulo_q(part.product);
     if (!g || nmod_poly_is_squarefree(g->get()) == 0) return std::nullopt;
     const Algebra algebra(*g);

@@ -2,17 +2,34 @@
 // rational univariate representation, Rouillier 1999), from solutions with many digits.
 #pragma once
 
+#include "prover/geometry/flint.h"
 #include "prover/model/lifting/refinement.h"
 #include "prover/model/quotient.h"
 
+#include <map>
 #include <optional>
 
 namespace plprove::model {
 
-/// Modulo q, with t the sum of the coordinates, each times its factor. The coefficients are
-/// rational numbers: nothing where so many bits do not determine them, or where q divides a
-/// denominator.
-std::optional<Solutions> eliminant(const std::vector<RefinedSolution>& solutions,
-                                   const std::vector<int>& factors, slong bits);
+/// Solutions with so many bits as polynomials modulo q.
+class Eliminants {
+public:
+    /// The solutions must outlive this object.
+    Eliminants(const std::vector<RefinedSolution>& solutions, slong bits)
+        : solutions_(solutions), bits_(bits) {}
+
+    /// Of as many coordinates as there are factors, with t their sum, each times its factor. The
+    /// coefficients are rational numbers: nothing where so many bits do not determine them, or
+    /// where q divides a denominator.
+    std::optional<Solutions> of(const std::vector<int>& factors);
+
+private:
+    Integer denominator_of_sum(const Integer& of_u, std::size_t coordinate);
+
+    const std::vector<RefinedSolution>& solutions_;
+    slong bits_;
+    /// What denominator_of() says of single coordinates.
+    std::map<std::size_t, std::optional<Integer>> denominators_;
+};
 
 } // namespace plprove::model

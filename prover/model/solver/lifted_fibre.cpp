@@ -111,7 +111,7 @@ std::optional<Solutions> exact_solutions(const DigitEquations& equations,
            std::min(most_bits, most_in_all / solutions.size())) {
         refinement.add_digits();
         if (options.bits) options.bits(refinement.bits());
-        auto exact = eliminant(refinement.solutions(), form, refinement.bits());
+        auto exact = Eliminants(refinement.solutions(), refinement.bits()).of(form);
         if (exact) return exact;
     }
     return std::nullopt;
