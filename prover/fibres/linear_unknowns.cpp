@@ -2,7 +2,7 @@
 
 #include "prover/model/prime_field.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace plprove {
 

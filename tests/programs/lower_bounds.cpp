@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <doctest/doctest.h>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -62,6 +63,18 @@ std::map<int, int> degrees_by_class() {
     return degrees;
 }
 
+/// So many of those with at most `quick` solutions, spread evenly over the list.
+std::vector<ListedCertificate> spread_over(const std::vector<ListedCertificate>& listed, int quick,
+                                           std::size_t count) {
+    std::vector<ListedCertificate> small, chosen;
+    std::ranges::copy_if(listed, std::back_inserter(small),
+                         [&](const auto& certificate) { return certificate.solutions <= quick; });
+    REQUIRE(small.size() >= count);
+    for (std::size_t i = 0; i < count; ++i)
+        chosen.push_back(small[i * (small.size() - 1) / (count - 1)]);
+    return chosen;
+}
+
 /// The numbers in a column of a table, whose first line has the names.
 std::vector<int> column_of(const std::string& table, const std::string& name) {
     std::vector<int> column;
@@ -104,15 +117,10 @@ TEST_CASE("the list of lower bounds has for each class the degree on file, and p
 TEST_CASE("plprove gives back the bytes of a dozen certificates of lower bounds, and they hold") {
     constexpr int quick = 1500; // solutions, at most
     constexpr std::size_t dozen = 12;
-    std::vector<ListedCertificate> small;
-    for (const ListedCertificate& listed : listed_in(of_classes))
-        if (listed.solutions <= quick) small.push_back(listed);
-    REQUIRE(small.size() >= dozen);
     const TemporaryFolder folder;
     std::map<std::string, ListedCertificate> chosen;
     std::string names;
-    for (std::size_t i = 0; i < dozen; ++i) {
-        const ListedCertificate& listed = small[i * (small.size() - 1) / (dozen - 1)];
+    for (const ListedCertificate& listed : spread_over(listed_in(of_classes), quick, dozen)) {
         const std::string path = find_again(listed, folder);
         chosen[path] = listed;
         names += " " + path;
@@ -146,13 +154,8 @@ TEST_CASE("the list of fibres has each class of few solutions, and all of points
 TEST_CASE("plprove gives back the bytes of six fibres, which show all solutions") {
     constexpr int quick = 400; // solutions, at most
     constexpr std::size_t six = 6;
-    std::vector<ListedCertificate> small;
-    for (const ListedCertificate& listed : listed_in(fibres))
-        if (listed.solutions <= quick) small.push_back(listed);
-    REQUIRE(small.size() >= six);
     const TemporaryFolder folder;
-    for (std::size_t i = 0; i < six; ++i) {
-        const ListedCertificate& listed = small[i * (small.size() - 1) / (six - 1)];
+    for (const ListedCertificate& listed : spread_over(listed_in(fibres), quick, six)) {
         CAPTURE(listed.file);
         const std::string path = (folder / listed.file).string();
         const Outcome found = run(plprove + " degree " + listed.problem + " --fibre -o " + path);
