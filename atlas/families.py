@@ -20,6 +20,13 @@ def degree_of(row):
     return {"value": int(row["degree"]), "bound": bound, "status": status}
 
 
+def group_of(row):
+    """The group in a line of the list; None if none is on file."""
+    if not row["group"]:
+        return None
+    return {"name": row["group"], "status": row["group_status"]}
+
+
 def member_of(row):
     return {
         "name": row["name"],
@@ -28,6 +35,7 @@ def member_of(row):
         "minimal": row["minimal"] == "1",
         "reason": row["reason"],
         "degree": degree_of(row),
+        "group": group_of(row),
     }
 
 

@@ -1,6 +1,6 @@
 // The problems of a family (docs/notation.md, Families): what the program lists, and the records of
 // the archive.
-import type { GeneralDegree } from "./prover.js";
+import type { GeneralDegree, Group } from "./prover.js";
 import { textAt } from "./texts.js";
 
 export const families = [
@@ -30,6 +30,7 @@ export interface Member {
     /** Why it is not minimal. */
     reason: string;
     degree: Pick<GeneralDegree, "value" | "bound" | "status"> | null;
+    group: Pick<Group, "name" | "status"> | null;
 }
 
 /** All balanced problems of the family, in the order of the archive. */

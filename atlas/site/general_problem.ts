@@ -9,7 +9,7 @@ import { degreeInWords, problemAddress, statusMark } from "./problem_links.js";
 import type { Evidence, GeneralAnswer, GeneralReport } from "./prover.js";
 import { recordView } from "./record_view.js";
 import { sketch } from "./sketch.js";
-import { facts, notation } from "./verdict_view.js";
+import { facts, groupRows, notation } from "./verdict_view.js";
 
 function verdictInWords({ minimal }: GeneralReport): Child[] {
     if (minimal === null) return ["No verdict: conjectured not minimal"];
@@ -46,6 +46,7 @@ export function generalFacts(report: GeneralReport): HTMLElement {
         ["dimensions", [dimensionsOf(report)]],
     ];
     if (report.minimal) rows.push(["degree", degreeOf(report)]);
+    if (report.group && report.degree) rows.push(...groupRows(report.group, report.degree.value));
     if (report.evidence) rows.push(...evidenceRows(report, report.evidence));
     return facts(rows);
 }

@@ -14,9 +14,13 @@ function degreeOf(member: Member): Child[] {
     return [` · degree ${degreeInWords(member.degree)} `, statusMark(member.degree.status)];
 }
 
+function groupOf({ group }: Member): Child[] {
+    return group === null ? [] : [` · group ${group.name} `, statusMark(group.status)];
+}
+
 function factsOf(member: Member): HTMLElement {
     const facts = make("p", { class: "facts" }, `${member.views} views · `);
-    if (member.minimal) facts.append("minimal", ...degreeOf(member));
+    if (member.minimal) facts.append("minimal", ...degreeOf(member), ...groupOf(member));
     else facts.append(`not minimal: ${member.reason}`);
     facts.append(" · ", problemLink(member.notation, `page of ${member.name}`));
     return facts;

@@ -18,6 +18,14 @@ export interface GeneralDegree {
     source: string;
 }
 
+/** How loops of photos permute the solutions. */
+export interface Group {
+    name: string;
+    order: string;
+    width: number;
+    status: "certified" | "evidence";
+}
+
 export interface Hint {
     add: string | null;
     drop: string | null;
@@ -56,7 +64,7 @@ export interface Report {
     constraint_class?: number;
     families?: Families;
     degree?: Degree;
-    group?: { name: string; order: string; width: number; status: "certified" | "evidence" };
+    group?: Group;
     hints?: Hint[];
 }
 
@@ -98,6 +106,7 @@ export interface GeneralReport {
     minimal: boolean | null;
     reason: string;
     degree?: GeneralDegree;
+    group?: Group;
     evidence?: Evidence;
 }
 

@@ -2,7 +2,7 @@
 import { make, withCommas, type Child } from "./elements.js";
 import { term } from "./glossary.js";
 import { problemLink, statusMark } from "./problem_links.js";
-import type { Degree, Families, Hint, ProblemAnswer, Report } from "./prover.js";
+import type { Degree, Families, Group, Hint, ProblemAnswer, Report } from "./prover.js";
 
 const neither = (why: Child): Child[] => [
     "Neither ",
@@ -91,6 +91,13 @@ export function facts(rows: [string, Child[]][]): HTMLElement {
     return list;
 }
 
+/** The rows of a group of so many solutions: its name, and where it decomposes its width. */
+export function groupRows({ name, width, status }: Group, solutions: number): [string, Child[]][] {
+    const rows: [string, Child[]][] = [["group", [`${name} `, statusMark(status)]]];
+    if (width < solutions) rows.push(["width", [`${width} `, statusMark(status)]]);
+    return rows;
+}
+
 /** The rows of facts that search and the page of a problem share. */
 export function factRows(answer: ProblemAnswer): [string, Child[]][] {
     const { report, explanations } = answer;
@@ -101,10 +108,7 @@ export function factRows(answer: ProblemAnswer): [string, Child[]][] {
     }
     if (answer.names.length > 0) rows.push(["name", [answer.names.join(", ")]]);
     if (report.degree) rows.push(["degree", [degreeView(report.degree)]]);
-    if (report.group)
-        rows.push(["group", [report.group.name, " ", statusMark(report.group.status)]]);
-    if (report.group && report.degree && report.group.width < report.degree.value)
-        rows.push(["width", [`${report.group.width} `, statusMark(report.group.status)]]);
+    if (report.group && report.degree) rows.push(...groupRows(report.group, report.degree.value));
     rows.push(["dimensions", [dimensionsInWords(report)]]);
     if (report.reduction.length > 0) {
         const steps = report.reduction.map((step, index) =>

@@ -171,8 +171,9 @@ DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& proble
         if (!exact) continue;
         ++degrees.exact;
         if (bound->file.empty()) ++degrees.exact_by_theorem;
-        if (counted && !group_shown_by(counted->cycle_types, solutions, Orbits::one).empty())
-            ++degrees.groups;
+        if (!counted) continue;
+        const std::string group = group_shown_by(counted->cycle_types, solutions, Orbits::one);
+        if (!group.empty()) degrees.groups.emplace(verdict.notation, group);
     }
     return degrees;
 }

@@ -58,7 +58,7 @@ struct DegreesInGeneral {
     std::map<std::size_t, std::size_t> at_least{}; // how many problems have each lower bound
     std::size_t exact = 0;                         // of how many bounds meet
     std::size_t exact_by_theorem = 0;              // of these, by theorem
-    std::size_t groups = 0;                        // of these, with a group that fibres certify
+    std::map<std::string, std::string> groups{};   // of these, by problem, as fibres certify them
 };
 
 DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& problems);

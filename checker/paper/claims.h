@@ -56,7 +56,7 @@ struct FamilyTable {
     std::map<std::size_t, std::size_t> lower_bounds{}; // of degrees: how many problems have each
     std::size_t exact = 0;                             // how many degrees are certified exactly
     std::size_t exact_by_theorem = 0;                  // of these, by theorem
-    std::size_t groups = 0;                            // of these, with a certified group
+    std::map<std::string, std::string> groups{};       // of these, by problem, if certified
 };
 
 /// The lines on a family; none unless the file has all its problems.

@@ -147,12 +147,15 @@ static std::string item(const paper::FamilyTable& table) {
     std::vector<std::string> degrees;
     for (const paper::FamilyDegree& degree : table.degrees)
         degrees.push_back(item(degree));
+    std::vector<std::string> groups;
     for (const auto& [solutions, problems] : table.lower_bounds)
         bounds.push_back(say("[", solutions, ", ", problems, "]"));
+    for (const auto& [problem, group] : table.groups)
+        groups.push_back(say("[", json_string(problem), ", ", json_string(group), "]"));
     return say("{\"family\": ", json_string(table.family), ", \"claims\": ", array_of(claims),
                ", \"degrees\": ", array_of(degrees), ", \"lower_bounds\": ", array_of(bounds),
                ", \"exact\": ", table.exact, ", \"exact_by_theorem\": ", table.exact_by_theorem,
-               ", \"certified_groups\": ", table.groups, "}");
+               ", \"certified_groups\": ", array_of(groups), "}");
 }
 
 static std::string item(const paper::DegreeClaim& c) {

@@ -192,8 +192,8 @@ static std::string tables_of_families(const Report& report) {
         if (table.exact == 0) continue;
         result += say("exactly: the degrees of ", counted(table.exact, "minimal problem"), ", ",
                       table.exact_by_theorem, " of them by theorem\n");
-        if (table.groups > 0)
-            result += say("the groups of ", table.groups, " of them, by fibres\n");
+        if (!table.groups.empty())
+            result += say("the groups of ", table.groups.size(), " of them, by fibres\n");
         result += '\n';
     }
     return result;

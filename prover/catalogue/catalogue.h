@@ -40,7 +40,7 @@ struct Entry {
     /// minimal problems.
     Families families;
     std::optional<int> degree;       ///< of a minimal class
-    std::optional<ClassGroup> group; ///< of a minimal class, where it is known
+    std::optional<GroupOnFile> group; ///< of a minimal class, where it is known
 
     bool minimal() const { return obstruction.deficiency() == 0; }
     int rank() const { return camera_dimension - obstruction.deficiency(); }

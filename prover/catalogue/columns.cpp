@@ -22,7 +22,7 @@ Value known_value(const std::optional<int>& number) {
     return *number;
 }
 
-Value text_value(const std::optional<ClassGroup>& group, std::string_view ClassGroup::*member) {
+Value text_value(const std::optional<GroupOnFile>& group, std::string_view GroupOnFile::*member) {
     if (!group) return std::monostate{};
     return std::string((*group).*member);
 }
@@ -129,16 +129,16 @@ const Column table[] = {
     {"group", text, true,
      "how loops of photos permute the solutions, where it is known: S312 for all permutations, <S8 "
      "wr S2 wr S10 for a subgroup of those that keep 10 blocks of 2 blocks of 8 together",
-     [](const Entry& e) { return text_value(e.group, &ClassGroup::name); }},
+     [](const Entry& e) { return text_value(e.group, &GroupOnFile::name); }},
     {"group_order", text, true, "how many permutations these are, as a product",
-     [](const Entry& e) { return text_value(e.group, &ClassGroup::order); }},
+     [](const Entry& e) { return text_value(e.group, &GroupOnFile::order); }},
     {"width", integer, true,
      "how many solutions the hardest step of the problem has, by its group (Galois width)",
      [](const Entry& e) { return known_value(e.width()); }},
     {"group_status", text, true,
      "certified: plcheck certifies the group, by a theorem or by certs/groups; evidence: loops "
      "that plprove followed",
-     [](const Entry& e) { return text_value(e.group, &ClassGroup::status); }},
+     [](const Entry& e) { return text_value(e.group, &GroupOnFile::status); }},
 };
 
 constexpr Remark about[] = {

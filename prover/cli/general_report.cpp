@@ -1,5 +1,6 @@
 #include "prover/cli/general_report.h"
 
+#include "prover/cli/group_report.h"
 #include "prover/cli/problem_report.h"
 #include "prover/cli/sections.h"
 #include "prover/many_views/degrees_on_file.h"
@@ -63,6 +64,14 @@ std::optional<Known> known_degree(const ProblemRecord& certificate) {
                  found->certified};
 }
 
+/// The group of the features, or what is on file; nothing if neither is known.
+std::optional<GroupOnFile> known_group(const ProblemRecord& certificate) {
+    if (!is_minimal(certificate)) return std::nullopt;
+    if (const auto features = local_features(certificate.problem))
+        return group_of(decide(*features));
+    return family_group_on_file(notation(certificate.problem));
+}
+
 std::string csv_line(const ProblemRecord& certificate) {
     const Problem& problem = certificate.problem;
     const PlmpNumbers counts = plprove::counts(problem);
@@ -80,6 +89,14 @@ std::string csv_line(const ProblemRecord& certificate) {
     if (degree) line += (degree->exact ? "" : "at least: ") + degree->status;
     line += ',';
     if (degree && degree->certified > 0) line += std::to_string(degree->certified);
+    line += ',';
+    if (const auto group = known_group(certificate)) {
+        line.append(group->name).append(",").append(group->order);
+        line += ',' + std::to_string(group->width) + ',';
+        line += group->status;
+    } else {
+        line += ",,,";
+    }
     return line;
 }
 
@@ -118,6 +135,7 @@ std::string text_report(const ProblemRecord& certificate) {
     std::ostringstream out;
     write_verdict(out, certificate.problem, verdict(certificate), explanation(certificate));
     if (is_minimal(certificate)) write_degree(out, certificate);
+    if (const auto group = known_group(certificate)) write_group(out, *group);
     return out.str();
 }
 
@@ -146,6 +164,7 @@ std::string json_report(const ProblemRecord& certificate) {
                             {"status", "certified"},
                             {"certified_at_least", *of_features},
                             {"source", source_of_features(certificate)}};
+    if (const auto group = known_group(certificate)) report["group"] = group_json(*group);
     return report.dump(2) + '\n';
 }
 
@@ -169,8 +188,9 @@ std::string json_report(const Undecided& found) {
 std::string list_of(std::span<const ProblemRecord> certificates, const std::string& format) {
     std::string text;
     if (format == "csv")
-        text = "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,name,"
-               "notation,reason,degree_status,degree_certified\n";
+        text =
+            "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,name,"
+            "notation,reason,degree_status,degree_certified,group,group_order,width,group_status\n";
     for (const ProblemRecord& certificate : certificates) {
         const Problem& problem = certificate.problem;
         text += format == "csv"        ? csv_line(certificate)

@@ -11,6 +11,7 @@
 #include "prover/format/certificate_text.h"
 #include "prover/many_views/degrees_on_file.h"
 #include "prover/many_views/loop_group.h"
+#include "prover/problem/five_points.h"
 #include "prover/problem/notation.h"
 #include "prover/problem/spec.h"
 #include "prover/system/exit.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -52,11 +54,14 @@ constexpr const char* group_examples =
     "                                               certifies the number of solutions, too\n"
     "  plprove group --up-to 300 -o groups.csv      a table of all problems of at most 300\n"
     "                                               solutions; goes on where it was killed\n"
+    "  plprove group --families --up-to 100 -o families.csv\n"
+    "                                               ... of problems in general\n"
     "  plcheck --expect '2*Pa/Pa/Pa + P/P/P' --group S312 certs/classification.plc chicago.plc\n";
 
 struct GroupRequest {
     std::string spec;
-    int up_to = 0; ///< not 0: in place of a problem, all classes of at most so many solutions
+    int up_to = 0;         ///< not 0: in place of a problem, all of at most so many solutions
+    bool families = false; ///< those of families in place of classes
     std::string path;
     GroupOptions options;
     bool json = false;
@@ -97,8 +102,7 @@ Asked asked(const std::string& spec) {
     const std::optional<int> degree = degree_of(decision);
     if (!degree)
         throw BadInput(notation(decision.problem) + " is not minimal: give a problem that is");
-    // All minimal problems in two views have the cameras of the five-point problem.
-    if (!decision.classes) return asked_in_general(parse_problem("5*P/P"));
+    if (!decision.classes) return asked_in_general(parse_problem(five_point_problem));
     return {notation(decision.problem), *degree, "certified", decision.classes};
 }
 
@@ -135,9 +139,9 @@ void write_fibres(std::ostream& out, const Found& found) {
 }
 
 /// The group that plcheck certifies, if it does.
-std::optional<ClassGroup> certified_group(const Asked& asked) {
-    if (!asked.classes) return std::nullopt;
-    const auto known = group_on_file(asked.classes->constraint);
+std::optional<GroupOnFile> certified_group(const Asked& asked) {
+    const auto known = asked.classes ? group_on_file(asked.classes->constraint)
+                                     : family_group_on_file(asked.problem);
     return known && known->status == "certified" ? known : std::nullopt;
 }
 
@@ -221,22 +225,50 @@ int find_group_of(const GroupRequest& request, const Deliver& deliver) {
     return certified || (!found.by_fibres && found.by_loops) ? 0 : exit_failure;
 }
 
-/// The classes of at most so many solutions that a table does not have, those of few solutions
-/// first.
-std::vector<ClassDegree> missing_in(const GroupTable& table, int up_to) {
-    std::vector<ClassDegree> missing;
-    for (const ClassDegree& row : degrees_on_file())
-        if (row.degree <= up_to && !table.has(row.constraint_class)) missing.push_back(row);
-    std::ranges::stable_sort(missing, {}, &ClassDegree::degree);
-    return missing;
+/// A row that a table may have.
+struct TableRow {
+    std::string key;
+    int degree = 0;
+    std::function<std::optional<LoopGroup>()> find;
+};
+
+std::vector<TableRow> rows_of_classes(std::uint64_t seed) {
+    std::vector<TableRow> rows;
+    for (const auto& [number, degree] : degrees_on_file())
+        rows.push_back(
+            {std::to_string(number), degree, [=] { return group_of_loops(number, degree, seed); }});
+    return rows;
 }
 
-/// Adds classes to a table, by a thread a core. The file is written every few seconds.
+std::vector<TableRow> rows_of_families(std::uint64_t seed) {
+    std::vector<TableRow> rows;
+    for (const std::string_view line : many_views::family_degree_lines()) {
+        const many_views::DegreeOnFile known = many_views::parse_family_degree(line);
+        const Problem problem = parse_problem(known.problem);
+        const bool is_label_class = problem.views == 3 && local_features(problem);
+        if (known.bound != "exact" || problem.cameras->twofold || is_label_class) continue;
+        rows.push_back({'"' + std::string(known.problem) + '"', known.degree, [=] {
+                            return many_views::group_of_loops(problem, known.degree, seed, 1);
+                        }});
+    }
+    return rows;
+}
+
+/// Adds rows to a table, by a thread a core, those of few solutions first. The file is written
+/// every few seconds.
 int make_table(const GroupRequest& request, const Deliver& deliver) {
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::seconds between_writes(2);
-    GroupTable table(request.path);
-    const std::vector<ClassDegree> missing = missing_in(table, request.up_to);
+    std::vector<TableRow> missing = request.families ? rows_of_families(request.options.seed)
+                                                     : rows_of_classes(request.options.seed);
+    std::vector<std::string> keys;
+    for (const TableRow& row : missing)
+        keys.push_back(row.key);
+    GroupTable table(request.path, request.families ? head_of_families : head_of_classes, keys);
+    std::erase_if(missing, [&](const TableRow& row) {
+        return row.degree > request.up_to || table.has(row.key);
+    });
+    std::ranges::stable_sort(missing, {}, &TableRow::degree);
     ProgressLine line("groups", missing.size());
     std::mutex mutex; // guards what follows, and the table
     std::size_t next = 0;
@@ -247,10 +279,10 @@ int make_table(const GroupRequest& request, const Deliver& deliver) {
         const std::lock_guard lock(mutex);
         return next < missing.size() ? &missing[next++] : nullptr;
     };
-    const auto keep = [&](std::size_t number, const std::optional<LoopGroup>& found) {
+    const auto keep = [&](const std::string& key, const std::optional<LoopGroup>& found) {
         const std::lock_guard lock(mutex);
         if (found)
-            table.add(number, found->group);
+            table.add(key, found->group);
         else
             ++lost;
         line.show(++done);
@@ -261,21 +293,22 @@ int make_table(const GroupRequest& request, const Deliver& deliver) {
     const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     in_parts(std::min<std::size_t>(threads, missing.size()), threads,
              [&](std::size_t, std::size_t) {
-                 while (const ClassDegree* row = take())
-                     keep(row->constraint_class,
-                          group_of_loops(row->constraint_class, row->degree, request.options.seed));
+                 while (const TableRow* row = take())
+                     keep(row->key, row->find());
              });
     deliver(request.path, table.text());
     line.wipe();
     if (lost == 0) return 0;
-    std::cerr << "the groups of " << lost << " classes are not known, as too many paths were lost: "
-              << "try another --seed\n";
+    std::cerr << "the groups of " << lost
+              << " problems are not known, as too many paths were lost: try another --seed\n";
     return exit_failure;
 }
 
 int run_group(const GroupRequest& request, const Deliver& deliver) {
     if (request.up_to == 0 && request.spec.empty())
         throw BadInput("no problem is given: name one, or give --up-to and -o");
+    if (request.up_to == 0 && request.families)
+        throw BadInput("--families makes a table: give --up-to and -o, too");
     if (request.up_to == 0) return find_group_of(request, deliver);
     if (!request.spec.empty()) throw BadInput("--up-to takes no problem: leave one of them out");
     if (request.path.empty() || request.path == "-")
@@ -296,6 +329,8 @@ Command add_group_command(CLI::App& program, Deliver deliver) {
         ->add_option("--up-to", request->up_to,
                      "in place of a problem: all with at most so many solutions, into a table")
         ->check(CLI::Range(1, largest_target));
+    command->add_flag("--families", request->families,
+                      "... of certs/family-degrees.csv, but those in three calibrated views");
     command
         ->add_option("--fibres", request->options.fibres,
                      "give up after so many sets of images (default: 30)")

@@ -2,15 +2,13 @@
 
 #include "prover/system/exit.h"
 
-#include <charconv>
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
 namespace plprove {
 
-namespace {
-
-constexpr const char* head =
+const std::string_view head_of_classes =
     "# How loops of photos permute the solutions, by constraint class. S312: in all ways, 312! in "
     "number. `<S8 wr S2 wr S10`: in some of the ways that\n"
     "# keep blocks together, 10 of 2 of 8 solutions. width: how many solutions the hardest step "
@@ -19,34 +17,41 @@ constexpr const char* head =
     "evidence: loops that plprove followed numerically (docs/groups.md).\n"
     "number,group,order,width,status\n";
 
-} // namespace
+const std::string_view head_of_families =
+    "# How loops of photos permute the solutions of problems in family-degrees.csv, as groups.csv "
+    "says it of problems in three calibrated views. certified:\n"
+    "# plcheck certifies it by fibres, in certs/solutions/*.plc, or there is one solution for "
+    "certain. evidence: loops that plprove followed numerically\n"
+    "# (docs/groups.md).\n"
+    "problem,group,order,width,status\n";
 
-GroupTable::GroupTable(const std::filesystem::path& path) {
+GroupTable::GroupTable(const std::filesystem::path& path, std::string_view head,
+                       std::vector<std::string> keys)
+    : head_(head), keys_(std::move(keys)) {
     std::ifstream file(path);
     int at = 0;
     for (std::string line; std::getline(file, line);) {
         ++at;
-        if (line.starts_with('#') || line.starts_with("number,")) continue;
-        std::size_t number = 0;
-        const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
-        if (error != std::errc{} || *end != ',')
+        if (line.starts_with('#') || head_.ends_with("\n" + line + "\n")) continue;
+        const std::string key = line.substr(0, line.find(','));
+        if (key == line || std::ranges::find(keys_, key) == keys_.end())
             throw BadInput(path.string() + ":" + std::to_string(at) +
                            ": not a row of a table of groups: give another file, or a new one");
-        rows_[number] = line;
+        rows_[key] = line;
     }
 }
 
-void GroupTable::add(std::size_t number, const MonodromyGroup& group) {
+void GroupTable::add(const std::string& key, const MonodromyGroup& group) {
     std::ostringstream row;
-    row << number << ",\"" << group.name() << "\",\"" << group.order() << "\"," << group.width()
+    row << key << ",\"" << group.name() << "\",\"" << group.order() << "\"," << group.width()
         << ",\"evidence\"";
-    rows_[number] = row.str();
+    rows_[key] = row.str();
 }
 
 std::string GroupTable::text() const {
-    std::string result = head;
-    for (const auto& [number, row] : rows_)
-        (result += row) += '\n';
+    std::string result(head_);
+    for (const std::string& key : keys_)
+        if (const auto row = rows_.find(key); row != rows_.end()) (result += row->second) += '\n';
     return result;
 }
 

@@ -1,3 +1,4 @@
+#include "prover/cli/group_report.h"
 #include "prover/cli/problem_facts.h"
 #include "prover/cli/problem_report.h"
 
@@ -92,11 +93,7 @@ std::string json_report(const ProblemReport& full_report) {
     if (is_camera_minimal(decision)) report["terminal"] = notation(decision.terminal);
     if (decision.classes) add_classes(report, decision);
     add_degree(report, decision);
-    if (const auto group = group_of(decision))
-        report["group"] = {{"name", group->name},
-                           {"order", group->order},
-                           {"width", group->width},
-                           {"status", group->status}};
+    if (const auto group = group_of(decision)) report["group"] = group_json(*group);
     if (!hints.empty()) report["hints"] = json_hints(hints);
     return report.dump(2) + "\n";
 }

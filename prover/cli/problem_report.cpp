@@ -1,7 +1,9 @@
 #include "prover/cli/problem_report.h"
 
+#include "prover/cli/group_report.h"
 #include "prover/cli/problem_facts.h"
 #include "prover/cli/sections.h"
+#include "prover/problem/five_points.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -105,8 +107,7 @@ void write_verdict(std::ostream& out, const Decision& decision) {
 void write_degree(std::ostream& out, const Decision& decision) {
     if (const std::optional<int> degree = degree_of(decision))
         section(out, "degree") << *degree << " certified\n";
-    if (const auto group = group_of(decision))
-        section(out, "group") << group->name << ' ' << group->status << '\n';
+    if (const auto group = group_of(decision)) write_group(out, *group);
 }
 
 /// The number of the class; of a problem that is none of its members, with a member.
@@ -183,9 +184,10 @@ std::optional<int> degree_of(const Decision& decision) {
     return degree_in_two_views;
 }
 
-std::optional<ClassGroup> group_of(const Decision& decision) {
-    if (!is_camera_minimal(decision) || !decision.classes) return std::nullopt;
-    return group_on_file(decision.classes->constraint);
+std::optional<GroupOnFile> group_of(const Decision& decision) {
+    if (!is_camera_minimal(decision)) return std::nullopt;
+    if (decision.classes) return group_on_file(decision.classes->constraint);
+    return family_group_on_file(five_point_problem);
 }
 
 ProblemReport report_on(const Features& problem) {

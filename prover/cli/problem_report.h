@@ -21,7 +21,7 @@ struct ProblemReport {
 /// The degree of a problem that was decided; nothing if it does not fix its cameras.
 std::optional<int> degree_of(const Decision& decision);
 /// The group of its solutions, where it is known.
-std::optional<ClassGroup> group_of(const Decision& decision);
+std::optional<GroupOnFile> group_of(const Decision& decision);
 
 /// Decides, and looks for hints.
 ProblemReport report_on(const Features& problem);

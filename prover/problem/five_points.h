@@ -8,12 +8,16 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 namespace plprove {
 
 /// How many relative poses of two cameras five generic points that both see leave (D. Nister, PAMI
 /// 2004): two for each of 10 essential matrices.
 inline constexpr int poses_of_five_points = 20;
+
+/// In notation. All minimal problems in two views have its cameras.
+inline constexpr std::string_view five_point_problem = "5*P/P";
 
 /// The number of the label class that is solved in place of the five-point problem: of its
 /// extensions by the registration of a third camera, the one with the fewest solutions. Views 2 and

@@ -80,6 +80,7 @@ class Metadata(unittest.TestCase):
             paths = {"degrees": SOURCES / "certs/degrees.csv",
                      "groups": SOURCES / "certs/groups.csv",
                      "family-degrees": SOURCES / "certs/family-degrees.csv",
+                     "family-groups": SOURCES / "certs/family-groups.csv",
                      "three-views-in-part": SOURCES / "certs/three-views-in-part.csv",
                      "catalogue": catalogue}
             self.assertEqual([r["name"] for r in self.package["resources"]], list(paths))

@@ -60,10 +60,13 @@ TEST_CASE("problems in general: families as CSV and as archives") {
         "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,"));
     CHECK(lines_of(csv.out).size() == 1 + 660);
     const std::string plmp = run(plprove + " list --family plmp --format csv").out;
-    CHECK(contains(plmp, ",20,5000_2,5*P/P,,certified,20\n"));
-    CHECK(contains(plmp, ",312,3002_1,P/P/P + 2*Pa/Pa/Pa,,certified,312\n"));
-    CHECK(contains(plmp, ",16,4100_3,3*PL/PL + 2*P/P,,certified,16\n"));
-    CHECK(contains(plmp, ",186368,1021_1,Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a,,certified,186368\n"));
+    CHECK(contains(plmp, ",20,5000_2,5*P/P,,certified,20,<S2 wr S10,2!^10*10!/2,10,evidence\n"));
+    CHECK(
+        contains(plmp, ",312,3002_1,P/P/P + 2*Pa/Pa/Pa,,certified,312,S312,312!,312,certified\n"));
+    CHECK(contains(plmp,
+                   ",16,4100_3,3*PL/PL + 2*P/P,,certified,16,<S2 wr S8,2!^8*8!/2,8,evidence\n"));
+    CHECK(
+        contains(plmp, ",186368,1021_1,Pa/Pa/Pa/Pa/Pa/Pa + 2*a/a/a/a/a/a,,certified,186368,,,,\n"));
     CHECK(run(plprove + " list --family plmp --minimal --count").out == "30\n");
     CHECK(run(plprove + " list --family plmp --not-minimal --count").out == "9\n");
     for (const std::string family : {"plmp", "projective"})

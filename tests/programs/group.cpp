@@ -25,27 +25,33 @@ std::map<std::size_t, std::string> certified_groups(const std::string& files,
     return groups;
 }
 
-/// A row of certs/groups.csv.
+/// A row of certs/groups.csv, or of certs/family-groups.csv.
 struct GroupRow {
     std::string line;
-    std::size_t number = 0;
+    std::string problem;    ///< in the second file, in notation
+    std::size_t number = 0; ///< in the first
     std::string group, order;
     int width = 0;
     std::string status;
 };
 
-std::vector<GroupRow> rows_on_file() {
+std::vector<GroupRow> rows_of(const std::string& file) {
     std::vector<GroupRow> rows;
-    const std::regex form(R"re((\d+),"([^"]*)","([^"]*)",(\d+),"(certified|evidence)")re");
-    for (const std::string& line : lines_of(read_file(certs + "groups.csv"))) {
-        if (line.starts_with('#') || line == "number,group,order,width,status") continue;
+    const std::regex form(
+        R"re((\d+|"([^"]*)"),"([^"]*)","([^"]*)",(\d+),"(certified|evidence)")re");
+    for (const std::string& line : lines_of(read_file(file))) {
+        if (line.starts_with('#') || line.ends_with(",group,order,width,status")) continue;
         CAPTURE(line);
         std::smatch cells;
         REQUIRE(std::regex_match(line, cells, form));
-        rows.push_back(
-            {line, std::stoul(cells[1]), cells[2], cells[3], std::stoi(cells[4]), cells[5]});
+        rows.push_back({line, cells[2], cells[2].matched ? 0 : std::stoul(cells[1]), cells[3],
+                        cells[4], std::stoi(cells[5]), cells[6]});
     }
     return rows;
+}
+
+std::vector<GroupRow> rows_on_file() {
+    return rows_of(certs + "groups.csv");
 }
 
 std::string without_commas(std::string text) {
@@ -305,22 +311,105 @@ TEST_CASE("fibres certify the groups of problems in general") {
     CHECK(run(plcheck + " --expect '5*P/P' --degree 20 " + file).status == 0);
 }
 
-TEST_CASE("docs/groups.md counts the groups of families that the committed fibres certify") {
-    std::map<std::string, int> groups;
-    const Outcome checked = run(plcheck + " --json " + certs + "projective.plc " + certs +
-                                "families/*.plc " + certs + "solutions/*.plc");
+TEST_CASE("certs/family-groups.csv calls those groups certified that plcheck certifies") {
+    const Outcome checked =
+        run(plcheck + " --json " + certs + "plmp.plc " + certs + "projective.plc " + certs +
+            "families/*.plc " + certs + "solutions/*.plc");
     REQUIRE(checked.status == 0);
+    std::map<std::string, std::string> certified, called_certified;
+    std::map<std::string, std::size_t> counted;
     const nlohmann::json report = nlohmann::json::parse(checked.out);
-    for (const nlohmann::json& family : report["families"])
-        groups[family["family"]] = family["certified_groups"];
+    for (const nlohmann::json& family : report["families"]) {
+        counted[family["family"]] = family["certified_groups"].size();
+        for (const auto& [problem, group] :
+             family["certified_groups"].get<std::vector<std::pair<std::string, std::string>>>())
+            certified[problem] = group;
+    }
+    for (const GroupRow& row : rows_of(certs + "family-groups.csv"))
+        if (row.status == "certified" && row.group != "S1")
+            called_certified[row.problem] = row.group;
+    CHECK(called_certified == certified);
+    CHECK(counted["plmp"] == 6);
+    CHECK(counted["projective"] == 199);
+    CHECK(counted["upright"] + counted["upright-shared-focal"] + counted["upright-focal"] == 15);
+}
+
+TEST_CASE("certs/family-groups.csv keeps to the degrees on file, and is counted in "
+          "docs/groups.md") {
+    std::map<std::string, std::pair<int, std::string>> degrees; // and their status
+    const std::regex form(R"re([^,]*,([^,]*),(\d+),exact,(\w+),.*)re");
+    for (const std::string& line : lines_of(read_file(certs + "family-degrees.csv"))) {
+        std::smatch cells;
+        if (std::regex_match(line, cells, form))
+            degrees[cells[1]] = {std::stoi(cells[2]), cells[3]};
+    }
+    const std::vector<GroupRow> rows = rows_of(certs + "family-groups.csv");
+    std::map<std::string, int> of_projective, known_in_part, plmp;
+    for (const GroupRow& row : rows) {
+        CAPTURE(row.line);
+        const auto& [degree, status] = degrees.at(row.problem);
+        int product = 1;
+        for (const int step : numbers_in(row.group))
+            product *= step;
+        CHECK(product == degree);
+        const bool decomposes = row.group.find(" wr ") != std::string::npos;
+        CHECK((row.width < degree) == (decomposes || degree == 4));
+        if (degree == 1) CHECK(row.status == status);
+        auto& counts = row.problem.starts_with("projective:")       ? of_projective
+                       : row.problem.find(':') != std::string::npos ? known_in_part
+                                                                    : plmp;
+        ++counts[degree == 1 ? "one" : decomposes ? "decomposes" : "all"];
+    }
+    CHECK(of_projective ==
+          std::map<std::string, int>{{"all", 200}, {"decomposes", 18}, {"one", 75}});
+    CHECK(known_in_part == std::map<std::string, int>{{"all", 41}, {"decomposes", 6}});
+    CHECK(plmp == std::map<std::string, int>{{"all", 7}, {"decomposes", 5}});
     const std::string page = read_file(SOURCE_DIR "/docs/groups.md");
-    CHECK(page.find("fibres certify " + std::to_string(groups["projective"]) + ".") !=
+    for (const char* words :
+         {"75 have one solution, 200 have all permutations", "fibres certify 199.",
+          "All 47 problems of", "for the 15 whose number"})
+        CHECK(page.find(words) != std::string::npos);
+}
+
+TEST_CASE("plprove list, plprove problem and plprove group --families say what "
+          "certs/family-groups.csv has") {
+    const std::vector<GroupRow> rows = rows_of(certs + "family-groups.csv");
+    const std::string listed = run(plprove + " list --family shared-focal --format csv").out;
+    int shown = 0;
+    for (const GroupRow& row : rows) {
+        if (!row.problem.starts_with("shared-focal:")) continue;
+        const std::string cells =
+            row.group + ',' + row.order + ',' + std::to_string(row.width) + ',' + row.status + '\n';
+        const std::size_t at = listed.find(',' + row.problem + ',');
+        REQUIRE(at != std::string::npos);
+        const std::string rest = listed.substr(at, listed.find('\n', at) + 1 - at);
+        CHECK(rest.ends_with(',' + cells));
+        if (++shown > 2) continue;
+        const std::string problem = plprove + " problem '" + row.problem + "'";
+        CHECK(run(problem).out.ends_with("\ngroup       " + row.group + ' ' + row.status + '\n'));
+        CHECK(nlohmann::json::parse(run(problem + " --json").out)["group"]["order"] == row.order);
+    }
+    CHECK(shown == 15);
+    CHECK(run(plprove + " problem five-point").out.find("\ngroup       <S2 wr S10 evidence\n") !=
           std::string::npos);
-    const int upright =
-        groups["upright"] + groups["upright-shared-focal"] + groups["upright-focal"];
-    CHECK(page.find("for the " + std::to_string(upright) + " whose number") != std::string::npos);
-    CHECK(groups["projective"] == 199);
-    CHECK(upright == 15);
+    // What is taken away from the committed table comes back, byte for byte.
+    const TemporaryFolder folder;
+    const std::string table = (folder / "groups.csv").string();
+    const std::string committed = read_file(certs + "family-groups.csv");
+    std::string shorter = committed;
+    for (const char* problem :
+         {"shared-focal: 3*PL/PL + 3*PM/PM", "projective: 2*Pabcdef/Pabcdef/Pabcdef"}) {
+        const auto row = std::ranges::find(rows, problem, &GroupRow::problem);
+        REQUIRE(row != rows.end());
+        shorter.erase(shorter.find(row->line), row->line.size() + 1);
+    }
+    write_file(table, shorter);
+    CHECK(run(plprove + " group --families --up-to 16 -o " + table).status == 0);
+    CHECK(read_file(table) == committed);
+    write_file(table, "\"projective: 1*P/P\",\"S1\",\"1!\",1,\"evidence\"\n");
+    CHECK(run(plprove + " group --families --up-to 16 -o " + table)
+              .err.find("groups.csv:1: not a row of a table of groups") != std::string::npos);
+    CHECK(run(plprove + " group --families -o " + table).status == 2);
 }
 
 TEST_CASE("plcheck names the groups that it has certified") {
