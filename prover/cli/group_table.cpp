@@ -13,7 +13,8 @@ const std::string_view head_of_classes =
     "number. `<S8 wr S2 wr S10`: in some of the ways that\n"
     "# keep blocks together, 10 of 2 of 8 solutions. width: how many solutions the hardest step "
     "has. certified: plcheck certifies it, by Theorem S\n"
-    "# or P (proofs/all_permutations.md, proofs/five_shared_points.md) or by certs/groups/*.plc. "
+    "# or P (proofs/all_permutations.md, proofs/five_shared_points.md) or by fibres "
+    "(certs/groups). "
     "evidence: loops that plprove followed numerically (docs/groups.md).\n"
     "number,group,order,width,status\n";
 

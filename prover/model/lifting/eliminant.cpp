@@ -32,8 +32,8 @@ private:
     arb_poly_t value_;
 };
 
-/// The product of t - u over some solutions; and for each of the first coordinates x the sum of x
-/// times the product of the others.
+/// The product of t - u over some solutions; and for each of some coordinates x the sum of x times
+/// the product of the others.
 struct Part {
     RealPolynomial product;
     std::vector<RealPolynomial> sums;
@@ -41,11 +41,16 @@ struct Part {
 
 constexpr slong every = WORD_MAX;
 
+/// From the first to the last, without this.
+struct Range {
+    std::size_t first = 0, last = 0;
+};
+
 class Parts {
 public:
-    /// With so many first coefficients of each polynomial, and sums of so many coordinates.
+    /// With so many first coefficients of each polynomial, and sums of these coordinates.
     Parts(const std::vector<RefinedSolution>& solutions, const std::vector<int>& factors,
-          std::size_t sums, slong coefficients, slong bits)
+          Range sums, slong coefficients, slong bits)
         : solutions_(solutions), factors_(factors), sums_(sums), coefficients_(coefficients),
           bits_(bits) {}
 
@@ -80,12 +85,12 @@ private:
     }
 
     Part leaf(const RefinedSolution& solution) const {
-        std::vector<BigComplex> x;
+        const auto coordinate = [&](std::size_t k) {
+            return with_error(solution.coordinates[k], solution.real);
+        };
         BigComplex u;
-        for (std::size_t k = 0; k < factors_.size(); ++k) {
-            x.push_back(with_error(solution.coordinates[k], solution.real));
-            acb_addmul_si(u.get(), x.back().get(), factors_[k], bits_);
-        }
+        for (std::size_t k = 0; k < factors_.size(); ++k)
+            if (factors_[k] != 0) acb_addmul_si(u.get(), coordinate(k).get(), factors_[k], bits_);
         arb_t number;
         arb_init(number);
         Part part;
@@ -102,9 +107,10 @@ private:
             arb_addmul(number, acb_imagref(u.get()), acb_imagref(u.get()), bits_);
             part.product.set(0, number);
         }
-        for (std::size_t k = 0; k < sums_; ++k) {
+        for (std::size_t k = sums_.first; k < sums_.last; ++k) {
             RealPolynomial& sum = part.sums.emplace_back();
-            arb_srcptr re = acb_realref(x[k].get()), im = acb_imagref(x[k].get());
+            const BigComplex x = coordinate(k);
+            arb_srcptr re = acb_realref(x.get()), im = acb_imagref(x.get());
             if (solution.real) {
                 sum.set(0, re);
                 continue;
@@ -124,7 +130,7 @@ private:
 
     const std::vector<RefinedSolution>& solutions_;
     const std::vector<int>& factors_;
-    std::size_t sums_;
+    Range sums_;
     slong coefficients_;
     slong bits_;
 };
@@ -219,7 +225,7 @@ Integer one() {
 /// determine it.
 std::optional<Integer> denominator_of(const std::vector<int>& factors,
                                       const std::vector<RefinedSolution>& solutions, slong bits) {
-    const Part constant = Parts(solutions, factors, 0, 1, bits).all();
+    const Part constant = Parts(solutions, factors, {}, 1, bits).all();
     Reduction reduction(bits, one());
     if (!reduction.modulo_q(constant.product)) return std::nullopt;
     return reduction.take_denominator();
@@ -247,13 +253,13 @@ std::optional<Solutions> Eliminants::of(const std::vector<int>& factors) {
     if (!denominator) return std::nullopt;
     // The first coefficients cost little, and tell whether there are bits enough.
     const std::size_t count = factors.size();
-    const Part constants = Parts(solutions_, factors, count, 1, bits_).all();
     std::vector<Reduction> sums;
     for (std::size_t k = 0; k < count; ++k) {
+        const Part constant = Parts(solutions_, factors, {k, k + 1}, 1, bits_).all();
         sums.emplace_back(bits_, denominator_of_sum(*denominator, k));
-        if (!sums.back().modulo_q(constants.sums[k])) return std::nullopt;
+        if (!sums.back().modulo_q(constant.sums.front())) return std::nullopt;
     }
-    const Part part = Parts(solutions_, factors, count, every, bits_).all();
+    const Part part = Parts(solutions_, factors, {0, count}, every, bits_).all();
     Reduction polynomial(bits_, std::move(*denominator));
     const auto g = polynomial.modulo_q(part.product);
     if (!g || nmod_poly_is_squarefree(g->get()) == 0) return std::nullopt;

@@ -23,7 +23,9 @@ public:
     ~Matrix() { acb_mat_clear(value_); }
 
     acb_mat_struct* get() { return value_; }
+    const acb_mat_struct* get() const { return value_; }
     acb_ptr entry(slong row, slong column) { return acb_mat_entry(value_, row, column); }
+    acb_srcptr row(slong row) const { return value_->rows[row]; }
 
 private:
     acb_mat_t value_;
@@ -38,6 +40,27 @@ slong exponent(acb_srcptr x, slong least) {
     if (!mag_is_zero(size)) result = std::max(least, fmpz_get_si(MAG_EXPREF(size)));
     mag_clear(size);
     return result;
+}
+
+/// Solves a system with so many bits, in parts: a decomposition with few bits gives the first ones
+/// of the solution, then those of what they leave over. The size of the system says how few are
+/// best.
+void solve(Matrix& solution, const Matrix& system, Matrix& right, slong size, slong bits) {
+    const slong few = std::max(first_bits, 3 * bits / size);
+    Matrix factors(size, size), part(size, 1), rest(size, 1);
+    std::vector<slong> rows(static_cast<std::size_t>(size));
+    if (acb_mat_approx_lu(rows.data(), factors.get(), system.get(), few) == 0)
+        throw std::runtime_error("a solution is singular");
+    for (slong known = 0; known < bits; known += few - margin) {
+        for (slong row = 0; row < size; ++row)
+            acb_set_round(rest.entry(row, 0), right.entry(row, 0), few);
+        acb_mat_approx_solve_lu_precomp(part.get(), rows.data(), factors.get(), rest.get(), few);
+        for (slong row = 0; row < size; ++row) {
+            acb_add(solution.entry(row, 0), solution.entry(row, 0), part.entry(row, 0), bits);
+            acb_approx_dot(right.entry(row, 0), right.entry(row, 0), 1, system.row(row), 1,
+                           part.entry(0, 0), 1, size, bits - known);
+        }
+    }
 }
 
 /// A Newton step with so many bits; for the derivatives those that it gains do. Returns the
@@ -60,8 +83,7 @@ slong step(const DigitEquations& equations, std::vector<BigComplex>& point, slon
             acb_set(jacobian.entry(row, column++), slope.get());
         ++row;
     }
-    if (acb_mat_approx_solve(change.get(), jacobian.get(), right.get(), coarse.bits) == 0)
-        throw std::runtime_error("a solution is singular");
+    solve(change, jacobian, right, size, coarse.bits);
     slong largest = -bits;
     for (slong k = 0; k < size; ++k) {
         BigComplex& x = point[static_cast<std::size_t>(k)];
