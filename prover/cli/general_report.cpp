@@ -1,6 +1,5 @@
 #include "prover/cli/general_report.h"
 
-#include "prover/cli/group_report.h"
 #include "prover/cli/problem_report.h"
 #include "prover/cli/sections.h"
 #include "prover/many_views/degrees_on_file.h"

@@ -25,17 +25,6 @@ std::string lengths_in(const CycleType& cycle_type) {
 
 } // namespace
 
-void write_group(std::ostream& out, const GroupOnFile& group) {
-    section(out, "group") << group.name << ' ' << group.status << '\n';
-}
-
-nlohmann::ordered_json group_json(const GroupOnFile& group) {
-    return {{"name", group.name},
-            {"order", group.order},
-            {"width", group.width},
-            {"status", group.status}};
-}
-
 std::string in_words(const MonodromyGroup& group) {
     if (group.steps.size() == 1 && group.steps.front().kind == GroupStep::Kind::other)
         return "a primitive subgroup of S" + std::to_string(group.degree());

@@ -1,7 +1,6 @@
 // How commands print a group of solutions.
 #pragma once
 
-#include "prover/catalogue/groups.h"
 #include "prover/groups/cycle_types.h"
 #include "prover/groups/monodromy_group.h"
 
@@ -9,11 +8,6 @@
 #include <ostream>
 
 namespace plprove {
-
-/// A section of a group that is on file.
-void write_group(std::ostream& out, const GroupOnFile& group);
-/// The same as a JSON object.
-nlohmann::ordered_json group_json(const GroupOnFile& group);
 
 /// `S8 wr S2 wr S10`, `a subgroup of` this, or `a primitive subgroup of S27`.
 std::string in_words(const MonodromyGroup& group);

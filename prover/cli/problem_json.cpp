@@ -1,4 +1,3 @@
-#include "prover/cli/group_report.h"
 #include "prover/cli/problem_facts.h"
 #include "prover/cli/problem_report.h"
 
@@ -68,6 +67,13 @@ void add_classes(Json& report, const Decision& decision) {
 }
 
 } // namespace
+
+nlohmann::ordered_json group_json(const GroupOnFile& group) {
+    return {{"name", group.name},
+            {"order", group.order},
+            {"width", group.width},
+            {"status", group.status}};
+}
 
 std::string json_report(const ProblemReport& full_report) {
     const auto& [decision, hints] = full_report;

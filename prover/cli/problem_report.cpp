@@ -1,6 +1,5 @@
 #include "prover/cli/problem_report.h"
 
-#include "prover/cli/group_report.h"
 #include "prover/cli/problem_facts.h"
 #include "prover/cli/sections.h"
 #include "prover/problem/five_points.h"
@@ -188,6 +187,10 @@ std::optional<GroupOnFile> group_of(const Decision& decision) {
     if (!is_camera_minimal(decision)) return std::nullopt;
     if (decision.classes) return group_on_file(decision.classes->constraint);
     return family_group_on_file(five_point_problem);
+}
+
+void write_group(std::ostream& out, const GroupOnFile& group) {
+    section(out, "group") << group.name << ' ' << group.status << '\n';
 }
 
 ProblemReport report_on(const Features& problem) {

@@ -5,6 +5,8 @@
 #include "prover/catalogue/groups.h"
 #include "prover/minimal/hints.h"
 
+#include <nlohmann/json_fwd.hpp>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,11 @@ struct ProblemReport {
 std::optional<int> degree_of(const Decision& decision);
 /// The group of its solutions, where it is known.
 std::optional<GroupOnFile> group_of(const Decision& decision);
+
+/// A section of a group that is on file.
+void write_group(std::ostream& out, const GroupOnFile& group);
+/// The same as a JSON object.
+nlohmann::ordered_json group_json(const GroupOnFile& group);
 
 /// Decides, and looks for hints.
 ProblemReport report_on(const Features& problem);
