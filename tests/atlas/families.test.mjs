@@ -119,8 +119,14 @@ test("the problems are filtered by views and verdict, and the address keeps the 
 test("a problem says its verdict with the reason, its degree with its status", async () => {
     const page = await visit();
     const facts = await page.locator("#problems .facts").allTextContents();
-    assert.equal(facts[0], "2 views · minimal · degree 20 certified · page of 5000_2");
-    assert.equal(facts[1], "2 views · minimal · degree 16 certified · page of 4100_3");
+    assert.equal(
+        facts[0],
+        "2 views · minimal · degree 20 certified · group <S2 wr S10 evidence · page of 5000_2",
+    );
+    assert.equal(
+        facts[1],
+        "2 views · minimal · degree 16 certified · group <S2 wr S8 evidence · page of 4100_3",
+    );
     assert.match(facts[2], /^2 views · not minimal: points 1, 2, 3 and 4 lie on a line: their cross-/);
     assert.equal(facts.filter((text) => text.includes(" · minimal")).length, minimal.plmp);
 });
