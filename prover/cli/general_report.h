@@ -23,8 +23,8 @@ std::string json_report(const Undecided& found);
 
 /// One problem a line. Formats: `name`, `notation`, and `csv` with a header: views, free_points,
 /// dependent_points, free_lines, adjacent_lines, minimal (1 or 0), degree (empty: not computed),
-/// name, notation, reason, degree_status, degree_certified (empty: no lower bound is certified), group,
-/// group_order, width and group_status (empty: not known).
+/// name, notation, reason, degree_status, degree_certified (empty: no lower bound is certified),
+/// group, group_order, width and group_status (empty: not known).
 std::string list_of(std::span<const ProblemRecord> certificates, const std::string& format);
 
 } // namespace plprove

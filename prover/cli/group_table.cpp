@@ -2,8 +2,8 @@
 
 #include "prover/system/exit.h"
 
-#include <algorithm>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace plprove {
@@ -29,13 +29,14 @@ const std::string_view head_of_families =
 GroupTable::GroupTable(const std::filesystem::path& path, std::string_view head,
                        std::vector<std::string> keys)
     : head_(head), keys_(std::move(keys)) {
+    const std::set<std::string> allowed(keys_.begin(), keys_.end());
     std::ifstream file(path);
     int at = 0;
     for (std::string line; std::getline(file, line);) {
         ++at;
         if (line.starts_with('#') || head_.ends_with("\n" + line + "\n")) continue;
         const std::string key = line.substr(0, line.find(','));
-        if (key == line || std::ranges::find(keys_, key) == keys_.end())
+        if (key == line || !allowed.contains(key))
             throw BadInput(path.string() + ":" + std::to_string(at) +
                            ": not a row of a table of groups: give another file, or a new one");
         rows_[key] = line;
