@@ -107,7 +107,7 @@ int find_degree_in_general(const DegreeRequest& request, const Problem& problem,
 
 /// Empty if the run has no certificate.
 std::string degree_file_of(const DegreeRun& run) {
-    if (!run.fibre.empty()) return degree_file(run.fibre);
+    if (!run.record.empty()) return degree_file(run.record);
     return run.certificate ? write_degree_file(std::span(&*run.certificate, 1)) : std::string();
 }
 

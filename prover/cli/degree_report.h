@@ -17,7 +17,7 @@ struct DegreeReport {
 
     /// How many solutions the certificate shows.
     int certified() const {
-        if (!run.fibre.empty()) return run.degree;
+        if (!run.record.empty()) return run.degree;
         return run.certificate ? run.certificate->degree() : 0;
     }
 };

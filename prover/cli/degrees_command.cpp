@@ -2,10 +2,13 @@
 
 #include "prover/cli/arguments.h"
 #include "prover/cli/filter_options.h"
+#include "prover/cli/general_commands.h"
 #include "prover/degree_sweep/classes.h"
 #include "prover/degree_sweep/collect.h"
+#include "prover/degree_sweep/family_degree.h"
 #include "prover/degree_sweep/sweep.h"
 #include "prover/fibres/class_fibre.h"
+#include "prover/problem/complete_visibility.h"
 #include "prover/system/exit.h"
 #include "prover/system/interruption.h"
 #include "prover/system/progress.h"
@@ -39,7 +42,9 @@ constexpr const char* degrees_examples =
     "                                               the problems with points and lines only\n"
     "  mpirun -n 64 plprove degrees --exact -o sweep\n"
     "                                               the same sweep on 64 cores\n"
-    "  plprove degrees --classes 'one-pin points ..3' --classes 2394,6723 -o some\n";
+    "  plprove degrees --classes 'one-pin points ..3' --classes 2394,6723 -o some\n"
+    "  plprove degrees --family shared-focal --target 1000 -o sweep\n"
+    "                                               problems of a family (docs/families.md)\n";
 
 constexpr const char* collect_examples =
     "Examples:\n"
@@ -48,7 +53,8 @@ constexpr const char* collect_examples =
     "certificates\n"
     "  plcheck --json sweep/degrees*.plc >report\n"
     "                                               replay every certificate\n"
-    "  plprove collect --checked report -o sweep    call certified what plcheck accepted\n";
+    "  plprove collect --checked report -o sweep    call certified what plcheck accepted\n"
+    "  plprove collect --family focal -o sweep      the files of a family\n";
 
 struct DegreesRequest {
     std::string folder;
@@ -58,10 +64,13 @@ struct DegreesRequest {
     bool retry = false;
     unsigned threads = 0; ///< 0: what is useful
     std::vector<ClassFilter> classes;
+    std::string family;
+    bool uncounted = false; ///< of the family, only problems whose degree is not on file
 };
 
 struct CollectRequest {
     std::string folder;
+    std::string family;
     std::uint64_t seed = 0;
     int below = 0;
     std::vector<ClassFilter> also;
@@ -99,7 +108,7 @@ void run_sweep(const SweepFolder& folder, const SweepPlan& plan, const Ranks& ra
     const Interruption interruption;
     const std::string of_rank = ranks.count > 1 ? " of rank 0" : "";
     std::optional<ProgressLine> line;
-    if (ranks.leads()) line.emplace("computing degrees" + of_rank, plan.classes.size());
+    if (ranks.leads()) line.emplace("computing degrees" + of_rank, plan.numbers.size());
     SweepProgress last;
     SweepWatch watch;
     watch.progress = [&](const SweepProgress& progress) {
@@ -111,72 +120,84 @@ void run_sweep(const SweepFolder& folder, const SweepPlan& plan, const Ranks& ra
         if (signal == 0) return;
         if (line) {
             line->wipe();
-            std::cerr << "plprove: interrupted: " << last.done << " of " << last.total << " classes"
-                      << of_rank << " are on file; the same command goes on from there"
-                      << std::endl;
+            std::cerr << "plprove: interrupted: " << last.done << " of " << last.total << ' '
+                      << folder.subject().several() << of_rank
+                      << " are on file; the same command goes on from there" << std::endl;
         }
         Interruption::end_by(signal);
     };
     sweep(folder, plan, compute, watch);
 }
 
-/// ` #4 #6`, and ` ...` for the rest of a long list.
-std::string names_of(const std::vector<std::size_t>& classes) {
+/// ` #4 #6`, and ` ...` for the rest of a long list. Problems have a line each.
+std::string names_of(const std::vector<std::size_t>& numbers, const SweepSubject& subject) {
     constexpr std::size_t named_at_most = 10;
     std::string names;
-    for (std::size_t i = 0; i < std::min(classes.size(), named_at_most); ++i)
-        names += " #" + std::to_string(classes[i]);
-    return names + (classes.size() > named_at_most ? " ..." : "");
+    for (std::size_t i = 0; i < std::min(numbers.size(), named_at_most); ++i)
+        names += subject.family.empty() ? " #" + std::to_string(numbers[i])
+                                        : "\n  " + subject.at(numbers[i]).problem;
+    return names + (numbers.size() > named_at_most ? " ..." : "");
 }
 
-/// Says which classes have not the result that was asked for. Returns whether all have.
-bool all_fulfilled(const SweepFolder& folder, const std::vector<std::size_t>& classes,
+/// `1 class`, `2 classes`.
+std::string count_of(std::size_t count, const SweepSubject& subject) {
+    return std::to_string(count) + ' ' + (count == 1 ? subject.one() : subject.several());
+}
+
+/// Says which items have not the result that was asked for. Returns whether all have.
+bool all_fulfilled(const SweepFolder& folder, const std::vector<std::size_t>& numbers,
                    const DegreeOptions& options) {
+    const SweepSubject& subject = folder.subject();
     std::vector<std::size_t> others;
-    for (const std::size_t number : classes) {
-        const std::optional<ClassResult> result = folder.read(number, false);
+    for (const std::size_t number : numbers) {
+        const std::optional<SweepResult> result = folder.read(number, false);
         if (!result || !fulfils(*result, options)) others.push_back(number);
     }
     if (others.empty()) return true;
-    std::cerr << "plprove: " << others.size() << (others.size() == 1 ? " class" : " classes")
-              << " fell short:" << names_of(others) << "\n  "
-              << (folder.path() / "runs.jsonl").string()
+    std::cerr << "plprove: " << count_of(others.size(), subject)
+              << " fell short:" << names_of(others, subject) << "\n  "
+              << (folder.path() / runs_file(subject)).string()
               << " says why; --retry computes them again\n";
     return false;
 }
 
 /// Says which files could not be used. Returns whether all could.
-bool none_damaged(const std::vector<std::size_t>& damaged) {
+bool none_damaged(const std::vector<std::size_t>& damaged, const SweepSubject& subject) {
     if (damaged.empty()) return true;
     std::cerr << "plprove: " << damaged.size()
               << (damaged.size() == 1 ? " file is damaged and was" : " files are damaged and were")
-              << " left out:" << names_of(damaged) << "\n  a sweep with --retry computes "
-              << (damaged.size() == 1 ? "its class" : "their classes") << " again\n";
+              << " left out:" << names_of(damaged, subject) << "\n  a sweep with --retry computes "
+              << (damaged.size() == 1 ? "its " + subject.one() : "their " + subject.several())
+              << " again\n";
     return false;
 }
 
-/// Writes the files of a collection and says what they have. Returns whether no class was left out
-/// because its file is damaged.
+/// Writes the files of a collection and says what they have. Returns whether nothing was left out
+/// because a file is damaged.
 bool write_collection(const SweepFolder& folder, const Selection& selection) {
     const Collected collected = collect(folder, selection);
-    std::cout << "degrees       " << (folder.path() / "degrees.csv").string() << ": "
-              << collected.classes << " classes, " << collected.exact << " with all solutions, "
-              << collected.classes - collected.exact << " lower bounds only\n"
+    const SweepSubject& subject = folder.subject();
+    std::cout << "degrees       " << (folder.path() / collected.table).string() << ": "
+              << collected.items << ' ' << subject.several() << ", " << collected.exact
+              << (subject.family.empty() ? " with all solutions, "
+                                         : " with all solutions, by evidence, ")
+              << collected.items - collected.exact << " lower bounds only\n"
               << "certificates  ";
     for (const std::string& file : collected.files)
         std::cout << (folder.path() / file).string()
                   << (file == collected.files.back() ? ": " : " ");
-    std::cout << collected.certificates << " classes, " << collected.solutions << " solutions, "
+    std::cout << collected.certificates << ' ' << subject.several() << ", " << collected.solutions
+              << " solutions, "
               << (selection.checked ? "all accepted by plcheck"
                                     : "certified once plcheck accepts them")
               << std::endl;
     if (!std::cout)
         throw std::runtime_error(
             "cannot write to standard output: is it closed, or the disk full?");
-    return none_damaged(collected.damaged);
+    return none_damaged(collected.damaged, subject);
 }
 
-/// What the options ask of a class.
+/// What the options ask of each item.
 DegreeOptions options_of(const DegreesRequest& request) {
     DegreeOptions options = request.options;
     if (request.exact || request.fibres) options.target = 0;
@@ -184,11 +205,15 @@ DegreeOptions options_of(const DegreesRequest& request) {
     return options;
 }
 
+SweepSubject subject_of(const std::string& family) {
+    return family.empty() ? all_constraint_classes() : minimal_problems_of(*family_named(family));
+}
+
 int collect_results(const CollectRequest& request) {
-    const SweepFolder folder(request.folder, request.seed);
+    const SweepFolder folder(request.folder, subject_of(request.family), request.seed);
     if (folder.numbers().empty())
         throw BadInput("there are no results in " + request.folder +
-                       ": run a sweep there first, or name another folder or --seed");
+                       ": run a sweep there first, or name another folder, --family or --seed");
     Selection selection;
     selection.below = request.below;
     if (!request.checked.empty()) selection.checked.emplace(request.checked, folder.path());
@@ -198,14 +223,31 @@ int collect_results(const CollectRequest& request) {
     }
     const bool whole = write_collection(folder, selection);
     if (selection.checked && selection.checked->refused_something())
-        std::cerr << "plprove: plcheck refused something in " << request.checked
-                  << ": its class has nothing certified in degrees.csv\n";
+        std::cerr << "plprove: plcheck refused something in " << request.checked << ": its "
+                  << folder.subject().one() << " has nothing certified in the table\n";
     return whole ? 0 : exit_failure;
 }
 
-std::vector<std::size_t> classes_of(const DegreesRequest& request) {
-    return request.classes.empty() ? minimal_constraint_classes()
-                                   : constraint_classes_of(request.classes);
+/// The numbers of what there is to compute.
+std::vector<std::size_t> wanted(const DegreesRequest& request, const SweepSubject& subject) {
+    if (!request.classes.empty()) return constraint_classes_of(request.classes);
+    std::vector<std::size_t> numbers;
+    for (const SweepItem& item : subject.items)
+        if (!request.uncounted || item.degree == 0) numbers.push_back(item.number);
+    if (numbers.empty())
+        throw BadInput("all problems of " + request.family +
+                       " have a degree on file: leave --uncounted out");
+    return numbers;
+}
+
+/// The engine for what the options ask. `subject` must outlive it.
+ComputeDegree engine_for(const DegreesRequest& request, const SweepSubject& subject,
+                         const ComputeDegree& of_classes) {
+    if (request.fibres) return compute_class_fibre;
+    if (request.family.empty()) return of_classes;
+    return [&subject](std::size_t number, const DegreeOptions& options) {
+        return compute_family_degree(subject.at(number), options);
+    };
 }
 
 /// Rank 0 has made the folder.
@@ -218,31 +260,34 @@ void require_shared(const std::string& folder) {
 int find_degrees(const DegreesRequest& request, const ComputeDegree& compute) {
     const Ranks ranks = join_ranks();
     const DegreeOptions options = options_of(request);
-    const SweepFolder folder(request.folder, options.seed);
+    const SweepFolder folder(request.folder, subject_of(request.family), options.seed);
+    const SweepSubject& subject = folder.subject();
     // What the user has to mend rank 0 finds first, while the others wait.
-    std::vector<std::size_t> classes;
+    std::vector<std::size_t> numbers;
     std::optional<FolderLock> lock;
     if (ranks.leads()) {
-        classes = classes_of(request);
+        numbers = wanted(request, subject);
         lock.emplace(request.folder);
     }
     ranks.sum(0);
     require_shared(request.folder);
-    if (!ranks.leads()) classes = classes_of(request);
+    if (!ranks.leads()) numbers = wanted(request, subject);
     SweepPlan plan = plan_sweep(folder,
-                                share_of(classes, static_cast<std::size_t>(ranks.number),
+                                share_of(subject, numbers, static_cast<std::size_t>(ranks.number),
                                          static_cast<std::size_t>(ranks.count)),
                                 options, request.retry);
     plan.threads = request.threads > 0 ? request.threads : useful_threads(ranks);
     const auto begin = std::chrono::steady_clock::now();
-    if (!plan.classes.empty()) run_sweep(folder, plan, ranks, compute);
-    const std::size_t computed = ranks.sum(plan.classes.size());
+    if (!plan.numbers.empty())
+        run_sweep(folder, plan, ranks, engine_for(request, subject, compute));
+    const std::size_t computed = ranks.sum(plan.numbers.size());
     if (!ranks.leads()) return 0;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    std::cout << "computed      " << computed << " classes in " << duration(elapsed.count()) << "; "
-              << classes.size() - computed << " were on file\n";
+    std::cout << "computed      " << count_of(computed, subject) << " in "
+              << duration(elapsed.count()) << "; " << numbers.size() - computed
+              << " were on file\n";
     const bool whole = write_collection(folder, {});
-    const bool fulfilled = all_fulfilled(folder, classes, options);
+    const bool fulfilled = all_fulfilled(folder, numbers, options);
     return whole && fulfilled ? 0 : exit_failure;
 }
 
@@ -270,13 +315,13 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
     const auto request = std::make_shared<DegreesRequest>();
     CLI::App* command = program.add_subcommand(
         "degrees",
-        "Compute the degrees of many classes: a sweep, which you may kill and start again");
+        "Compute the degrees of many problems: a sweep, which you may kill and start again");
     command->add_option("-o,--output", request->folder, "the folder of the sweep")
         ->type_name("DIR")
         ->required();
     command
         ->add_option("--target", request->options.target,
-                     "stop at this number of solutions of a class")
+                     "stop at this number of solutions of each")
         ->check(CLI::Range(1, largest_target))
         ->capture_default_str();
     command->add_flag("--exact", request->exact, "find all solutions")->excludes("--target");
@@ -288,16 +333,24 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
                       "compute only these classes (default: all)");
     command
         ->add_option("--threads", request->threads,
-                     "how many classes to compute at a time (default: one a core; under mpirun, "
+                     "how many to compute at a time (default: one a core; under mpirun, "
                      "one a rank)")
         ->check(CLI::Range(1, 1024));
     add_seed(*command, request->options.seed);
     command->add_flag("--retry", request->retry,
                       "compute those again that fell short before, or whose file is damaged");
+    CLI::Option* const family =
+        add_family_option(*command, request->family,
+                          "the minimal problems of a family, in place of classes")
+            ->excludes("--classes")
+            ->excludes("--fibres");
+    command
+        ->add_flag("--uncounted", request->uncounted,
+                   "of the family, only those whose number of solutions is not on file")
+        ->needs(family);
     command->footer(degrees_examples);
-    return {command, [request, compute = std::move(compute)] {
-                return find_degrees(*request, request->fibres ? compute_class_fibre : compute);
-            }};
+    return {command,
+            [request, compute = std::move(compute)] { return find_degrees(*request, compute); }};
 }
 
 Command add_collect_command(CLI::App& program) {
@@ -310,8 +363,8 @@ Command add_collect_command(CLI::App& program) {
     add_seed(*command, request->seed);
     command
         ->add_option("--below", request->below,
-                     "write only certificates of complete classes with fewer solutions than this "
-                     "(default: of all)")
+                     "write only certificates of all solutions where they are fewer than this "
+                     "(default: every certificate)")
         ->check(CLI::Range(1, largest_target));
     add_class_filters(*command, "--also", request->also, "... and those of these classes")
         ->needs("--below");
@@ -322,6 +375,7 @@ Command add_collect_command(CLI::App& program) {
             "call that certified in degrees.csv")
         ->type_name("REPORT")
         ->excludes("--below");
+    add_family_option(*command, request->family, "of the sweep over a family")->excludes("--also");
     command->footer(collect_examples);
     return {command, [request] { return collect_results(*request); }};
 }

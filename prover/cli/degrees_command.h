@@ -1,5 +1,5 @@
-// The commands of sweeps: `plprove degrees`, the degrees of many classes by threads and by ranks of
-// MPI, and `plprove collect`, the files that a sweep's folder gives.
+// The commands of sweeps: `plprove degrees`, the degrees of many classes or problems by threads and
+// by ranks of MPI, and `plprove collect`, the files that a sweep's folder gives.
 #pragma once
 
 #include "prover/cli/command.h"
@@ -7,7 +7,7 @@
 
 namespace plprove {
 
-/// Adds `degrees -o DIR` to `program`.
+/// Adds `degrees -o DIR` to `program`; `compute` is the engine for classes.
 Command add_degrees_command(CLI::App& program, ComputeDegree compute);
 
 /// Adds `collect -o DIR` to `program`.

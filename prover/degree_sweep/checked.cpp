@@ -2,7 +2,8 @@
 
 #include "prover/system/sha256.h"
 
-#include <charconv>
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -21,16 +22,25 @@ std::string read(const fs::path& path) {
     return content;
 }
 
-/// The records of a file of degrees, by class.
-std::map<std::size_t, std::string> records_of(const std::string& file) {
-    constexpr std::string_view mark = "\ndegree ";
-    std::map<std::size_t, std::string> records;
-    for (std::size_t start = file.find(mark); start != std::string::npos;) {
-        const std::size_t next = file.find(mark, start + 1);
+/// How files of a kind are read, and what plcheck says of them.
+struct FileKind {
+    std::string name;
+    std::string mark; ///< begins the first line of a record, before its name
+    char end_of_name;
+};
+
+const std::array<FileKind, 2> file_kinds{
+    {{"degrees", "\ndegree ", ' '}, {"solutions", "\nproblem ", '\n'}}};
+
+/// The records of a file, by the number of a class or by the problem.
+std::map<std::string, std::string> records_of(const std::string& file, const FileKind& kind) {
+    std::map<std::string, std::string> records;
+    for (std::size_t start = file.find(kind.mark); start != std::string::npos;) {
+        const std::size_t next = file.find(kind.mark, start + 1);
         const std::size_t end = next == std::string::npos ? file.size() : next + 1;
-        std::size_t number = 0;
-        std::from_chars(file.data() + start + mark.size(), file.data() + end, number);
-        records[number] = file.substr(start + 1, end - start - 1);
+        const std::size_t name = start + kind.mark.size();
+        const std::size_t end_of_name = file.find(kind.end_of_name, name);
+        records[file.substr(name, end_of_name - name)] = file.substr(start + 1, end - start - 1);
         start = next;
     }
     return records;
@@ -49,15 +59,19 @@ void require_checked(const std::string& content, const Json& item, const fs::pat
 
 /// Adds the records in a file of the folder that plcheck accepted.
 void add_accepted(const Json& item, const fs::path& folder, const fs::path& report,
-                  std::map<std::size_t, AcceptedRecord>& accepted) {
-    if (item.at("kind") != "degrees" || item.at("degrees").empty()) return;
+                  std::map<std::string, AcceptedRecord>& accepted) {
+    const auto kind =
+        std::ranges::find(file_kinds, item.at("kind").get<std::string>(), &FileKind::name);
+    if (kind == file_kinds.end() || item.at(kind->name).empty()) return;
     const fs::path path = folder / fs::path(item.at("file").get<std::string>()).filename();
     const std::string content = read(path);
     require_checked(content, item, path, report);
-    const std::map<std::size_t, std::string> records = records_of(content);
-    for (const Json& degree : item.at("degrees")) {
-        const auto number = degree.at("class").get<std::size_t>();
-        accepted[number] = {sha256(records.at(number)), degree.at("certified_at_least").get<int>()};
+    const std::map<std::string, std::string> records = records_of(content, *kind);
+    for (const Json& degree : item.at(kind->name)) {
+        const std::string name = degree.contains("class")
+                                     ? std::to_string(degree.at("class").get<std::size_t>())
+                                     : degree.at("problem").get<std::string>();
+        accepted[name] = {sha256(records.at(name)), degree.at("certified_at_least").get<int>()};
     }
 }
 
@@ -82,17 +96,19 @@ Checked::Checked(const fs::path& report, const fs::path& folder) {
             add_accepted(item, folder, report, accepted_);
     } catch (const Json::exception&) {
         throw std::runtime_error(report.string() +
-                                 " is no report of plcheck --json on degrees: write one with "
+                                 " is no report of plcheck --json on a sweep: write one with "
                                  "plcheck --json");
     } catch (const std::out_of_range&) {
         throw std::runtime_error(report.string() +
-                                 " speaks of classes that its file lacks: run plcheck --json "
+                                 " speaks of records that its file lacks: run plcheck --json "
                                  "again");
     }
 }
 
-int Checked::certified(const ClassResult& result) const {
-    const auto found = accepted_.find(result.run.number);
+int Checked::certified(const SweepResult& result) const {
+    const DegreeRun& run = result.run;
+    const auto found =
+        accepted_.find(run.problem.empty() ? std::to_string(run.number) : run.problem);
     const bool this_one = found != accepted_.end() && found->second.digest == sha256(result.record);
     return this_one ? found->second.solutions : 0;
 }

@@ -2,7 +2,7 @@
 // without.
 #pragma once
 
-#include "prover/degree_sweep/class_result.h"
+#include "prover/degree_sweep/sweep_result.h"
 
 #include <map>
 
@@ -16,20 +16,21 @@ struct AcceptedRecord {
 
 class Checked {
 public:
-    /// Reads a report, as `plcheck --json degrees.plc` prints it, on files of certificates in
-    /// `folder`. plcheck may have refused other records: each one stands for itself. Throws
-    /// std::runtime_error if it is no such report, or if a file is not the one that was checked.
+    /// Reads a report, as `plcheck --json degrees.plc` prints it, or `plcheck --json focal.plc` of
+    /// a family, on files of certificates in `folder`. plcheck may have refused other records: each
+    /// one stands for itself. Throws std::runtime_error if it is no such report, or if a file is
+    /// not the one that was checked.
     Checked(const std::filesystem::path& report, const std::filesystem::path& folder);
 
     /// Whether plcheck refused something that is in the report.
     bool refused_something() const { return refused_something_; }
 
     /// How many solutions plcheck certified from this very certificate; 0 if it did not accept it.
-    int certified(const ClassResult& result) const;
+    int certified(const SweepResult& result) const;
 
 private:
     bool refused_something_ = false;
-    std::map<std::size_t, AcceptedRecord> accepted_; ///< by class
+    std::map<std::string, AcceptedRecord> accepted_; ///< by the number of a class, or by problem
 };
 
 } // namespace plprove

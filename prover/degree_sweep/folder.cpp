@@ -52,8 +52,10 @@ FolderLock::~FolderLock() {
     ::close(descriptor_);
 }
 
-SweepFolder::SweepFolder(fs::path folder, std::uint64_t seed)
-    : folder_(std::move(folder)), results_(folder_ / ("seed-" + std::to_string(seed))),
+SweepFolder::SweepFolder(fs::path folder, SweepSubject subject, std::uint64_t seed)
+    : folder_(std::move(folder)), subject_(std::move(subject)),
+      results_(folder_ / ((subject_.family.empty() ? "" : subject_.family + "-") + "seed-" +
+                          std::to_string(seed))),
       seed_(seed) {}
 
 fs::path SweepFolder::file_of(std::size_t number) const {
@@ -69,15 +71,16 @@ void SweepFolder::require_place(std::size_t number) const {
         throw BadInput(path.string() + " is no regular file: remove it");
 }
 
-std::optional<ClassResult> SweepFolder::read(std::size_t number, bool whole) const {
-    std::optional<ClassResult> result = read_class_result(file_of(number), whole);
-    if (result && (result->run.number != number || result->seed != seed_)) return std::nullopt;
-    return result;
+std::optional<SweepResult> SweepFolder::read(std::size_t number, bool whole) const {
+    std::optional<SweepResult> result = read_sweep_result(file_of(number), whole);
+    const bool this_one = result && result->run.number == number && result->seed == seed_ &&
+                          result->run.problem == subject_.at(number).problem;
+    return this_one ? result : std::nullopt;
 }
 
-void SweepFolder::save(ClassResult result) const {
+void SweepFolder::save(SweepResult result) const {
     const fs::path path = file_of(result.run.number);
-    if (std::optional<ClassResult> old = read(result.run.number, true))
+    if (std::optional<SweepResult> old = read(result.run.number, true))
         result = merged(std::move(*old), std::move(result));
     fs::create_directories(path.parent_path());
     write_atomically(path, write(result));
@@ -88,7 +91,8 @@ std::vector<std::size_t> SweepFolder::numbers() const {
     if (!fs::exists(results_)) return numbers;
     for (const auto& entry : fs::recursive_directory_iterator(results_))
         if (const auto number = number_of(entry.path());
-            number && file_of(*number) == entry.path()) // no copy elsewhere, and no 04.plc
+            number && subject_.find(*number) != nullptr &&
+            file_of(*number) == entry.path()) // no copy elsewhere, and no 04.plc
             numbers.push_back(*number);
     std::ranges::sort(numbers);
     return numbers;

@@ -1,14 +1,16 @@
 // The folder of a sweep:
 //
 //     lock                    locked by the sweep at work in the folder, if any
-//     seed-0/002/2394.plc     what came of a class (class_result.h), at most 1000 classes a folder
-//     degrees.csv, ...        what collect.h makes of them
+//     seed-0/002/2394.plc     what came of a class (sweep_result.h), at most 1000 classes a folder
+//     focal-seed-0/000/7.plc  ... or of the seventh problem of a family
+//     degrees.csv, focal.csv  what collect.h makes of them, and more
 //
 // Files appear whole or not at all, and no file speaks of another one: a sweep that is killed loses
 // the classes that it was working on and nothing else.
 #pragma once
 
-#include "prover/degree_sweep/class_result.h"
+#include "prover/degree_sweep/subject.h"
+#include "prover/degree_sweep/sweep_result.h"
 
 namespace plprove {
 
@@ -26,30 +28,32 @@ private:
     int descriptor_ = -1;
 };
 
-/// The results of the runs with one seed. Safe to use by several threads at a time.
+/// The results of the runs over a subject with one seed. Safe to use by several threads at a time.
 class SweepFolder {
 public:
-    SweepFolder(std::filesystem::path folder, std::uint64_t seed);
+    SweepFolder(std::filesystem::path folder, SweepSubject subject, std::uint64_t seed);
 
     const std::filesystem::path& path() const { return folder_; }
+    const SweepSubject& subject() const { return subject_; }
     std::filesystem::path file_of(std::size_t number) const;
 
-    /// Throws BadInput if something stands where the class's file belongs that is no file, as a
-    /// pipe or a folder.
+    /// Throws BadInput if something stands where the file of an item belongs that is no file, as
+    /// a pipe or a folder.
     void require_place(std::size_t number) const;
 
-    /// What is on file for the class, without the certificate's text unless `whole`; nothing where
+    /// What is on file for the item, without the certificate's text unless `whole`; nothing where
     /// there is none that can be used.
-    std::optional<ClassResult> read(std::size_t number, bool whole) const;
+    std::optional<SweepResult> read(std::size_t number, bool whole) const;
 
-    /// Puts on file what is known of the class with this result. Throws std::system_error.
-    void save(ClassResult result) const;
+    /// Puts on file what is known of the item with this result. Throws std::system_error.
+    void save(SweepResult result) const;
 
-    /// The classes that have a file, ascending. What stands elsewhere is no file of a class.
+    /// The numbers of items that have a file, ascending. What stands elsewhere is no such file.
     std::vector<std::size_t> numbers() const;
 
 private:
     std::filesystem::path folder_;
+    SweepSubject subject_;
     std::filesystem::path results_;
     std::uint64_t seed_;
 };

@@ -1,7 +1,5 @@
 #include "prover/degree_sweep/sweep.h"
 
-#include "prover/catalogue/degrees.h"
-
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -25,21 +23,22 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-DegreeRun run_of(std::size_t number, DegreeOptions options, const ComputeDegree& compute) {
-    options.degree = degree_on_file(number).value();
+DegreeRun run_of(const SweepItem& item, DegreeOptions options, const ComputeDegree& compute) {
+    options.degree = item.degree;
     try {
-        return compute(number, options);
+        return compute(item.number, options);
     } catch (const std::bad_alloc&) {
-        throw; // says nothing about the class
+        throw; // says nothing about the item
     } catch (const std::exception& error) {
         DegreeRun failed;
-        failed.number = number;
+        failed.number = item.number;
+        failed.problem = item.problem;
         failed.notes = {std::string("the computation failed: ") + error.what()};
         return failed;
     }
 }
 
-/// The threads of a sweep. Each takes a class, computes it, puts the result on file, and takes the
+/// The threads of a sweep. Each takes an item, computes it, puts the result on file, and takes the
 /// next one.
 class Workers {
 public:
@@ -52,12 +51,12 @@ public:
     }
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
-    /// Waits for the classes that are being computed.
+    /// Waits for the items that are being computed.
     ~Workers() { stopped_ = true; }
 
     SweepProgress progress() const {
         const std::lock_guard lock(mutex_);
-        return {done_, plan_.classes.size(), seconds_since(begin_), cost_ / whole_cost_};
+        return {done_, plan_.numbers.size(), seconds_since(begin_), cost_ / whole_cost_};
     }
 
     /// Calls a function while no thread writes a file.
@@ -81,7 +80,7 @@ private:
     void work() {
         std::exception_ptr failure;
         try {
-            for (std::size_t i = next_++; i < plan_.classes.size() && !stopped_; i = next_++)
+            for (std::size_t i = next_++; i < plan_.numbers.size() && !stopped_; i = next_++)
                 compute(i);
         } catch (...) {
             failure = std::current_exception();
@@ -95,9 +94,9 @@ private:
 
     void compute(std::size_t index) {
         const Clock::time_point begin = Clock::now();
-        DegreeRun run = run_of(plan_.classes[index], plan_.options, compute_);
-        const ClassResult result =
-            class_result(std::move(run), plan_.options, seconds_since(begin));
+        DegreeRun run = run_of(folder_.subject().at(plan_.numbers[index]), plan_.options, compute_);
+        const SweepResult result =
+            sweep_result(std::move(run), plan_.options, seconds_since(begin));
         {
             const std::shared_lock writes(writing_);
             folder_.save(result);
@@ -112,8 +111,8 @@ private:
     const ComputeDegree& compute_;
     const double whole_cost_;
     const Clock::time_point begin_ = Clock::now();
-    std::atomic<std::size_t> next_ = 0; ///< index of a class
-    std::atomic<bool> stopped_ = false; ///< no thread takes another class
+    std::atomic<std::size_t> next_ = 0; ///< index of an item
+    std::atomic<bool> stopped_ = false; ///< no thread takes another item
     std::shared_mutex writing_; ///< shared by the threads that write, not with between_files()
     mutable std::mutex mutex_;  ///< guards what follows
     std::condition_variable ended_;

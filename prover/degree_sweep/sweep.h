@@ -1,5 +1,6 @@
-// Computes the degrees of many classes by the threads of one process, and keeps each result as soon
-// as it is there. Which thread computes which class, and when, has no part in any result.
+// Computes the degrees of many classes or problems by the threads of one process, and keeps each
+// result as soon as it is there. Which thread computes which one, and when, has no part in any
+// result.
 #pragma once
 
 #include "prover/degree_sweep/plan.h"
@@ -12,7 +13,7 @@ namespace plprove {
 using ComputeDegree = std::function<DegreeRun(std::size_t, const DegreeOptions&)>;
 
 struct SweepProgress {
-    std::size_t done = 0, total = 0; ///< classes that lacked a result
+    std::size_t done = 0, total = 0; ///< items that lacked a result
     double seconds = 0;              ///< since the sweep began
     double share = 0;                ///< of the cost expected
 };
@@ -24,9 +25,9 @@ struct SweepWatch {
     std::function<void()> pause;
 };
 
-/// Computes the classes of the plan. A class whose computation throws is put on file as one of
-/// which nothing is known, with the reason as a note. Throws what writing a file throws, or
-/// std::bad_alloc, once the classes that are being computed are done with.
+/// Computes the items of the plan. One whose computation throws is put on file as one of which
+/// nothing is known, with the reason as a note. Throws what writing a file throws, or
+/// std::bad_alloc, once the items that are being computed are done with.
 void sweep(const SweepFolder& folder, const SweepPlan& plan, const ComputeDegree& compute,
            const SweepWatch& watch);
 

@@ -58,7 +58,7 @@ DegreeRun compute_class_fibre(std::size_t number, const DegreeOptions& options) 
         if (!fibre) continue;
         run.degree = fibre->degree();
         run.complete = true;
-        run.fibre = write_record(*fibre);
+        run.record = write_record(*fibre);
     }
     if (!run.complete)
         run.notes.push_back("no fibre over " + std::to_string(most_tries) + " sets of images");

@@ -48,18 +48,19 @@ struct DegreeCertificate {
     int degree() const { return count_solutions(solutions); }
 };
 
-/// What came of tracking one class.
+/// What came of tracking one class, or one problem of a family.
 struct DegreeRun {
     std::size_t number = 0;
+    std::string problem{}; ///< of a family, in notation
     int degree = 0;        ///< how many solutions were found: certified once plcheck accepts them
-    bool complete = false; ///< whether this is the number that the theorem gives
+    bool complete = false; ///< whether this is the number that the theorem gives; for a family,
+                           ///< evidence of that
     std::uint64_t tracks = 0;       ///< paths followed, to an end or until lost for good
     std::uint64_t retried = 0;      ///< of these, followed with tighter settings and more digits
     std::uint64_t failed = 0;       ///< of these, lost for good
     std::vector<std::string> notes; ///< why nothing came of it
     std::optional<DegreeCertificate> certificate; ///< of these solutions
-    std::string
-        fibre; ///< in place of the certificate, the record of a fibre; empty if there is none
+    std::string record; ///< in place of the certificate, as text: of a fibre, or of a family
 };
 
 /// Finds what the options ask for, or the solutions that it can. The same run for the same class

@@ -7,9 +7,9 @@
 // `source`. The degree is - if there are more than MOST solutions, ? if seeds do not agree.
 #include "prover/minimal/problem_record.h"
 #include "prover/model/solver/solution_count.h"
+#include "prover/monodromy/two_seeds.h"
 #include "prover/problem/notation.h"
 #include "prover/scripts/problem_model.h"
-#include "tests/families/two_seeds.h"
 
 #include <cstdlib>
 #include <iostream>
@@ -20,10 +20,11 @@ using namespace plprove;
 namespace {
 
 std::string columns(const Problem& problem, int most) {
+    constexpr std::uint64_t most_seeds = 6;
     if (!is_minimal(certify(problem))) return "0,not minimal";
     const std::string text = problem_model(best_view_first(problem), 0);
     const model::Program program = model::compile(model::read_model(text));
-    const auto found = counted_twice(most, [&](std::uint64_t seed) {
+    const auto found = counted_twice(most, most_seeds, [&](std::uint64_t seed) {
         return model::count_solutions(program, {.seed = seed, .most_solutions = most});
     });
     const std::string degree = !found ? "-" : found->exact ? std::to_string(found->solutions) : "?";

@@ -11,6 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -214,6 +215,69 @@ TEST_CASE("a sweep says what it did, names what fell short, and is silent on the
                               "failed", "seconds", "notes", "seed"})
         CHECK(line.contains(field));
     CHECK(!contains(runs, "certified")); // plcheck has not been asked yet
+}
+
+TEST_CASE(
+    "a sweep over a family finds the degrees on file, certified once plcheck has been asked") {
+    const TemporaryFolder folder;
+    const auto sweep = [&](const std::string& name, const Arguments& more) {
+        Arguments arguments{"degrees", "--family", "upright-shared-focal", "-o",
+                            (folder / name).string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(shell(arguments));
+    };
+    const auto rows = [&](const std::string& name) {
+        std::vector<std::string> lines =
+            lines_of(read_file(folder / name / "upright-shared-focal.csv"));
+        std::erase_if(lines, [](const std::string& line) { return !line.starts_with("upright"); });
+        return lines;
+    };
+    const Outcome whole = sweep("one", {"--exact", "--threads", "1"});
+    CHECK(whole.status == 0);
+    CHECK(contains(whole.out, "8 problems, 8 with all solutions, by evidence, "));
+    REQUIRE(rows("one").size() == 8);
+    CHECK(rows("one")[0] ==
+          "upright-shared-focal,upright-shared-focal: 4*P/P,5,exact,evidence,,32 of 32 ways agree");
+    CHECK(contains(sweep("one", {"--exact"}).out, "; 8 were on file\n"));
+
+    // By theorem there are no more (certs/family-degrees.csv): the sweep has found all.
+    const std::string file = (folder / "one" / "upright-shared-focal.plc").string();
+    const std::string report = (folder / "report").string();
+    CHECK(run(std::string(PLCHECK) + " --json " + file + " > " + report).status == 0);
+    CHECK(run(shell({"collect", "--family", "upright-shared-focal", "--checked", report, "-o",
+                     (folder / "one").string()}))
+              .status == 0);
+    std::vector<std::string> on_file;
+    for (const std::string& line : lines_of(read_file(PLC_CERTS "/family-degrees.csv")))
+        if (line.starts_with("upright-shared-focal,"))
+            on_file.push_back(std::regex_replace(line, std::regex("certified,(\\d+),by theorem; "),
+                                                 "evidence,$1,"));
+    CHECK(rows("one") == on_file);
+
+    sweep("two", {"--exact", "--threads", "2"});
+    CHECK(read_file(folder / "two" / "upright-shared-focal.plc") == read_file(file));
+    const Outcome some = sweep("some", {"--target", "6"});
+    CHECK(some.status == 0);
+    CHECK(contains(some.out, "8 problems, 2 with all solutions, by evidence, 6 lower bounds"));
+    CHECK(contains(rows("some")[7], ",at-least,evidence,,stopped at the target"));
+}
+
+TEST_CASE("a sweep over a family keeps to it") {
+    const TemporaryFolder folder;
+    const std::string path = (folder / "sweep").string();
+    const Outcome counted =
+        run(shell({"degrees", "--family", "upright", "--uncounted", "-o", path}));
+    CHECK(counted.status == 2);
+    CHECK(contains(counted.err, "all problems of upright have a degree on file"));
+    for (const Arguments& other : {Arguments{"--classes", "2394"}, Arguments{"--fibres"}}) {
+        Arguments arguments{"degrees", "--family", "upright", "-o", path};
+        arguments.insert(arguments.end(), other.begin(), other.end());
+        CHECK(run(shell(arguments)).status == 3);
+    }
+    CHECK(run(shell({"degrees", "--uncounted", "-o", path})).status == 3);
+    run(shell({"degrees", "--family", "upright", "--exact", "-o", path}));
+    CHECK(run(shell({"collect", "-o", path})).status == 2);
+    CHECK(run(shell({"collect", "--family", "upright", "-o", path})).status == 0);
 }
 
 TEST_CASE("a progress line with rate and time left is shown on a terminal and wiped") {

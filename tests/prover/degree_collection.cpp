@@ -52,7 +52,7 @@ struct Row {
 struct FinishedSweep {
     std::vector<std::size_t> classes = some_classes();
     TemporaryFolder folder;
-    SweepFolder results{folder.path(), 0};
+    SweepFolder results{folder.path(), all_constraint_classes(), 0};
 
     FinishedSweep() { run_sweep(results, classes, {40, 0}); }
 
@@ -88,7 +88,7 @@ TEST_CASE("a collection calls nothing certified that plcheck has not seen") {
     const Collected collected = collect(sweep.results, {});
     CHECK(collected.files == std::vector<std::string>{"degrees.plc"});
     CHECK(collected.certificates == sweep.with_certificate().size());
-    CHECK(sweep.rows().size() == collected.classes);
+    CHECK(sweep.rows().size() == collected.items);
     for (const Row& row : sweep.rows()) {
         CHECK(row.certified == 0);
         CHECK(row.degree == degree_on_file(row.number));
@@ -160,7 +160,7 @@ TEST_CASE("a collection has the certificates that were chosen, and replaces an e
     CHECK(chosen.files.size() == 1);
     CHECK(!std::filesystem::exists(sweep.folder / "degrees-2.plc"));
     CHECK(chosen.certificates < all.certificates);
-    CHECK(chosen.classes == all.classes);
+    CHECK(chosen.items == all.items);
     const std::string some = sweep.certificates();
     for (const std::size_t number : sweep.classes) {
         const auto result = sweep.results.read(number, true);
@@ -173,7 +173,7 @@ TEST_CASE("a collection has the certificates that were chosen, and replaces an e
 TEST_CASE("nothing is certified but the very certificates that plcheck accepted") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder folder;
-    const SweepFolder results(folder.path(), 0);
+    const SweepFolder results(folder.path(), all_constraint_classes(), 0);
     run_sweep(results, classes, {40, 0});
     collect(results, {});
     // One is refused, and one is replaced after the check.
@@ -183,7 +183,7 @@ TEST_CASE("nothing is certified but the very certificates that plcheck accepted"
     accepted.pop_back();
     const Checked report = checked(folder.path(), accepted);
     DegreeRun other = fake_engine::compute(accepted[0], {40, 1});
-    results.save(class_result(std::move(other), {40, 0}, 1));
+    results.save(sweep_result(std::move(other), {40, 0}, 1));
     const auto certified = [&](std::size_t number) {
         return report.certified(*results.read(number, true));
     };

@@ -58,11 +58,12 @@ TEST_CASE("filters choose the constraint classes that have a member which passes
 TEST_CASE("results do not depend on the number of threads") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder one, four;
-    const SweepFolder by_one(one.path(), 0), by_four(four.path(), 0);
+    const SweepFolder by_one(one.path(), all_constraint_classes(), 0);
+    const SweepFolder by_four(four.path(), all_constraint_classes(), 0);
     run_sweep(by_one, classes, {30, 0}, 1);
     run_sweep(by_four, classes, {30, 0}, 4);
     const Collected collected = collect(by_one, {});
-    CHECK(collected.classes > 0);
+    CHECK(collected.items > 0);
     CHECK(collect(by_four, {}).solutions == collected.solutions);
     for (const char* file : {"degrees.csv", "degrees.plc"})
         CHECK(read_file(one / file) == read_file(four / file));
@@ -71,7 +72,7 @@ TEST_CASE("results do not depend on the number of threads") {
 TEST_CASE("what is on file is not computed again, unless more is asked for") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder folder;
-    const SweepFolder results(folder.path(), 0);
+    const SweepFolder results(folder.path(), all_constraint_classes(), 0);
     const auto count = [&](const auto& condition) {
         return static_cast<std::size_t>(std::ranges::count_if(classes, condition));
     };
@@ -86,7 +87,8 @@ TEST_CASE("what is on file is not computed again, unless more is asked for") {
     CHECK(left_to_do(results, classes, {10, 0}) == classes.size() - well);
     CHECK(left_to_do(results, classes, {30, 0}) == classes.size() - well + above(20));
     CHECK(left_to_do(results, classes, {0, 0}) == classes.size() - well + above(20));
-    CHECK(left_to_do(SweepFolder(folder.path(), 1), classes, {20, 1}) == classes.size());
+    CHECK(left_to_do(SweepFolder(folder.path(), all_constraint_classes(), 1), classes, {20, 1}) ==
+          classes.size());
     run_sweep(results, classes, {0, 0});
     CHECK(left_to_do(results, classes, {0, 0}) == 0);
     CHECK(left_to_do(results, classes, {20, 0}) == 0);
@@ -105,7 +107,7 @@ TEST_CASE("what is on file is not computed again, unless more is asked for") {
 TEST_CASE("a class that fails is on file with the reason, and the others are not held up") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder folder;
-    const SweepFolder results(folder.path(), 0);
+    const SweepFolder results(folder.path(), all_constraint_classes(), 0);
     run_sweep(results, classes, {});
     CHECK(results.numbers() == classes);
     const auto failing = std::ranges::find_if(classes, fake_engine::throws);
@@ -126,9 +128,9 @@ TEST_CASE("a class that fails is on file with the reason, and the others are not
 TEST_CASE("the classes that are expected to be small come first") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder folder;
-    const SweepFolder results(folder.path(), 0);
+    const SweepFolder results(folder.path(), all_constraint_classes(), 0);
     const SweepPlan plan = plan_sweep(results, classes, {0, 0}, false);
-    CHECK(plan.classes.size() == classes.size());
+    CHECK(plan.numbers.size() == classes.size());
     CHECK(std::ranges::is_sorted(plan.costs));
     CHECK(plan.costs.front() < plan.costs.back());
 }
@@ -140,7 +142,8 @@ TEST_CASE("processes share out the classes: each has one owner, and none much mo
         std::vector<std::size_t> all;
         std::vector<int> solutions;
         for (std::size_t process = 0; process < processes; ++process) {
-            const std::vector<std::size_t> share = share_of(classes, process, processes);
+            const std::vector<std::size_t> share =
+                share_of(all_constraint_classes(), classes, process, processes);
             solutions.push_back(0);
             for (const std::size_t number : share)
                 solutions.back() += degree_on_file(number).value();
@@ -156,10 +159,10 @@ TEST_CASE("processes share out the classes: each has one owner, and none much mo
 TEST_CASE("lack of memory ends a sweep, and results are kept") {
     const std::vector<std::size_t> classes = some_classes();
     const TemporaryFolder folder;
-    const SweepFolder results(folder.path(), 0);
+    const SweepFolder results(folder.path(), all_constraint_classes(), 0);
     SweepPlan plan = plan_sweep(results, classes, {30, 0}, false);
     plan.threads = 2;
-    const std::size_t bad = plan.classes[40];
+    const std::size_t bad = plan.numbers[40];
     const auto compute = [&](std::size_t number, const DegreeOptions& options) {
         if (number == bad) throw std::bad_alloc();
         return fake_engine::compute(number, options);

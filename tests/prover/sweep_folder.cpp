@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 /// A sweep over a few classes to the end, and one of them to damage.
 struct SmallSweep {
     TemporaryFolder folder;
-    SweepFolder results{folder.path(), 0};
+    SweepFolder results{folder.path(), all_constraint_classes(), 0};
     std::vector<std::size_t> classes;
     std::size_t number = 0;
     std::string text; ///< of the file of that class

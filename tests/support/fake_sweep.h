@@ -30,7 +30,7 @@ inline void run_sweep(const SweepFolder& folder, const std::vector<std::size_t>&
 
 inline std::size_t left_to_do(const SweepFolder& folder, const std::vector<std::size_t>& classes,
                               const DegreeOptions& options, bool retry = false) {
-    return plan_sweep(folder, classes, options, retry).classes.size();
+    return plan_sweep(folder, classes, options, retry).numbers.size();
 }
 
 /// The first class for which the condition holds.

@@ -1,5 +1,6 @@
-#include "prover/degree_sweep/class_result.h"
+#include "prover/degree_sweep/sweep_result.h"
 
+#include "prover/format/certificate_text.h"
 #include "prover/system/sha256.h"
 #include "prover/three_views/degree_text.h"
 
@@ -21,14 +22,20 @@ constexpr std::string_view run_mark = "# run ";
 constexpr std::string_view digest_mark = " sha256 ";
 constexpr std::size_t longest_run_line = 16000; // leaves room for the mark in a line of the format
 
-Json json_of(const ClassResult& result) {
+Json json_of(const SweepResult& result) {
     const DegreeRun& run = result.run;
-    Json json = {{"number", run.number},      {"degree", run.degree},
-                 {"complete", run.complete},  {"tracks", run.tracks},
-                 {"retried", run.retried},    {"failed", run.failed},
-                 {"seconds", result.seconds}, {"seed", result.seed},
-                 {"attempts", Json::array()}, {"record", sha256(result.record)},
-                 {"notes", run.notes}};
+    Json json = {{"number", run.number}};
+    if (!run.problem.empty()) json["problem"] = run.problem;
+    json.update(Json{{"degree", run.degree},
+                     {"complete", run.complete},
+                     {"tracks", run.tracks},
+                     {"retried", run.retried},
+                     {"failed", run.failed},
+                     {"seconds", result.seconds},
+                     {"seed", result.seed},
+                     {"attempts", Json::array()},
+                     {"record", sha256(result.record)},
+                     {"notes", run.notes}});
     for (const auto& [target, fibre] : result.attempts) {
         Json& attempt = json["attempts"].emplace_back(Json{{"target", target}});
         if (fibre) attempt["fibre"] = true;
@@ -39,10 +46,6 @@ Json json_of(const ClassResult& result) {
 
 std::string ascii(const Json& json) {
     return json.dump(-1, ' ', true, Json::error_handler_t::replace);
-}
-
-bool is_head(const std::string& line) {
-    return line + '\n' == degree_file("");
 }
 
 /// The run line is not what run_line() writes; caught in this file, as Json::exception is.
@@ -79,10 +82,11 @@ std::string_view undamaged(std::string_view text) {
 }
 
 /// Throws Json::exception or BadRunLine.
-ClassResult result_of(const Json& json) {
-    ClassResult result;
+SweepResult result_of(const Json& json) {
+    SweepResult result;
     DegreeRun& run = result.run;
     run.number = large_count(json.at("number"));
+    run.problem = json.value("problem", "");
     run.degree = count(json.at("degree"));
     json.at("complete").get_to(run.complete);
     run.tracks = large_count(json.at("tracks"));
@@ -101,39 +105,44 @@ ClassResult result_of(const Json& json) {
 
 } // namespace
 
-ClassResult class_result(DegreeRun run, const DegreeOptions& options, double seconds) {
-    ClassResult result;
+SweepResult sweep_result(DegreeRun run, const DegreeOptions& options, double seconds) {
+    SweepResult result;
     result.seed = options.seed;
     result.attempts = {{options.target, options.fibre}};
     result.seconds = seconds;
     if (run.certificate && !run.certificate->solutions.empty())
         result.record = write_record(*run.certificate);
-    result.fibre = !run.fibre.empty();
-    if (result.fibre) result.record = std::move(run.fibre);
+    if (!run.record.empty()) result.record = std::move(run.record);
+    result.fibre = options.fibre && !result.record.empty();
     run.certificate.reset();
-    run.fibre.clear();
+    run.record.clear();
     result.run = std::move(run);
     return result;
 }
 
-ClassResult merged(ClassResult old, ClassResult recent) {
+SweepResult merged(SweepResult old, SweepResult recent) {
     std::set<Attempt> attempts(old.attempts.begin(), old.attempts.end());
     attempts.insert(recent.attempts.begin(), recent.attempts.end());
-    ClassResult best = std::move(old.run.degree > recent.run.degree ? old : recent);
+    SweepResult best = std::move(old.run.degree > recent.run.degree ? old : recent);
     best.attempts = {attempts.begin(), attempts.end()};
     return best;
 }
 
-bool attempted(const ClassResult& result, const DegreeOptions& options) {
+bool attempted(const SweepResult& result, const DegreeOptions& options) {
     return std::ranges::count(result.attempts, Attempt{options.target, options.fibre}) > 0;
 }
 
-bool fulfils(const ClassResult& result, const DegreeOptions& options) {
+bool fulfils(const SweepResult& result, const DegreeOptions& options) {
     if (options.fibre) return result.fibre;
     return result.run.complete || (options.target > 0 && result.run.degree >= options.target);
 }
 
-std::string run_line(const ClassResult& result) {
+std::string file_of(bool family, std::string_view records) {
+    if (!family) return degree_file(records);
+    return certificate_file("solutions", records, "ask for fewer solutions with --target");
+}
+
+std::string run_line(const SweepResult& result) {
     Json json = json_of(result);
     std::string line = ascii(json);
     for (Json& notes = json["notes"]; line.size() > longest_run_line; line = ascii(json))
@@ -141,21 +150,22 @@ std::string run_line(const ClassResult& result) {
     return line;
 }
 
-std::string write(const ClassResult& result) {
+std::string write(const SweepResult& result) {
     const std::string json = run_line(result);
     std::string lines(run_mark);
     lines.append(json).append(digest_mark).append(sha256(json)) += '\n';
-    return degree_file(lines + result.record);
+    return file_of(!result.run.problem.empty(), lines + result.record);
 }
 
-std::optional<ClassResult> parse_class_result(std::istream& file, bool whole) {
+std::optional<SweepResult> parse_sweep_result(std::istream& file, bool whole) {
     std::string head, line;
-    if (!std::getline(file, head) || !is_head(head)) return std::nullopt;
+    if (!std::getline(file, head)) return std::nullopt;
     if (!std::getline(file, line) || !line.starts_with(run_mark)) return std::nullopt;
     try {
         const std::string_view text = std::string_view(line).substr(run_mark.size());
         const Json json = Json::parse(undamaged(text));
-        ClassResult result = result_of(json);
+        SweepResult result = result_of(json);
+        if (head + '\n' != file_of(!result.run.problem.empty(), "")) return std::nullopt;
         if (!whole) return result;
         result.record.assign(std::istreambuf_iterator<char>(file), {});
         if (sha256(result.record) == json.at("record").get<std::string>()) return result;
@@ -166,11 +176,11 @@ std::optional<ClassResult> parse_class_result(std::istream& file, bool whole) {
     return std::nullopt;
 }
 
-std::optional<ClassResult> read_class_result(const std::filesystem::path& path, bool whole) {
+std::optional<SweepResult> read_sweep_result(const std::filesystem::path& path, bool whole) {
     std::error_code ignored; // what cannot be looked at cannot be read
     if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt; // a pipe would hang
     std::ifstream file(path, std::ios::binary);
-    return parse_class_result(file, whole);
+    return parse_sweep_result(file, whole);
 }
 
 } // namespace plprove

@@ -1,5 +1,7 @@
 // What a sweep keeps of a class, as a file: written as FORMAT.md has it, and read back.
-#include "prover/degree_sweep/class_result.h"
+#include "prover/degree_sweep/sweep_result.h"
+#include "prover/degree_sweep/family_degree.h"
+#include "prover/problem/complete_visibility.h"
 #include "prover/problem/notation.h"
 #include "prover/three_views/degree_text.h"
 #include "prover/three_views/integer_vectors.h"
@@ -50,7 +52,7 @@ TEST_CASE("what the sweep writes conforms to the grammar, line by line") {
     for (const std::size_t number : {2394U, 6722U, 100005U, 142849U}) {
         if (!is_well(number)) continue;
         const std::string text =
-            write(class_result(fake_engine::compute(number, options), options, 1.5));
+            write(sweep_result(fake_engine::compute(number, options), options, 1.5));
         CHECK(text.back() == '\n');
         for (const std::string& line : lines_of(text)) {
             CAPTURE(line);
@@ -65,11 +67,11 @@ TEST_CASE("a result is read back as it was written") {
     const DegreeOptions options{20, 7};
     for (const std::size_t number : some_classes()) {
         if (fake_engine::throws(number)) continue;
-        const ClassResult result =
-            class_result(fake_engine::compute(number, options), options, 0.25);
+        const SweepResult result =
+            sweep_result(fake_engine::compute(number, options), options, 0.25);
         write_file(folder / "file", write(result));
-        const auto head = read_class_result(folder / "file", false);
-        const auto whole = read_class_result(folder / "file", true);
+        const auto head = read_sweep_result(folder / "file", false);
+        const auto whole = read_sweep_result(folder / "file", true);
         REQUIRE(head);
         REQUIRE(whole);
         CHECK(head->record.empty());
@@ -85,27 +87,27 @@ TEST_CASE("a fibre does for approximations, but these do not for a fibre") {
     DegreeOptions all, fibre;
     fibre.fibre = true;
     all.degree = fibre.degree = fake_engine::degree(number);
-    const ClassResult boxes = class_result(fake_engine::compute(number, all), all, 1);
+    const SweepResult boxes = sweep_result(fake_engine::compute(number, all), all, 1);
     DegreeRun run = fake_engine::compute(number, fibre);
-    run.fibre = "degree 4 evidence none\n";
-    const ClassResult found = class_result(run, fibre, 1);
+    run.record = "degree 4 evidence none\n";
+    const SweepResult found = sweep_result(run, fibre, 1);
     CHECK(fulfils(boxes, all));
     CHECK(!fulfils(boxes, fibre));
     CHECK(!attempted(boxes, fibre));
     CHECK(fulfils(found, all));
     CHECK(fulfils(found, fibre));
-    CHECK(found.record == run.fibre);
+    CHECK(found.record == run.record);
 
     DegreeRun in_vain;
     in_vain.number = number;
-    const ClassResult both = merged(boxes, class_result(in_vain, fibre, 1));
+    const SweepResult both = merged(boxes, sweep_result(in_vain, fibre, 1));
     CHECK(both.record == boxes.record);
     CHECK(!fulfils(both, fibre));
     CHECK(attempted(both, fibre));
     CHECK(merged(boxes, found).record == found.record);
 
     std::istringstream file(write(merged(boxes, found)));
-    const auto again = parse_class_result(file, true);
+    const auto again = parse_sweep_result(file, true);
     REQUIRE(again);
     CHECK(fulfils(*again, fibre));
     CHECK(attempted(*again, all));
@@ -116,10 +118,10 @@ TEST_CASE("a damaged result is no result") {
     const TemporaryFolder folder;
     const std::size_t number =
         class_with([](std::size_t n) { return is_well(n) && fake_engine::degree(n) > 5; });
-    const std::string text = write(class_result(fake_engine::compute(number, {}), {}, 1));
+    const std::string text = write(sweep_result(fake_engine::compute(number, {}), {}, 1));
     const auto reads = [&](const std::string& changed) {
         write_file(folder / "file", changed);
-        return read_class_result(folder / "file", true).has_value();
+        return read_sweep_result(folder / "file", true).has_value();
     };
     CHECK(reads(text));
     const std::string rest = text.substr(text.find('\n'));
@@ -135,9 +137,9 @@ TEST_CASE("a damaged result is no result") {
     CHECK(!reads(std::regex_replace(text, std::regex("\"number\":[0-9]+"), "\"number\":\"x\"")));
     CHECK(!reads(std::regex_replace(text, std::regex("\"number\":[0-9]+"), "\"number\":1")));
     CHECK(!reads(std::regex_replace(text, std::regex("\"tracks\":[0-9]+,"), "")));
-    CHECK(!read_class_result(folder / "nothing", true));
+    CHECK(!read_sweep_result(folder / "nothing", true));
     // One under another class's name, or another seed's.
-    const SweepFolder sweeps(folder.path(), 0);
+    const SweepFolder sweeps(folder.path(), all_constraint_classes(), 0);
     std::filesystem::create_directories(sweeps.file_of(number).parent_path());
     write_file(sweeps.file_of(number), text);
     CHECK(sweeps.read(number, true));
@@ -150,11 +152,33 @@ TEST_CASE("a damaged result is no result") {
     CHECK(sweeps.read(number, true));
 }
 
+TEST_CASE("a result of a family is a file of solutions, and belongs to its problem alone") {
+    const TemporaryFolder folder;
+    const SweepSubject upright = minimal_problems_of(*family_named("upright"));
+    REQUIRE(upright.items.size() == 4);
+    const SweepItem& item = upright.items[0];
+    CHECK(item.problem == "upright: 3*P/P");
+    const SweepFolder results(folder.path(), upright, 0);
+    results.save(sweep_result(compute_family_degree(item, {}), {}, 1));
+    const std::string text = read_file(results.file_of(item.number));
+    CHECK(text.starts_with(
+        "plcert 2 solutions\n# run {\"number\":1,\"problem\":\"upright: 3*P/P\","));
+    CHECK(text.find("\nproblem upright: 3*P/P\n") != std::string::npos);
+    REQUIRE(results.read(item.number, true));
+    CHECK(results.read(item.number, true)->run.degree == 4);
+
+    std::istringstream as_classes("plcert 2 degrees" + text.substr(text.find('\n')));
+    CHECK(!parse_sweep_result(as_classes, true));
+    SweepSubject other = upright;
+    other.items[0].problem = upright.items[1].problem;
+    CHECK(!SweepFolder(folder.path(), other, 0).read(item.number, true));
+}
+
 TEST_CASE("a long list of notes is cut so that the line stays short") {
     DegreeRun run;
     run.number = 5;
     run.notes.assign(1000, "a note with an umlaut, \xC3\xA4, and a \"quote\"");
-    const std::string line = run_line(class_result(run, {}, 0));
+    const std::string line = run_line(sweep_result(run, {}, 0));
     CHECK(line.size() <= 16000);
     CHECK(line.size() > 15000);
     CHECK(nlohmann::json::parse(line)["notes"].size() > 100);

@@ -18,8 +18,7 @@ struct CountedTwice {
 /// Asks `count` for the number by seeds from 1 on, until two of a few agree; else it is the
 /// smallest, as a run may count a solution twice. Nothing if one finds more than `most`.
 template <class Count>
-std::optional<CountedTwice> counted_twice(int most, const Count& count) {
-    constexpr std::uint64_t most_seeds = 6;
+std::optional<CountedTwice> counted_twice(int most, std::uint64_t most_seeds, const Count& count) {
     struct Finding {
         int seeds = 0; // for which most ways agree
         int agreeing_ways = 0, ways = 0;

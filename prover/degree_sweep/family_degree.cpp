@@ -1,0 +1,94 @@
+#include "prover/degree_sweep/family_degree.h"
+
+#include "prover/many_views/certificate.h"
+#include "prover/many_views/monodromy.h"
+#include "prover/monodromy/two_seeds.h"
+#include "prover/problem/notation.h"
+
+#include <algorithm>
+
+namespace plprove {
+
+namespace {
+
+using many_views::MonodromyResult;
+
+/// The runs over one problem. Monodromy may find each solution several times.
+class Runs {
+public:
+    Runs(const SweepItem& item, const DegreeOptions& options)
+        : problem_(parse_problem(item.problem)), copies_(problem_.cameras->copies(problem_.views)),
+          seed_(options.seed) {
+        if (options.target > 0) settings_.most_solutions = (options.target - 1) * copies_;
+    }
+
+    /// One more, by another seed.
+    MonodromyCount operator()(std::uint64_t number) {
+        const std::uint64_t seed = most_seeds * seed_ + number;
+        runs_.push_back(many_views::run_monodromy(problem_, seed, settings_));
+        MonodromyCount count = runs_.back();
+        count.solutions = in_file(count.solutions);
+        return count;
+    }
+
+    /// The certificate of one that found this number of solutions, or of the one that found most.
+    many_views::SolutionsRecord record(std::optional<int> solutions) const {
+        const auto chosen = std::ranges::max_element(runs_, {}, [&](const MonodromyResult& run) {
+            return std::pair(solutions && in_file(run.solutions) == *solutions, run.points.size());
+        });
+        return many_views::certify(*chosen, static_cast<int>(std::ssize(chosen->points)), seed_, 1);
+    }
+
+    /// How many solutions these are, each once. Some copies may be lost.
+    int in_file(int found) const { return (found + copies_ - 1) / copies_; }
+
+    void add_paths_to(DegreeRun& run) const {
+        for (const MonodromyResult& one : runs_) {
+            run.tracks += static_cast<std::uint64_t>(one.paths);
+            run.failed += static_cast<std::uint64_t>(one.lost);
+        }
+    }
+
+    static constexpr std::uint64_t most_seeds = 3;
+
+private:
+    Problem problem_;
+    int copies_;
+    std::uint64_t seed_;
+    many_views::MonodromySettings settings_;
+    std::vector<MonodromyResult> runs_;
+};
+
+std::string without_first_line(const std::string& file) {
+    return file.substr(file.find('\n') + 1);
+}
+
+std::string ways(const CountedTwice& counted) {
+    return std::to_string(counted.agreeing_ways) + " of " + std::to_string(counted.ways) +
+           " ways agree";
+}
+
+} // namespace
+
+DegreeRun compute_family_degree(const SweepItem& item, const DegreeOptions& options) {
+    DegreeRun run;
+    run.number = item.number;
+    run.problem = item.problem;
+    Runs runs(item, options);
+    const int most = options.target > 0 ? options.target - 1 : std::numeric_limits<int>::max();
+    const auto counted = counted_twice(most, Runs::most_seeds, std::ref(runs));
+    runs.add_paths_to(run);
+    const bool exact = counted && counted->exact;
+    const auto record = runs.record(exact ? std::optional(counted->solutions) : std::nullopt);
+    run.degree = runs.in_file(record.count());
+    run.complete = exact && run.degree == counted->solutions;
+    if (run.degree > 0)
+        run.record = without_first_line(many_views::write_solutions(std::span(&record, 1)));
+    run.notes.push_back(counted ? ways(*counted) : "stopped at the target");
+    if (exact && !run.complete)
+        run.notes.push_back("of " + std::to_string(counted->solutions) +
+                            " solutions the certificate has " + std::to_string(run.degree));
+    return run;
+}
+
+} // namespace plprove
