@@ -66,11 +66,23 @@ public:
     bool succeeds() {
         const std::size_t points = third_.points.size(), lines = third_.lines;
         const bool core = 2 * points + lines <= 3 || (points == 2 && lines == 0);
-        return third_.incidences > 0 && core && place_lines() && place_points() &&
+        return one_camera_fits() && core && place_lines() && place_points() &&
                pairs_are_irreducible() && free_conditions_are_independent();
     }
 
 private:
+    /// Whether only one camera has the images of all conditions, and of the free ones whatever is
+    /// known of it: the whole camera; or its essential matrices with both views, or with one, and a
+    /// line or two objects besides (Proposition P1).
+    bool one_camera_fits() const {
+        std::size_t objects = third_.points.size();
+        for (const unsigned pins : third_.points)
+            objects += pins;
+        const auto& [first, second] = third_.epipolar;
+        return third_.incidences > 0 || (first > 0 && second > 0) ||
+               (first + second > 0 && (third_.lines > 0 || objects > 1));
+    }
+
     /// The image of a known point is on a line.
     Motion image_of(const ResidueVector& point) {
         return views_
@@ -139,7 +151,8 @@ private:
                 known.add_all(views_.relative_pose(partner(t), pair_.u));
                 count += third_.epipolar[t];
             }
-            if (count > 0 && known.size() - cameras_.size() <= count) return false;
+            const bool all = count == third_.epipolar[0] + third_.epipolar[1] + third_.incidences;
+            if (count > 0 && !all && known.size() - cameras_.size() <= count) return false;
         }
         return true;
     }

@@ -419,7 +419,11 @@ def has_all_third_cameras(features, seed):
     i, j = shared[0]
     u = 3 - i - j
     points, lines, incidences, rays = known_in_third_view(features, i, j, u)
-    if not incidences or not (2 * len(points) + lines <= 3 or (len(points), lines) == (2, 0)):
+    epipolar = sum(rays.values())
+    one_camera_fits = (incidences or all(rays.values()) or
+                       epipolar and (lines or len(points) + sum(points) >= 2))
+    if not one_camera_fits or not (2 * len(points) + lines <= 3 or
+                                   (len(points), lines) == (2, 0)):
         return False
     place = Place(seed)
     place.known = place.known.with_all(place.relative_pose(i, j))
@@ -456,6 +460,8 @@ def has_all_third_cameras(features, seed):
     for chosen in product((False, True), repeat=len(seen)):
         taken = [view for view, is_in in zip(seen, chosen) if is_in]
         size = sum(rays[view] for view in taken)
+        if size == epipolar + incidences:  # all of the free conditions
+            continue
         more = [row for view in taken for row in place.relative_pose(view, u)]
         if size and len(place.known.with_all(more)) - len(place.known) <= size:
             return False
