@@ -19,13 +19,12 @@ public:
     Runs(const SweepItem& item, const DegreeOptions& options)
         : problem_(parse_problem(item.problem)), copies_(problem_.cameras->copies(problem_.views)),
           seed_(options.seed) {
-        if (options.target > 0) settings_.most_solutions = (options.target - 1) * copies_;
+        if (options.target > 0) settings_.most_solutions = options.target * copies_ - 1;
     }
 
-    /// One more, by another seed.
+    /// One more. The numbers count from 1 on.
     MonodromyCount operator()(std::uint64_t number) {
-        const std::uint64_t seed = most_seeds * seed_ + number;
-        runs_.push_back(many_views::run_monodromy(problem_, seed, settings_));
+        runs_.push_back(many_views::run_monodromy(problem_, seed_of(number), settings_));
         MonodromyCount count = runs_.back();
         count.solutions = in_file(count.solutions);
         return count;
@@ -36,7 +35,9 @@ public:
         const auto chosen = std::ranges::max_element(runs_, {}, [&](const MonodromyResult& run) {
             return std::pair(solutions && in_file(run.solutions) == *solutions, run.points.size());
         });
-        return many_views::certify(*chosen, static_cast<int>(std::ssize(chosen->points)), seed_, 1);
+        const auto number = static_cast<std::uint64_t>(chosen - runs_.begin()) + 1;
+        return many_views::certify(*chosen, static_cast<int>(std::ssize(chosen->points)),
+                                   seed_of(number), 1);
     }
 
     /// How many solutions these are, each once. Some copies may be lost.
@@ -52,6 +53,8 @@ public:
     static constexpr std::uint64_t most_seeds = 3;
 
 private:
+    std::uint64_t seed_of(std::uint64_t number) const { return most_seeds * seed_ + number; }
+
     Problem problem_;
     int copies_;
     std::uint64_t seed_;

@@ -256,6 +256,9 @@ TEST_CASE(
 
     sweep("two", {"--exact", "--threads", "2"});
     CHECK(read_file(folder / "two" / "upright-shared-focal.plc") == read_file(file));
+    const Outcome alone = run(plprove + " degree 'upright-shared-focal: 2*Pa/Pa/Pa' --seed 1 -o -");
+    const std::string record = alone.out.substr(alone.out.find('\n') + 1);
+    CHECK(contains(read_file(file), record));
     const Outcome some = sweep("some", {"--target", "6"});
     CHECK(some.status == 0);
     CHECK(contains(some.out, "8 problems, 2 with all solutions, by evidence, 6 lower bounds"));
