@@ -1,6 +1,5 @@
 #include "prover/fibres/exact_solutions.h"
 
-#include "prover/model/lifting/eliminant.h"
 #include "prover/three_views/random.h"
 
 #include <algorithm>
@@ -64,22 +63,6 @@ bool separates(const std::vector<int>& form, const model::Refinement& refinement
     return true;
 }
 
-/// The first of the forms, and its solutions, that few enough bits determine.
-std::optional<ExactSolutions> refined_solutions(model::Refinement refinement,
-                                                const std::vector<std::vector<int>>& forms,
-                                                const std::function<void(long)>& progress) {
-    constexpr slong most_bits = 4'000'000;
-    while (refinement.bits() < most_bits) {
-        refinement.add_digits();
-        if (progress) progress(refinement.bits());
-        model::Eliminants eliminants(refinement.solutions(), refinement.bits());
-        for (const std::vector<int>& form : forms)
-            if (auto solutions = eliminants.of(form))
-                return ExactSolutions{form, std::move(*solutions)};
-    }
-    return std::nullopt;
-}
-
 } // namespace
 
 std::vector<std::vector<int>> forms_of(std::size_t count, std::uint64_t seed) {
@@ -102,11 +85,12 @@ bool is_small(const BigComplex& x, long bits) {
     return result;
 }
 
-std::optional<ExactSolutions> exact_solutions(const model::DigitEquations& equations,
-                                              std::span<const StartingValues> starts,
-                                              std::vector<std::vector<int>> forms,
-                                              const std::function<void(long)>& progress,
-                                              const IsDegenerate& is_degenerate) {
+std::optional<model::ExactSolutions> exact_solutions(const model::DigitEquations& equations,
+                                                     std::span<const StartingValues> starts,
+                                                     std::vector<std::vector<int>> forms,
+                                                     const std::function<void(long)>& progress,
+                                                     const IsDegenerate& is_degenerate) {
+    constexpr slong most_bits = 4'000'000;
     try {
         model::Refinement refinement(equations, starting_points(starts));
         const model::ManyDigits digits{refinement.bits()};
@@ -114,7 +98,7 @@ std::optional<ExactSolutions> exact_solutions(const model::DigitEquations& equat
             if (is_degenerate(solution.coordinates, digits)) return std::nullopt;
         std::erase_if(forms, [&](const auto& form) { return !separates(form, refinement); });
         if (forms.empty()) return std::nullopt;
-        return refined_solutions(std::move(refinement), forms, progress);
+        return model::exact_solutions(std::move(refinement), forms, most_bits, progress);
     } catch (const std::runtime_error&) {
         return std::nullopt; // Newton's method fails near a singular solution
     }

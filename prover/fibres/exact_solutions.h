@@ -2,8 +2,7 @@
 // so many that they determine the solutions exactly.
 #pragma once
 
-#include "prover/model/lifting/refinement.h"
-#include "prover/model/quotient.h"
+#include "prover/model/lifting/eliminant.h"
 #include "prover/monodromy/starting_values.h"
 
 #include <cstdint>
@@ -13,12 +12,6 @@
 #include <vector>
 
 namespace plprove {
-
-/// Of the first unknowns, as many as the form has factors.
-struct ExactSolutions {
-    std::vector<int> form; ///< t is the sum of these unknowns, each times its factor
-    model::Solutions solutions;
-};
 
 /// Each of so many unknowns alone; and their sum, with random factors from -3 to 3.
 std::vector<std::vector<int>> forms_of(std::size_t count, std::uint64_t seed);
@@ -33,7 +26,7 @@ using IsDegenerate =
 /// The solutions with these starting values, by the one of the forms that takes fewest bits.
 /// Nothing where each form has one value at two solutions, a solution is degenerate, or a step
 /// fails. `progress` is told how many bits the solutions have.
-std::optional<ExactSolutions> exact_solutions(
+std::optional<model::ExactSolutions> exact_solutions(
     const model::DigitEquations& equations, std::span<const StartingValues> starts,
     std::vector<std::vector<int>> forms, const std::function<void(long)>& progress,
     const IsDegenerate& is_degenerate = [](const auto&, const auto&) { return false; });

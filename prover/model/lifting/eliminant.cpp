@@ -276,4 +276,19 @@ std::optional<Solutions> Eliminants::of(const std::vector<int>& factors) {
     return result;
 }
 
+std::optional<ExactSolutions> exact_solutions(Refinement refinement,
+                                              const std::vector<std::vector<int>>& forms,
+                                              slong most_bits,
+                                              const std::function<void(long)>& progress) {
+    while (refinement.bits() < most_bits) {
+        refinement.add_digits();
+        if (progress) progress(refinement.bits());
+        Eliminants eliminants(refinement.solutions(), refinement.bits());
+        for (const std::vector<int>& form : forms)
+            if (auto solutions = eliminants.of(form))
+                return ExactSolutions{form, std::move(*solutions)};
+    }
+    return std::nullopt;
+}
+
 } // namespace plprove::model

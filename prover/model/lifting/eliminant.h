@@ -6,6 +6,7 @@
 #include "prover/model/lifting/refinement.h"
 #include "prover/model/quotient.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -31,5 +32,19 @@ private:
     /// What denominator_of() says of single coordinates.
     std::map<std::size_t, std::optional<Integer>> denominators_;
 };
+
+/// Of the first coordinates, as many as the form has factors.
+struct ExactSolutions {
+    std::vector<int> form; ///< t is the sum of these coordinates, each times its factor
+    Solutions solutions;
+};
+
+/// Adds digits until they determine the solutions, by the first of the forms that so few do.
+/// `progress`, if any, is told how many bits there are. Nothing if it would take more than
+/// `most_bits`. Throws what Refinement::add_digits() throws.
+std::optional<ExactSolutions> exact_solutions(Refinement refinement,
+                                              const std::vector<std::vector<int>>& forms,
+                                              slong most_bits,
+                                              const std::function<void(long)>& progress);
 
 } // namespace plprove::model

@@ -99,37 +99,25 @@ std::vector<int> random_integers(RandomResidues& random, std::size_t count, int 
     return result;
 }
 
-/// The solutions modulo q, from as many digits as this takes. Throws std::runtime_error where
-/// Newton's method fails, as near a singular solution.
-std::optional<Solutions> exact_solutions(const DigitEquations& equations,
-                                         const std::vector<ModelSolution>& solutions,
-                                         const std::vector<int>& form, const LiftOptions& options) {
-    // Where solutions are missing, no digits suffice: let that show within hours.
-    constexpr std::size_t most_bits = 2'000'000, most_in_all = 400'000'000;
-    Refinement refinement(equations, approximations(solutions));
-    while (static_cast<std::size_t>(refinement.bits()) <
-           std::min(most_bits, most_in_all / solutions.size())) {
-        refinement.add_digits();
-        if (options.bits) options.bits(refinement.bits());
-        auto exact = Eliminants(refinement.solutions(), refinement.bits()).of(form);
-        if (exact) return exact;
-    }
-    return std::nullopt;
-}
-
 /// The fibre of the solutions for these data.
 FibreSearch fibre_of_solutions(const Program& program, const std::vector<int>& data,
                                const std::vector<ModelSolution>& solutions, RandomResidues& random,
                                const LiftOptions& options) {
     constexpr int largest_factor = 3;
+    // Where solutions are missing, no digits suffice: let that show within hours.
+    constexpr slong most_bits = 2'000'000, most_in_all = 400'000'000;
     const std::vector<int> form = random_integers(random, program.unknowns, largest_factor);
+    const ProgramDigits equations(program, data);
     try {
-        auto exact = exact_solutions(ProgramDigits(program, data), solutions, form, options);
+        auto exact =
+            exact_solutions(Refinement(equations, approximations(solutions)), {form},
+                            std::min(most_bits, most_in_all / std::ssize(solutions)), options.bits);
         if (!exact)
             return {{},
                     "the coefficients of a fibre have too many digits, or paths did not find "
                     "all solutions"};
-        return fibre_of(program, {data.begin(), data.end()}, form, std::move(*exact), random);
+        return fibre_of(program, {data.begin(), data.end()}, form, std::move(exact->solutions),
+                        random);
     } catch (const std::runtime_error& error) {
         return {{}, error.what()};
     }
