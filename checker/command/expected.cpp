@@ -1,5 +1,6 @@
 #include "checker/command/expected.h"
 
+#include "checker/conclusion/group.h"
 #include "checker/family/family.h"
 #include "checker/model/program.h"
 #include "checker/problem/notation.h"
@@ -40,9 +41,10 @@ static ExpectedDegree parse_degree(std::string_view text) {
     return {exactly, *solutions};
 }
 
-/// Reads S312, >=A312 or <S8 wr S2 wr S10.
+/// Reads S312, >=A312, <S2 wr S10 or <S8 wr S2 wr S10.
 static std::string parse_group(std::string_view text) {
     constexpr std::string_view of_five_points = " wr S2 wr S10";
+    if (text == group_of_five_points) return std::string(text);
     std::string_view number = text;
     if (text.starts_with('S'))
         number.remove_prefix(1);

@@ -7,8 +7,12 @@ std::string group_of(const DegreeBounds& bounds) {
     if (!bounds.exact()) return {};
     const std::size_t degree = bounds.at_least;
     if (bounds.group_theorem == theorem_of_permutations) return say("S", degree);
-    if (bounds.group_theorem == theorem_of_five_points)
-        return say("<S", degree / 20, " wr S2 wr S10"); // 20 poses of two views
+    if (bounds.group_theorem == theorem_of_five_points) {
+        const std::size_t third_cameras = degree / 20; // of each pose of two views
+        return third_cameras == 1
+                   ? std::string(group_of_five_points)
+                   : say("<S", third_cameras, " wr ", group_of_five_points.substr(1));
+    }
     return group_shown_by(bounds.cycle_types, degree, Orbits::one);
 }
 

@@ -6,9 +6,12 @@
 #include "checker/conclusion/degree_bounds.h"
 
 namespace checker {
+/// Of the 20 poses of two views, for five points (Proposition P6).
+inline constexpr std::string_view group_of_five_points = "<S2 wr S10";
+
 /// What is known of the group, if there are d solutions: `S<d>`, the symmetric group; `>=A<d>`, it
 /// contains the alternating group; `<S8 wr S2 wr S10`, the group of Theorem P, of index 2 in this
-/// one; empty if nothing.
+/// one, or `<S2 wr S10`, that of five points in two views; empty if nothing.
 std::string group_of(const DegreeBounds& bounds);
 
 /// How it is known: `by fibres: proofs/fibres.md`.

@@ -1,5 +1,6 @@
 #include "checker/conclusion/in_general.h"
 
+#include "checker/conclusion/group.h"
 #include "checker/conclusion/label_class.h"
 #include "checker/conclusion/pages_of_theorems.h"
 #include "checker/degrees/constraint_class.h"
@@ -134,6 +135,11 @@ std::optional<BoundedInGeneral> bound_in_general(const Findings& findings, const
     return Bounds(findings).least(problem);
 }
 
+bool is_five_point_problem(const Problem& problem) {
+    return problem.cameras == &calibrated_cameras && problem.view_count() == 2 &&
+           problem.points.size() == 5 && without_implied_lines(problem).lines.empty();
+}
+
 Contradictions contradictions_in_general(const Findings& findings) {
     Bounds bounds(findings);
     Contradictions found;
@@ -171,8 +177,11 @@ DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& proble
         if (!exact) continue;
         ++degrees.exact;
         if (bound->file.empty()) ++degrees.exact_by_theorem;
-        if (!counted) continue;
-        const std::string group = group_shown_by(counted->cycle_types, solutions, Orbits::one);
+        std::string group;
+        if (is_five_point_problem(verdict.problem))
+            group = group_of_five_points;
+        else if (counted)
+            group = group_shown_by(counted->cycle_types, solutions, Orbits::one);
         if (!group.empty()) degrees.groups.emplace(verdict.notation, group);
     }
     return degrees;

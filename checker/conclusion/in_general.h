@@ -49,6 +49,10 @@ UpperBound upper_bound(const BoundedInGeneral& bound);
 /// D takes seconds, so it speaks here alone.
 std::optional<BoundedInGeneral> bound_in_general(const Findings& findings, const Problem& problem);
 
+/// Whether a minimal problem is that of five points in two calibrated views: Proposition P6 of
+/// proofs/five_shared_points.md says how its solutions are permuted.
+bool is_five_point_problem(const Problem& problem);
+
 /// Files of solutions that count more than a theorem or a file of upper bounds allows, and these
 /// files of upper bounds. (A problem with solutions that are counted is minimal.)
 Contradictions contradictions_in_general(const Findings& findings);
@@ -58,7 +62,7 @@ struct DegreesInGeneral {
     std::map<std::size_t, std::size_t> at_least{}; // how many problems have each lower bound
     std::size_t exact = 0;                         // of how many bounds meet
     std::size_t exact_by_theorem = 0;              // of these, by theorem
-    std::map<std::string, std::string> groups{};   // of these, by problem, as fibres certify them
+    std::map<std::string, std::string> groups{};   // of these, by problem, as fibres or P6 say
 };
 
 DegreesInGeneral degrees_of(const Findings& findings, const ProblemsFile& problems);

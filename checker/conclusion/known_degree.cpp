@@ -1,5 +1,6 @@
 #include "checker/conclusion/known_degree.h"
 
+#include "checker/conclusion/pages_of_theorems.h"
 #include "checker/conclusion/registrations.h"
 #include "checker/degrees/constraint_class.h"
 
@@ -102,6 +103,8 @@ KnownDegree degree_of(const Classification& classes, const Findings& findings, c
     // Of a label class these are fibres of the same cameras, in another chart.
     known.bounds.cycle_types.insert(known.bounds.cycle_types.end(), counted.cycle_types.begin(),
                                     counted.cycle_types.end());
+    if (is_five_point_problem(expected.problem))
+        known.bounds.group_theorem = theorem_of_five_points;
     if (proved.verdict != "minimal" || known.bounds.exact()) return known;
     const auto bound = bound_in_general(findings, expected.problem);
     if (!bound) return known;

@@ -193,7 +193,8 @@ static std::string tables_of_families(const Report& report) {
         result += say("exactly: the degrees of ", counted(table.exact, "minimal problem"), ", ",
                       table.exact_by_theorem, " of them by theorem\n");
         if (!table.groups.empty())
-            result += say("the groups of ", table.groups.size(), " of them, by fibres\n");
+            result +=
+                say("the groups of ", table.groups.size(), " of them, by fibres or theorem\n");
         result += '\n';
     }
     return result;

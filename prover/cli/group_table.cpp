@@ -21,9 +21,9 @@ const std::string_view head_of_classes =
 const std::string_view head_of_families =
     "# How loops of photos permute the solutions of problems in family-degrees.csv, as groups.csv "
     "says it of problems in three calibrated views. certified:\n"
-    "# plcheck certifies it by fibres, in certs/solutions/*.plc, or there is one solution for "
-    "certain. evidence: loops that plprove followed numerically\n"
-    "# (docs/groups.md).\n"
+    "# plcheck certifies it by fibres (certs/solutions), that of 5*P/P by theorem, or there is one "
+    "solution for certain. evidence: loops that plprove\n"
+    "# followed numerically (docs/groups.md).\n"
     "problem,group,order,width,status\n";
 
 GroupTable::GroupTable(const std::filesystem::path& path, std::string_view head,

@@ -60,7 +60,7 @@ TEST_CASE("problems in general: families as CSV and as archives") {
         "views,free_points,dependent_points,free_lines,adjacent_lines,minimal,degree,"));
     CHECK(lines_of(csv.out).size() == 1 + 660);
     const std::string plmp = run(plprove + " list --family plmp --format csv").out;
-    CHECK(contains(plmp, ",20,5000_2,5*P/P,,certified,20,<S2 wr S10,2!^10*10!/2,10,evidence\n"));
+    CHECK(contains(plmp, ",20,5000_2,5*P/P,,certified,20,<S2 wr S10,2!^10*10!/2,10,certified\n"));
     CHECK(
         contains(plmp, ",312,3002_1,P/P/P + 2*Pa/Pa/Pa,,certified,312,S312,312!,312,certified\n"));
     CHECK(contains(plmp,

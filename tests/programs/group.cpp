@@ -192,6 +192,30 @@ TEST_CASE("plcheck certifies by Theorem P how third cameras are permuted") {
         CHECK(run(expect + "--group " + wrong + file).status == 1);
     for (const char* none : {"'<S8 wr S2 wr S9'", "'<S wr S2 wr S10'", "'<S8'"})
         CHECK(run(expect + "--group " + none + file).status == 3);
+    // Only shared points move the third camera: with both views, and with one.
+    const auto status = [&](const std::string& problem, const std::string& group) {
+        return run(plcheck + " --expect '" + problem + "' --group '" + group + "'" + file).status;
+    };
+    CHECK(status("P/P/P + 4*-/P/P + 2*P/-/P + 2*P/P/-", "<S32 wr S2 wr S10") == 0);
+    CHECK(status("2*a/a/a + 5*-/P/P + 2*P/-/P", "<S16 wr S2 wr S10") == 0);
+    // Nothing moves it; and it is found by smaller steps: evidence says `<S2 wr S2 wr S10 wr S10`.
+    CHECK(status("3*a/a/a + 5*-/P/P", "<S8 wr S2 wr S10") == 1);
+    CHECK(status("a/P/Pa + 5*P/-/P + 4*P/P/-", "<S20 wr S2 wr S10") == 1);
+}
+
+TEST_CASE("plcheck certifies by Proposition P6 how five points permute their poses") {
+    const std::string files = " " + certs + "plmp.plc " + certs + "solutions/plmp.plc";
+    const auto asked = [&](const std::string& problem, const std::string& group) {
+        return run(plcheck + " --why --expect '" + problem + "' --group '" + group + "'" + files);
+    };
+    const Outcome verified = asked("5*P/P", "<S2 wr S10");
+    CHECK(verified.status == 0);
+    CHECK(verified.out.find("\n- its group is <S2 wr S10, by Theorem P of "
+                            "proofs/five_shared_points.md\n") != std::string::npos);
+    CHECK(asked("5*P/P", "S20").status == 1);
+    CHECK(asked("3*PL/PL + 2*P/P", "<S2 wr S10").status == 1); // three points on a line
+    CHECK(run(plcheck + " --expect '5*P/P' --group '<S2 wr S10' " + certs + "plmp.plc").status ==
+          1); // nothing says that there are 20
 }
 
 TEST_CASE("the groups on file keep to the laws of degrees, parts and families") {
@@ -364,7 +388,7 @@ TEST_CASE("certs/family-groups.csv calls those groups certified that plcheck cer
         if (row.status == "certified" && row.group != "S1")
             called_certified[row.problem] = row.group;
     CHECK(called_certified == certified);
-    CHECK(counted["plmp"] == 6);
+    CHECK(counted["plmp"] == 7);
     CHECK(counted["projective"] == 200);
     CHECK(counted["upright"] + counted["upright-shared-focal"] + counted["upright-focal"] == 15);
 }
@@ -425,7 +449,7 @@ TEST_CASE("plprove list, plprove problem and plprove group --families say what "
         CHECK(nlohmann::json::parse(run(problem + " --json").out)["group"]["order"] == row.order);
     }
     CHECK(shown == 15);
-    CHECK(run(plprove + " problem five-point").out.find("\ngroup       <S2 wr S10 evidence\n") !=
+    CHECK(run(plprove + " problem five-point").out.find("\ngroup       <S2 wr S10 certified\n") !=
           std::string::npos);
     // What is taken away from the committed table comes back, byte for byte.
     const TemporaryFolder folder;
