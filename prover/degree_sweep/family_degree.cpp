@@ -6,6 +6,10 @@
 #include "prover/problem/notation.h"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
 
 namespace plprove {
 
@@ -26,22 +30,23 @@ public:
     MonodromyCount operator()(std::uint64_t number) {
         runs_.push_back(many_views::run_monodromy(problem_, seed_of(number), settings_));
         MonodromyCount count = runs_.back();
-        count.solutions = in_file(count.solutions);
+        count.solutions = each_once(count.solutions);
         return count;
     }
 
     /// The certificate of one that found this number of solutions, or of the one that found most.
     many_views::SolutionsRecord record(std::optional<int> solutions) const {
         const auto chosen = std::ranges::max_element(runs_, {}, [&](const MonodromyResult& run) {
-            return std::pair(solutions && in_file(run.solutions) == *solutions, run.points.size());
+            return std::pair(solutions && each_once(run.solutions) == *solutions,
+                             run.points.size());
         });
         const auto number = static_cast<std::uint64_t>(chosen - runs_.begin()) + 1;
         return many_views::certify(*chosen, static_cast<int>(std::ssize(chosen->points)),
                                    seed_of(number), 1);
     }
 
-    /// How many solutions these are, each once. Some copies may be lost.
-    int in_file(int found) const { return (found + copies_ - 1) / copies_; }
+    /// How many solutions these are, if each is counted once. Some copies may be lost.
+    int each_once(int found) const { return (found + copies_ - 1) / copies_; }
 
     void add_paths_to(DegreeRun& run) const {
         for (const MonodromyResult& one : runs_) {
@@ -83,7 +88,7 @@ DegreeRun compute_family_degree(const SweepItem& item, const DegreeOptions& opti
     runs.add_paths_to(run);
     const bool exact = counted && counted->exact;
     const auto record = runs.record(exact ? std::optional(counted->solutions) : std::nullopt);
-    run.degree = runs.in_file(record.count());
+    run.degree = runs.each_once(record.count());
     run.complete = exact && run.degree == counted->solutions;
     if (run.degree > 0)
         run.record = without_first_line(many_views::write_solutions(std::span(&record, 1)));

@@ -14,33 +14,36 @@ public:
     using Element = typename Field::Element;
     using Vector = VectorOver<Field>;
 
-    /// At these camera coordinates, 11 of them.
+    /// At these camera coordinates, 11 of them, which must outlive this object, as the images must.
     CamerasOver(const Field& field, const CameraImages& images,
                 const std::vector<Element>& coordinates)
-        : field_(field), system_(images.system) {
+        : field_(field), images_(images), coordinates_(coordinates) {
         centres_[0].fill(field.constant(0));
         centres_[1] = {field.constant(1), coordinates[6], coordinates[7]};
         centres_[2] = {coordinates[8], coordinates[9], coordinates[10]};
-        const Quaternion second(field, &coordinates[0]), third(field, &coordinates[3]);
+        const Quaternion second(field, quaternion_of(1)), third(field, quaternion_of(2));
         for (std::size_t n = 0; n < images.vectors.size(); ++n) {
-            const int view = system_.vectors[n].view;
             const IntegerVector& x = images.vectors[n];
-            turned_.push_back(view == 0 ? fixed(x) : turned(view == 1 ? second : third, x));
+            turned_.push_back(view(n) == 0 ? fixed(x) : turned(view(n) == 1 ? second : third, x));
         }
     }
 
     /// Of each equation its value.
     std::vector<Element> values() const {
         std::vector<Element> result;
-        for (const CameraEquation& equation : system_.equations)
+        for (const CameraEquation& equation : images_.system.equations)
             result.push_back(value(equation));
         return result;
     }
 
     /// Of each equation its derivatives by the 11 coordinates.
     std::vector<std::vector<Element>> gradients() {
+        changes_.clear();
+        for (std::size_t n = 0; n < images_.vectors.size(); ++n)
+            changes_.push_back(view(n) == 0 ? Changes{}
+                                            : changes(quaternion_of(view(n)), images_.vectors[n]));
         std::vector<std::vector<Element>> result;
-        for (const CameraEquation& equation : system_.equations)
+        for (const CameraEquation& equation : images_.system.equations)
             result.push_back(gradient(equation));
         return result;
     }
@@ -105,47 +108,54 @@ private:
         Element rest;
     };
 
-    /// R^T x, and its derivatives by the three coordinates of the quaternion, if the view has some.
-    struct Turned {
-        Vector vector;
-        std::array<Vector, 3> changes;
-    };
+    /// The derivatives of a vector R^T x by the three coordinates of the quaternion.
+    using Changes = std::array<Vector, 3>;
 
     static std::size_t index(int n) { return static_cast<std::size_t>(n); }
-    int view(int n) const { return system_.vectors[index(n)].view; }
-    const Vector& at(int n) const { return turned_[index(n)].vector; }
+    int view(std::size_t n) const { return images_.system.vectors[n].view; }
+    int view(int n) const { return view(index(n)); }
+    const Element* quaternion_of(int view) const { return &coordinates_[view == 1 ? 0 : 3]; }
+    const Vector& at(int n) const { return turned_[index(n)]; }
     /// From the centre of the view of vector b to that of a.
     Vector base(int a, int b) const {
         return minus(centres_[index(view(a))], centres_[index(view(b))]);
     }
 
-    Turned fixed(const IntegerVector& x) const {
-        return {{field_.constant(x[0]), field_.constant(x[1]), field_.constant(x[2])}, {}};
+    Vector fixed(const IntegerVector& x) const {
+        return {field_.constant(x[0]), field_.constant(x[1]), field_.constant(x[2])};
     }
 
     /// R^T x = 2 (q·x) q + (1 - q·q) x + 2 x × q.
-    Turned turned(const Quaternion& quaternion, const IntegerVector& x) const {
+    Vector turned(const Quaternion& quaternion, const IntegerVector& x) const {
         const Element* q = quaternion.q;
-        Element along = field_.constant(0);
-        for (std::size_t k = 0; k < 3; ++k)
-            along = field_.sum(along, field_.scaled(q[k], 2 * x[k]));
-        Turned result;
+        Vector result;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            Element& sum = result.vector[i];
+            Element& sum = result[i];
             sum = field_.scaled(quaternion.rest, x[i]);
             for (std::size_t n = 0; n < 3; ++n)
                 sum = field_.sum(sum, field_.scaled(quaternion.products[n][i], 2 * x[n]));
             sum = field_.sum(sum, field_.scaled(q[k], 2 * x[j]));
             sum = field_.difference(sum, field_.scaled(q[j], 2 * x[k]));
-            // By q_n: 2 x_n q_i + (if i = n) 2 q·x - 2 q_n x_i + 2 (x × e_n)_i.
+        }
+        return result;
+    }
+
+    /// By q_n: 2 x_n q_i + (if i = n) 2 q·x - 2 q_n x_i + 2 (x × e_n)_i.
+    Changes changes(const Element* q, const IntegerVector& x) const {
+        Element along = field_.constant(0);
+        for (std::size_t k = 0; k < 3; ++k)
+            along = field_.sum(along, field_.scaled(q[k], 2 * x[k]));
+        Changes result;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
             for (std::size_t n = 0; n < 3; ++n) {
                 Element change =
                     field_.difference(field_.scaled(q[i], 2 * x[n]), field_.scaled(q[n], 2 * x[i]));
                 if (n == i) change = field_.sum(change, along);
                 if (n == k) change = field_.sum(change, field_.constant(2 * x[j]));
                 if (n == j) change = field_.difference(change, field_.constant(2 * x[k]));
-                result.changes[n][i] = std::move(change);
+                result[n][i] = std::move(change);
             }
         }
         return result;
@@ -168,7 +178,7 @@ private:
     void add_by_vector(int n, const Vector& by) {
         if (view(n) == 0) return;
         for (std::size_t k = 0; k < 3; ++k)
-            add(3 * (index(view(n)) - 1) + k, dot(by, turned_[index(n)].changes[k]));
+            add(3 * (index(view(n)) - 1) + k, dot(by, changes_[index(n)][k]));
     }
     void add_by_centre(int n, const Vector& by) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -178,9 +188,11 @@ private:
     }
 
     const Field& field_;
-    const CameraSystem& system_;
+    const CameraImages& images_;
+    const std::vector<Element>& coordinates_;
     std::array<Vector, 3> centres_;
-    std::vector<Turned> turned_;
+    std::vector<Vector> turned_;   ///< the vectors R^T x
+    std::vector<Changes> changes_; ///< of each
     std::vector<Element> row_;
 };
 

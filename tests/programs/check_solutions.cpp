@@ -23,6 +23,7 @@ struct OnFile {
     int degree = 0, certified = 0;
     bool is_exact = false;   // by certificates, by theorem or by the label class
     bool by_theorem = false; // no certificate of an upper bound is needed
+    bool by_digest = false;  // of its certificate only the digest is committed
 };
 
 std::vector<OnFile> degrees_on_file() {
@@ -39,6 +40,7 @@ std::vector<OnFile> degrees_on_file() {
         row.certified = certified.empty() ? 0 : std::stoi(certified);
         row.is_exact = status == "certified";
         row.by_theorem = source.starts_with("by theorem");
+        row.by_digest = source.starts_with("a sweep: ");
     }
     return degrees;
 }
@@ -97,6 +99,7 @@ TEST_CASE(
     for (const OnFile& row : degrees_on_file()) {
         if (row.degree > most) continue;
         CHECK(row.certified == row.degree);
+        if (row.by_digest) continue;
         expected[row.problem] = row.certified;
         ++expected_tables[row.family][row.certified];
         const bool needs_large_file =

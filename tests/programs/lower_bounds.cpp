@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <sstream>
 
@@ -40,6 +41,36 @@ std::vector<ListedCertificate> listed_in(const std::string& list) {
 const std::string of_classes = "degrees/SHA256SUMS-lower-bounds";
 const std::string in_general = "solutions/SHA256SUMS-lower-bounds";
 const std::string fibres = "degrees/SHA256SUMS-fibres"; // of seed 0, which their names leave out
+const std::string of_sweeps = "solutions/SHA256SUMS-sweeps"; // named FAMILY-NUMBER.plc
+
+/// The digests of sweeps by problem, in notation: NUMBER is the place in the list of the family.
+std::map<std::string, std::string> digests_of_sweeps() {
+    std::map<std::string, std::vector<std::string>> problems; // by family
+    std::map<std::string, std::string> digests;
+    for (const std::string& line : lines_of(read_file(certs + of_sweeps))) {
+        const std::string name = line.substr(66, line.size() - 66 - std::string(".plc").size());
+        const std::size_t dash = name.rfind('-');
+        const std::string family = name.substr(0, dash);
+        std::vector<std::string>& list = problems[family];
+        if (list.empty())
+            list = lines_of(run(plprove + " list --format notation --family " + family).out);
+        digests[list.at(std::stoul(name.substr(dash + 1)) - 1)] = line.substr(0, 64);
+    }
+    return digests;
+}
+
+/// How many solutions certs/family-degrees.csv says are certified, by problem; of some families.
+std::map<std::string, int> certified_of_families(const std::set<std::string>& families) {
+    std::map<std::string, int> certified;
+    for (const std::string& line : lines_of(read_file(certs + "family-degrees.csv"))) {
+        std::istringstream columns(line);
+        std::vector<std::string> row;
+        for (std::string column; std::getline(columns, column, ',');)
+            row.push_back(column);
+        if (families.contains(row[0])) certified[row[1]] = std::stoi(row[5]);
+    }
+    return certified;
+}
 
 /// Lets plprove find the certificate again, and returns the path of the file.
 std::string find_again(const ListedCertificate& certificate, const TemporaryFolder& folder) {
@@ -201,6 +232,37 @@ TEST_CASE(
     CHECK(listed == lines);
     CHECK(listed.size() == 6);
     CHECK(lines_of(report).size() == listed.size());
+}
+
+TEST_CASE("the list of certificates of sweeps has each minimal problem of cameras known in part, "
+          "and so has the table of degrees") {
+    const std::map<std::string, std::string> digests = digests_of_sweeps();
+    const std::map<std::string, int> certified = certified_of_families(
+        {"upright-focal", "shared-focal", "focal", "shared-focal-center", "shared-k"});
+    CHECK(digests.size() == 393);
+    CHECK(std::ranges::equal(digests | std::views::keys, certified | std::views::keys));
+}
+
+TEST_CASE("plprove gives back the bytes of certificates of sweeps, and they hold") {
+    const std::map<std::string, std::string> digests = digests_of_sweeps();
+    const TemporaryFolder folder;
+    const std::string path = (folder / "solutions.plc").string();
+    for (const char* problem :
+         {"upright-focal: 3*PL/PL/PL + a/a/a", "shared-focal: P/P/P + Pabcdef/Pabcdef/Pabcdef",
+          "focal: 3*PL/PL/PL + Pabc/Pabc/Pabc"}) {
+        CAPTURE(problem);
+        nlohmann::json file;
+        for (const char* seed : {"1", "2", "3"}) { // the sweep has used one of these
+            const std::string command = plprove + " degree '" + problem + "' --target 300 --seed ";
+            REQUIRE(run(command + seed + " -o " + path).status == 0);
+            const Outcome checked = run(plcheck + " --json " + path);
+            CHECK(checked.status == 0);
+            file = nlohmann::json::parse(checked.out).at("files").at(0);
+            if (file.at("sha256") == digests.at(problem)) break;
+        }
+        CHECK(file.at("sha256") == digests.at(problem));
+        CHECK(file.at("solutions").at(0).at("certified_at_least") > 1);
+    }
 }
 
 TEST_CASE("plprove gives back the bytes of the smallest certificate in general, and it holds") {

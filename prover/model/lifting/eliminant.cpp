@@ -3,6 +3,7 @@
 #include "prover/geometry/flint.h"
 #include "prover/model/fields.h"
 
+#include <algorithm>
 #include <flint/fmpq.h>
 
 namespace plprove::model {
@@ -41,18 +42,13 @@ struct Part {
 
 constexpr slong every = WORD_MAX;
 
-/// From the first to the last, without this.
-struct Range {
-    std::size_t first = 0, last = 0;
-};
-
 class Parts {
 public:
     /// With so many first coefficients of each polynomial, and sums of these coordinates.
     Parts(const std::vector<RefinedSolution>& solutions, const std::vector<int>& factors,
-          Range sums, slong coefficients, slong bits)
-        : solutions_(solutions), factors_(factors), sums_(sums), coefficients_(coefficients),
-          bits_(bits) {}
+          std::vector<std::size_t> sums, slong coefficients, slong bits)
+        : solutions_(solutions), factors_(factors), sums_(std::move(sums)),
+          coefficients_(coefficients), bits_(bits) {}
 
     Part all() const { return of(0, solutions_.size()); }
 
@@ -107,7 +103,7 @@ private:
             arb_addmul(number, acb_imagref(u.get()), acb_imagref(u.get()), bits_);
             part.product.set(0, number);
         }
-        for (std::size_t k = sums_.first; k < sums_.last; ++k) {
+        for (const std::size_t k : sums_) {
             RealPolynomial& sum = part.sums.emplace_back();
             const BigComplex x = coordinate(k);
             arb_srcptr re = acb_realref(x.get()), im = acb_imagref(x.get());
@@ -130,7 +126,7 @@ private:
 
     const std::vector<RefinedSolution>& solutions_;
     const std::vector<int>& factors_;
-    Range sums_;
+    std::vector<std::size_t> sums_;
     slong coefficients_;
     slong bits_;
 };
@@ -231,6 +227,15 @@ std::optional<Integer> denominator_of(const std::vector<int>& factors,
     return reduction.take_denominator();
 }
 
+/// All coordinates but the one that is t itself, if one is.
+std::vector<std::size_t> coordinates_beside(const std::vector<int>& factors) {
+    std::vector<std::size_t> result;
+    const bool one_alone = std::ranges::count(factors, 0) + 1 == std::ssize(factors);
+    for (std::size_t k = 0; k < factors.size(); ++k)
+        if (!one_alone || factors[k] != 1) result.push_back(k);
+    return result;
+}
+
 } // namespace
 
 /// The sum of a coordinate may have, beside the denominators of u, those of the coordinate. 1 where
@@ -252,14 +257,14 @@ std::optional<Solutions> Eliminants::of(const std::vector<int>& factors) {
     auto denominator = denominator_of(factors, solutions_, bits_);
     if (!denominator) return std::nullopt;
     // The first coefficients cost little, and tell whether there are bits enough.
-    const std::size_t count = factors.size();
+    const std::vector<std::size_t> others = coordinates_beside(factors);
     std::vector<Reduction> sums;
-    for (std::size_t k = 0; k < count; ++k) {
-        const Part constant = Parts(solutions_, factors, {k, k + 1}, 1, bits_).all();
+    for (const std::size_t k : others) {
+        const Part constant = Parts(solutions_, factors, {k}, 1, bits_).all();
         sums.emplace_back(bits_, denominator_of_sum(*denominator, k));
         if (!sums.back().modulo_q(constant.sums.front())) return std::nullopt;
     }
-    const Part part = Parts(solutions_, factors, {0, count}, every, bits_).all();
+    const Part part = Parts(solutions_, factors, others, every, bits_).all();
     Reduction polynomial(bits_, std::move(*denominator));
     const auto g = polynomial.modulo_q(part.product);
     if (!g || nmod_poly_is_squarefree(g->get()) == 0) return std::nullopt;
@@ -267,11 +272,12 @@ std::optional<Solutions> Eliminants::of(const std::vector<int>& factors) {
     Univariate slope;
     nmod_poly_derivative(slope.get(), g->get());
     const Univariate inverse = algebra.inverse(slope);
-    Solutions result{*g, {}};
-    for (std::size_t k = 0; k < count; ++k) {
-        const auto numerator = sums[k].modulo_q(part.sums[k]);
+    const Univariate t = algebra.reduced(Univariate({Modular(0), Modular(1)}));
+    Solutions result{*g, std::vector<Univariate>(factors.size(), t)};
+    for (std::size_t n = 0; n < others.size(); ++n) {
+        const auto numerator = sums[n].modulo_q(part.sums[n]);
         if (!numerator) return std::nullopt;
-        result.unknowns.push_back(algebra.product(*numerator, inverse));
+        result.unknowns[others[n]] = algebra.product(*numerator, inverse);
     }
     return result;
 }
