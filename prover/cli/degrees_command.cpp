@@ -9,6 +9,7 @@
 #include "prover/degree_sweep/sweep.h"
 #include "prover/fibres/class_fibre.h"
 #include "prover/problem/complete_visibility.h"
+#include "prover/problem/notation.h"
 #include "prover/system/exit.h"
 #include "prover/system/interruption.h"
 #include "prover/system/progress.h"
@@ -66,6 +67,7 @@ struct DegreesRequest {
     std::vector<ClassFilter> classes;
     std::string family;
     bool uncounted = false; ///< of the family, only problems whose degree is not on file
+    int most_views = 0;     ///< of the family, only problems in at most so many views; 0: all
 };
 
 struct CollectRequest {
@@ -232,11 +234,16 @@ int collect_results(const CollectRequest& request) {
 std::vector<std::size_t> wanted(const DegreesRequest& request, const SweepSubject& subject) {
     if (!request.classes.empty()) return constraint_classes_of(request.classes);
     std::vector<std::size_t> numbers;
-    for (const SweepItem& item : subject.items)
-        if (!request.uncounted || item.degree == 0) numbers.push_back(item.number);
+    for (const SweepItem& item : subject.items) {
+        const bool is_counted = request.uncounted && item.degree > 0;
+        const bool has_many_views =
+            request.most_views > 0 && parse_problem(item.problem).views > request.most_views;
+        if (!is_counted && !has_many_views) numbers.push_back(item.number);
+    }
     if (numbers.empty())
-        throw BadInput("all problems of " + request.family +
-                       " have a degree on file: leave --uncounted out");
+        throw BadInput("no problem of " + request.family + " is left: all have " +
+                       (request.uncounted ? "a degree on file; leave --uncounted out"
+                                          : "more views; give another number to --views"));
     return numbers;
 }
 
@@ -347,6 +354,13 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
     command
         ->add_flag("--uncounted", request->uncounted,
                    "of the family, only those whose number of solutions is not on file")
+        ->needs(family);
+    command
+        ->add_option("--views", request->most_views,
+                     "of the family, only those in at most so many views: paths take longer where "
+                     "there are more")
+        ->type_name("N")
+        ->check(CLI::Range(2, most_views))
         ->needs(family);
     command->footer(degrees_examples);
     return {command,

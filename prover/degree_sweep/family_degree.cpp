@@ -34,15 +34,22 @@ public:
         return count;
     }
 
-    /// The certificate of one that found this number of solutions, or of the one that found most.
-    many_views::SolutionsRecord record(std::optional<int> solutions) const {
-        const auto chosen = std::ranges::max_element(runs_, {}, [&](const MonodromyResult& run) {
-            return std::pair(solutions && each_once(run.solutions) == *solutions,
-                             run.points.size());
-        });
-        const auto number = static_cast<std::uint64_t>(chosen - runs_.begin()) + 1;
-        return many_views::certify(*chosen, static_cast<int>(std::ssize(chosen->points)),
-                                   seed_of(number), 1);
+    /// The certificate of the run that found most.
+    many_views::SolutionsRecord record() const {
+        const auto size = [](const MonodromyResult& run) { return run.points.size(); };
+        return record_of(std::ranges::max_element(runs_, {}, size));
+    }
+
+    /// A certificate of all these solutions, or of most, by the runs that found as many.
+    many_views::SolutionsRecord record(int solutions) const {
+        std::optional<many_views::SolutionsRecord> best;
+        for (auto run = runs_.begin(); run != runs_.end(); ++run) {
+            if (each_once(run->solutions) != solutions) continue;
+            auto found = record_of(run);
+            if (!best || found.count() > best->count()) best = std::move(found);
+            if (each_once(best->count()) >= solutions) break;
+        }
+        return best.value();
     }
 
     /// How many solutions these are, if each is counted once. Some copies may be lost.
@@ -59,6 +66,12 @@ public:
 
 private:
     std::uint64_t seed_of(std::uint64_t number) const { return most_seeds * seed_ + number; }
+
+    many_views::SolutionsRecord record_of(std::vector<MonodromyResult>::const_iterator run) const {
+        const auto number = static_cast<std::uint64_t>(run - runs_.begin()) + 1;
+        return many_views::certify(*run, static_cast<int>(std::ssize(run->points)), seed_of(number),
+                                   1);
+    }
 
     Problem problem_;
     int copies_;
@@ -87,7 +100,7 @@ DegreeRun compute_family_degree(const SweepItem& item, const DegreeOptions& opti
     const auto counted = counted_twice(most, Runs::most_seeds, std::ref(runs));
     runs.add_paths_to(run);
     const bool exact = counted && counted->exact;
-    const auto record = runs.record(exact ? std::optional(counted->solutions) : std::nullopt);
+    const auto record = exact ? runs.record(counted->solutions) : runs.record();
     run.degree = runs.each_once(record.count());
     run.complete = exact && run.degree == counted->solutions;
     if (run.degree > 0)

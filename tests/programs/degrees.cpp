@@ -271,7 +271,10 @@ TEST_CASE("a sweep over a family keeps to it") {
     const Outcome counted =
         run(shell({"degrees", "--family", "upright", "--uncounted", "-o", path}));
     CHECK(counted.status == 2);
-    CHECK(contains(counted.err, "all problems of upright have a degree on file"));
+    CHECK(contains(counted.err, "no problem of upright is left: all have a degree on file"));
+    const Outcome two_views =
+        run(shell({"degrees", "--family", "upright", "--views", "2", "--exact", "-o", path}));
+    CHECK(contains(two_views.out, "computed      2 problems in "));
     for (const Arguments& other : {Arguments{"--classes", "2394"}, Arguments{"--fibres"}}) {
         Arguments arguments{"degrees", "--family", "upright", "-o", path};
         arguments.insert(arguments.end(), other.begin(), other.end());
