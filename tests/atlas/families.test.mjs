@@ -121,7 +121,7 @@ test("a problem says its verdict with the reason, its degree with its status", a
     const facts = await page.locator("#problems .facts").allTextContents();
     assert.equal(
         facts[0],
-        "2 views · minimal · degree 20 certified · group <S2 wr S10 evidence · page of 5000_2",
+        "2 views · minimal · degree 20 certified · group <S2 wr S10 certified · page of 5000_2",
     );
     assert.equal(
         facts[1],

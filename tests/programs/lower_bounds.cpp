@@ -70,9 +70,9 @@ std::set<std::string> problems_of_families(const std::set<std::string>& families
         std::vector<std::string> row;
         for (std::string column; std::getline(columns, column, ',');)
             row.push_back(column);
+        if (!families.contains(row[0])) continue;
         const std::string feature = row.at(1).substr(0, row.at(1).find(" + "));
-        if (families.contains(row[0]) && std::ranges::count(feature, '/') < most_views)
-            problems.insert(row[1]);
+        if (std::ranges::count(feature, '/') < most_views) problems.insert(row[1]);
     }
     return problems;
 }
