@@ -29,16 +29,6 @@ void add_by_number(std::set<std::size_t>& chosen, const ClassFilter& filter) {
 
 } // namespace
 
-std::vector<std::size_t> minimal_constraint_classes() {
-    const std::vector<Signature>& classes = label_classes();
-    std::vector<std::size_t> numbers;
-    for (std::size_t number = 0; number < classes.size(); ++number)
-        if (constraint_representative(classes[number]) == classes[number] &&
-            is_minimal(classes[number]))
-            numbers.push_back(number);
-    return numbers;
-}
-
 std::vector<std::size_t> constraint_classes_of(std::span<const ClassFilter> filters) {
     std::set<std::size_t> chosen;
     std::vector<Entry> entries; // made if a filter asks for more than numbers

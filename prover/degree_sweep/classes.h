@@ -10,9 +10,6 @@
 
 namespace plprove {
 
-/// All of them, ascending: 10,073.
-std::vector<std::size_t> minimal_constraint_classes();
-
 /// Those that have a minimal label class which passes one of the filters, ascending. Throws
 /// BadInput if there is none.
 std::vector<std::size_t> constraint_classes_of(std::span<const ClassFilter> filters);

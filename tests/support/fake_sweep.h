@@ -14,9 +14,17 @@ namespace plprove {
 
 inline const SweepWatch unwatched{[](const SweepProgress&) {}, [] {}};
 
-/// The first of the minimal constraint classes.
+/// The numbers of all constraint classes of minimal problems.
+inline std::vector<std::size_t> numbers_of_classes() {
+    std::vector<std::size_t> numbers;
+    for (const SweepItem& item : all_constraint_classes().items)
+        numbers.push_back(item.number);
+    return numbers;
+}
+
+/// The first of them.
 inline std::vector<std::size_t> some_classes() {
-    std::vector<std::size_t> classes = minimal_constraint_classes();
+    std::vector<std::size_t> classes = numbers_of_classes();
     classes.resize(300);
     return classes;
 }
@@ -35,7 +43,7 @@ inline std::size_t left_to_do(const SweepFolder& folder, const std::vector<std::
 
 /// The first class for which the condition holds.
 inline std::size_t class_with(const std::function<bool(std::size_t)>& condition) {
-    for (const std::size_t number : minimal_constraint_classes())
+    for (const std::size_t number : numbers_of_classes())
         if (condition(number)) return number;
     throw std::logic_error("no such class");
 }
