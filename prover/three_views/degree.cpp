@@ -17,12 +17,12 @@ DegreeRun compute_degree(std::size_t number, const DegreeOptions& options) {
     DegreeRun run;
     run.number = number;
     for (std::size_t attempt = 0; attempt < most_images && run.degree < wanted; ++attempt) {
-        auto [certificate, counts] =
+        auto [certificate, counts, lost] =
             find_for_integer_images(system, wanted, options.seed, number + (attempt << 32U),
                                     options.small_images, options.progress);
         run.tracks += counts.tracks;
         run.retried += counts.retried;
-        run.failed += counts.failed;
+        run.failed += static_cast<std::uint64_t>(lost);
         if (certificate.degree() <= run.degree) continue;
         run.degree = certificate.degree();
         run.certificate = std::move(certificate);

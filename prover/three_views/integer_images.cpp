@@ -153,11 +153,12 @@ LowerBound find_for_integer_images(const CameraSystem& system, int wanted, std::
     auto monodromy = camera_monodromy(std::move(loops), progress);
     monodromy.reach(wanted, most_edges);
     const bool too_few = monodromy.solutions().size() < wanted;
-    if (small && too_few) return {{}, monodromy.loops().counts()};
+    if (small && too_few) return {{}, monodromy.loops().counts(), monodromy.lost()};
     std::vector<CameraPoint> zeros;
     for (const CameraPoint& point : monodromy.solutions().points())
         zeros.push_back(standard_chart().point(monodromy.loops().chart().cameras(point)));
-    return {certificate_of(system, vectors, zeros, all), monodromy.loops().counts()};
+    return {certificate_of(system, vectors, zeros, all), monodromy.loops().counts(),
+            monodromy.lost()};
 }
 
 DegreeCertificate certify_zeros(const CameraSystem& system,

@@ -11,6 +11,7 @@ namespace plprove {
 struct LowerBound {
     DegreeCertificate certificate;
     PathCounts counts;
+    int lost = 0; ///< paths, for good
 };
 
 /// Finds `wanted` solutions for random integer images, with few digits if `small`, by monodromy

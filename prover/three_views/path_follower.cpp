@@ -71,11 +71,9 @@ TrackSettings tight_settings() {
 
 PathFollower::Ends PathFollower::follow_double_double(const TrackedImages& images,
                                                       const std::vector<CameraPoint>& starts) {
-    Ends ends = attempt(fastest_double_double_tracker(), images, tight_settings(), starts);
     counts_.tracks += starts.size();
     counts_.retried += starts.size();
-    counts_.failed += starts.size() - arrived(ends);
-    return ends;
+    return attempt(fastest_double_double_tracker(), images, tight_settings(), starts);
 }
 
 PathFollower::Ends PathFollower::follow_triple_double(const TrackedImages& images,
@@ -86,9 +84,7 @@ PathFollower::Ends PathFollower::follow_triple_double(const TrackedImages& image
     settings.noise = 1e-22;
     settings.smallest_step = 1e-18;
     settings.most_steps = 6000;
-    const Ends ends = attempt(fastest_triple_double_tracker(), images, settings, starts);
-    counts_.failed -= arrived(ends);
-    return ends;
+    return attempt(fastest_triple_double_tracker(), images, settings, starts);
 }
 
 PathFollower::Ends PathFollower::follow_detours(const Detours& detours,
@@ -99,7 +95,6 @@ PathFollower::Ends PathFollower::follow_detours(const Detours& detours,
         const auto legs = i == 0 ? detours.first : detours.another();
         fill(ends, starts, [&](const auto& open) { return follow_legs(legs, open); });
     }
-    counts_.failed -= arrived(ends);
     return ends;
 }
 

@@ -15,7 +15,6 @@ namespace plprove {
 struct PathCounts {
     std::uint64_t tracks = 0; ///< to an end, or lost for good
     std::uint64_t retried = 0;
-    std::uint64_t failed = 0;
     std::uint64_t steps = 0;
 };
 
@@ -34,13 +33,11 @@ public:
 
     /// Loses about one of a hundred, which is not counted.
     Ends follow_quickly(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With tighter settings and twice the digits; what is lost then counts as lost for good.
+    /// With tighter settings and twice the digits.
     Ends follow_double_double(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With three times the digits, what was lost with twice the digits: what arrives was not lost
-    /// for good.
+    /// With three times the digits, what was lost with twice the digits.
     Ends follow_triple_double(const TrackedImages& images, const std::vector<CameraPoint>& starts);
-    /// With twice the digits, what was lost on the straight way: what arrives was not lost for
-    /// good.
+    /// With twice the digits, what was lost on the straight way.
     Ends follow_detours(const Detours& detours, const std::vector<CameraPoint>& starts);
     const PathCounts& counts() const { return counts_; }
 

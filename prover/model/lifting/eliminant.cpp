@@ -4,7 +4,9 @@
 #include "prover/model/fields.h"
 
 #include <algorithm>
+#include <cmath>
 #include <flint/fmpq.h>
+#include <flint/fmpz_lll.h>
 
 namespace plprove::model {
 
@@ -188,9 +190,6 @@ public:
         return Univariate(coefficients);
     }
 
-    /// A multiple of all denominators so far; to be asked last.
-    Integer take_denominator() { return std::move(common_); }
-
 private:
     static Modular residue(const Integer& x) { return Modular::of(fmpz_fdiv_ui(x.get(), modulus)); }
 
@@ -211,20 +210,44 @@ private:
     Integer common_, numerator_;
 };
 
-Integer one() {
+/// The least common denominator of some rational numbers, from intervals; nothing where it is no
+/// surprise that these have one, so that it may be another one.
+///
+/// It makes a short vector of a lattice (Lenstra, Lenstra and Lovász 1982, section 1): n numbers
+/// that are no integers determine it by 1 + 1/n times as many bits as it has.
+std::optional<Integer> common_denominator(arb_srcptr begin, arb_srcptr end) {
+    constexpr slong surprise = 64;
+    std::vector<arb_srcptr> numbers;
+    slong bits = WORD_MAX; // that all numbers have after the binary point
+    for (arb_srcptr x = begin; x != end; ++x) {
+        if (arb_is_exact(x)) continue;
+        const slong own = -fmpz_get_si(MAG_EXPREF(arb_radref(x)));
+        if (own < surprise) return std::nullopt;
+        if (arb_contains_int(x)) continue;
+        bits = std::min(bits, own);
+        numbers.push_back(x);
+    }
     Integer result;
     fmpz_one(result.get());
+    if (numbers.empty()) return result;
+    const auto count = static_cast<slong>(numbers.size());
+    IntegerMatrix lattice(static_cast<int>(count + 1), static_cast<int>(count + 1));
+    fmpz_one(lattice.at(0, static_cast<int>(count)));
+    for (int n = 0; n < count; ++n) {
+        arf_t scaled;
+        arf_init(scaled);
+        arf_mul_2exp_si(scaled, arb_midref(numbers[static_cast<std::size_t>(n)]), bits);
+        arf_get_fmpz(lattice.at(0, n), scaled, ARF_RND_NEAR);
+        arf_clear(scaled);
+        fmpz_one_2exp(lattice.at(n + 1, n), static_cast<ulong>(bits));
+    }
+    fmpz_lll_t context;
+    fmpz_lll_context_init_default(context);
+    fmpz_lll(lattice.get(), nullptr, context);
+    fmpz_abs(result.get(), lattice.at(0, static_cast<int>(count)));
+    const auto size = static_cast<slong>(fmpz_bits(result.get()));
+    if (size == 0 || (count + 1) * size + surprise > count * bits) return std::nullopt;
     return result;
-}
-
-/// The denominator of the product of u over all solutions; nothing where so many bits do not
-/// determine it.
-std::optional<Integer> denominator_of(const std::vector<int>& factors,
-                                      const std::vector<RefinedSolution>& solutions, slong bits) {
-    const Part constant = Parts(solutions, factors, {}, 1, bits).all();
-    Reduction reduction(bits, one());
-    if (!reduction.modulo_q(constant.product)) return std::nullopt;
-    return reduction.take_denominator();
 }
 
 /// All coordinates but the one that is t itself, if one is.
@@ -236,37 +259,75 @@ std::vector<std::size_t> coordinates_beside(const std::vector<int>& factors) {
     return result;
 }
 
-} // namespace
-
-/// The sum of a coordinate may have, beside the denominators of u, those of the coordinate. 1 where
-/// so many bits do not determine these.
-Integer Eliminants::denominator_of_sum(const Integer& of_u, std::size_t coordinate) {
-    const auto [entry, is_new] = denominators_.try_emplace(coordinate);
-    std::optional<Integer>& own = entry->second;
-    if (is_new) {
-        std::vector<int> factors(coordinate + 1);
-        factors.back() = 1;
-        own = denominator_of(factors, solutions_, bits_);
-    }
-    Integer result = one();
-    if (own) fmpz_lcm(result.get(), of_u.get(), own->get());
+/// The factors of a sum that is this coordinate.
+std::vector<int> alone(std::size_t coordinate, std::size_t of) {
+    std::vector<int> result(of);
+    result[coordinate] = 1;
     return result;
 }
 
-std::optional<Solutions> Eliminants::of(const std::vector<int>& factors) {
-    auto denominator = denominator_of(factors, solutions_, bits_);
-    if (!denominator) return std::nullopt;
-    // The first coefficients cost little, and tell whether there are bits enough.
-    const std::vector<std::size_t> others = coordinates_beside(factors);
-    std::vector<Reduction> sums;
-    for (const std::size_t k : others) {
-        const Part constant = Parts(solutions_, factors, {k}, 1, bits_).all();
-        sums.emplace_back(bits_, denominator_of_sum(*denominator, k));
-        if (!sums.back().modulo_q(constant.sums.front())) return std::nullopt;
+/// No coefficient of the product of t - u over all solutions has more bits before the binary point;
+/// nor, but for few, one of a sum of products without a factor.
+slong bits_before_point(const std::vector<int>& factors,
+                        const std::vector<RefinedSolution>& solutions) {
+    constexpr slong few = 64;
+    double result = 0;
+    for (const RefinedSolution& solution : solutions) {
+        BigComplex u;
+        for (std::size_t k = 0; k < factors.size(); ++k)
+            acb_addmul_si(u.get(), solution.coordinates[k].get(), factors[k], few);
+        const double size = std::hypot(arf_get_d(arb_midref(acb_realref(u.get())), ARF_RND_NEAR),
+                                       arf_get_d(arb_midref(acb_imagref(u.get())), ARF_RND_NEAR));
+        result += (solution.real ? 1 : 2) * std::log2(1 + size);
     }
-    const Part part = Parts(solutions_, factors, others, every, bits_).all();
-    Reduction polynomial(bits_, std::move(*denominator));
-    const auto g = polynomial.modulo_q(part.product);
+    return static_cast<slong>(result);
+}
+
+} // namespace
+
+/// Whether it is known.
+bool Eliminants::find_denominator(const std::vector<int>& factors) {
+    constexpr slong first = 6; // coefficients: more cost more, and say little more
+    const auto [entry, is_new] = denominators_.try_emplace(factors);
+    if (is_new) {
+        const slong bits = refinement_.bits();
+        const Part part = Parts(refinement_.solutions(), factors, {}, first, bits).all();
+        arb_srcptr coefficients = part.product.get()->coeffs;
+        entry->second = common_denominator(
+            coefficients, coefficients + std::min(first, arb_poly_length(part.product.get())));
+    }
+    return entry->second.has_value();
+}
+
+/// Of the sum of a coordinate: it may have, beside the denominators of u, those of the coordinate.
+Integer Eliminants::denominator_of_sum(const std::vector<int>& factors,
+                                       std::size_t coordinate) const {
+    Integer result;
+    fmpz_lcm(result.get(), denominators_.at(factors)->get(),
+             denominators_.at(alone(coordinate, factors.size()))->get());
+    return result;
+}
+
+std::optional<slong> Eliminants::bits_for(const std::vector<int>& factors) {
+    constexpr slong spare = 512; // errors add up, and further coefficients may have more factors
+    const std::vector<std::size_t> others = coordinates_beside(factors);
+    for (const std::size_t k : others)
+        if (!find_denominator(alone(k, factors.size()))) return std::nullopt;
+    if (!find_denominator(factors)) return std::nullopt;
+    ulong largest = fmpz_bits(denominators_.at(factors)->get());
+    for (const std::size_t k : others)
+        largest = std::max(largest, fmpz_bits(denominator_of_sum(factors, k).get()));
+    return static_cast<slong>(largest) + bits_before_point(factors, refinement_.solutions()) +
+           spare;
+}
+
+std::optional<Solutions> Eliminants::of(const std::vector<int>& factors) const {
+    const slong bits = refinement_.bits();
+    const std::vector<std::size_t> others = coordinates_beside(factors);
+    const Part part = Parts(refinement_.solutions(), factors, others, every, bits).all();
+    Integer denominator;
+    fmpz_set(denominator.get(), denominators_.at(factors)->get());
+    const auto g = Reduction(bits, std::move(denominator)).modulo_q(part.product);
     if (!g || nmod_poly_is_squarefree(g->get()) == 0) return std::nullopt;
     const Algebra algebra(*g);
     Univariate slope;
@@ -275,7 +336,8 @@ std::optional<Solutions> Eliminants::of(const std::vector<int>& factors) {
     const Univariate t = algebra.reduced(Univariate({Modular(0), Modular(1)}));
     Solutions result{*g, std::vector<Univariate>(factors.size(), t)};
     for (std::size_t n = 0; n < others.size(); ++n) {
-        const auto numerator = sums[n].modulo_q(part.sums[n]);
+        const auto numerator =
+            Reduction(bits, denominator_of_sum(factors, others[n])).modulo_q(part.sums[n]);
         if (!numerator) return std::nullopt;
         result.unknowns[others[n]] = algebra.product(*numerator, inverse);
     }
@@ -289,10 +351,14 @@ std::optional<ExactSolutions> exact_solutions(Refinement refinement,
     while (refinement.bits() < most_bits) {
         refinement.add_digits();
         if (progress) progress(refinement.bits());
-        Eliminants eliminants(refinement.solutions(), refinement.bits());
-        for (const std::vector<int>& form : forms)
+        Eliminants eliminants(refinement);
+        for (const std::vector<int>& form : forms) {
+            const std::optional<slong> bits = eliminants.bits_for(form);
+            if (!bits) continue;
+            refinement.add_digits_up_to(*bits);
             if (auto solutions = eliminants.of(form))
                 return ExactSolutions{form, std::move(*solutions)};
+        }
     }
     return std::nullopt;
 }

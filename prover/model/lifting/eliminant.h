@@ -12,25 +12,28 @@
 
 namespace plprove::model {
 
-/// Solutions with so many bits as polynomials modulo q.
+/// Solutions as polynomials modulo q, whose coefficients are rational numbers.
 class Eliminants {
 public:
-    /// The solutions must outlive this object.
-    Eliminants(const std::vector<RefinedSolution>& solutions, slong bits)
-        : solutions_(solutions), bits_(bits) {}
+    /// The refinement must outlive this object.
+    explicit Eliminants(const Refinement& refinement) : refinement_(refinement) {}
 
-    /// Of as many coordinates as there are factors, with t their sum, each times its factor. The
-    /// coefficients are rational numbers: nothing where so many bits do not determine them, or
-    /// where q divides a denominator.
-    std::optional<Solutions> of(const std::vector<int>& factors);
+    /// How many bits will do for of(). Nothing where those that there are do not determine the
+    /// denominators: some more than these have do.
+    std::optional<slong> bits_for(const std::vector<int>& factors);
+
+    /// Of as many coordinates as there are factors, with t their sum, each times its factor. To be
+    /// asked after bits_for(), with as many bits as it said. Nothing where these do not determine
+    /// the coefficients, or where q divides a denominator.
+    std::optional<Solutions> of(const std::vector<int>& factors) const;
 
 private:
-    Integer denominator_of_sum(const Integer& of_u, std::size_t coordinate);
+    bool find_denominator(const std::vector<int>& factors);
+    Integer denominator_of_sum(const std::vector<int>& factors, std::size_t coordinate) const;
 
-    const std::vector<RefinedSolution>& solutions_;
-    slong bits_;
-    /// What denominator_of() says of single coordinates.
-    std::map<std::size_t, std::optional<Integer>> denominators_;
+    const Refinement& refinement_;
+    /// Of the polynomials whose zeros are these sums; nothing where the bits are too few.
+    std::map<std::vector<int>, std::optional<Integer>> denominators_;
 };
 
 /// Of the first coordinates, as many as the form has factors.

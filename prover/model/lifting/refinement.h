@@ -37,15 +37,17 @@ public:
     /// std::runtime_error where Newton's method does not converge.
     Refinement(const DigitEquations& equations, std::vector<RefinedSolution> approximations);
 
-    /// To twice as many bits as long as these are few, then to half as many more: a step gains as
-    /// many as the derivatives have, which cost most. Throws std::runtime_error where it loses too
-    /// many.
+    /// To about twice as many bits. Throws std::runtime_error where Newton's method loses too many.
     void add_digits();
+    /// To so many bits at least. Throws as add_digits() does.
+    void add_digits_up_to(slong bits);
 
     slong bits() const { return bits_; }
     const std::vector<RefinedSolution>& solutions() const { return solutions_; }
 
 private:
+    void gain(slong more);
+
     const DigitEquations& equations_;
     slong bits_;
     std::vector<RefinedSolution> solutions_;

@@ -3,7 +3,9 @@
 
 #include "prover/fibres/linear_unknowns.h"
 
+#include <array>
 #include <doctest/doctest.h>
+#include <utility>
 
 using namespace plprove;
 
@@ -72,6 +74,55 @@ TEST_CASE("a form that has one value at two solutions is passed over; without an
     REQUIRE(exact);
     CHECK(exact->form == std::vector{0, 1});
     CHECK(are_equal(exact->solutions.unknowns[0], univariate({0, 0, 18}))); // y^3 = 1/54
+}
+
+namespace {
+
+/// x is 1, 2 or 3 and 1 / large, and y = x^2.
+class NearIntegers : public model::DigitEquations {
+public:
+    static constexpr std::int64_t large = 1'000'000'000'000'000'000;
+
+    std::vector<BigComplex> values(const Point& point, const ManyDigits& digits) const override {
+        const BigComplex& x = point[0];
+        return {product(digits, {factor(x, 1, digits), factor(x, 2, digits), factor(x, 3, digits)}),
+                digits.difference(point[1], digits.product(x, x))};
+    }
+    std::vector<std::vector<BigComplex>> slopes(const Point& point,
+                                                const ManyDigits& digits) const override {
+        const BigComplex& x = point[0];
+        BigComplex slope = digits.constant(0);
+        for (const auto& [i, k] : {std::pair(1, 2), {2, 3}, {3, 1}})
+            slope = digits.sum(slope, product(digits, {digits.constant(large), factor(x, i, digits),
+                                                       factor(x, k, digits)}));
+        return {{slope, digits.constant(0)}, {digits.scaled(x, -2), digits.constant(1)}};
+    }
+
+private:
+    static BigComplex factor(const BigComplex& x, std::int64_t n, const ManyDigits& digits) {
+        return digits.difference(digits.scaled(x, large), digits.constant(n * large + 1));
+    }
+    static BigComplex product(const ManyDigits& digits, const std::array<BigComplex, 3>& factors) {
+        return digits.product(factors[0], digits.product(factors[1], factors[2]));
+    }
+};
+
+} // namespace
+
+TEST_CASE("solutions with long denominators become exact") {
+    const std::vector<StartingValues> starts{
+        {true, 0, {1, 1}}, {true, 0, {2, 4}}, {true, 0, {3, 9}}};
+    const auto exact = exact_solutions(NearIntegers(), starts, forms_of(2, 0), {});
+    REQUIRE(exact);
+    const auto at = [](const Univariate& polynomial, Modular t) {
+        return Modular(nmod_poly_evaluate_nmod(polynomial.get(), t.value()));
+    };
+    for (const int n : {1, 2, 3}) {
+        const Modular t = Modular(n) + Modular(NearIntegers::large).inverse();
+        CHECK(at(exact->solutions.polynomial, t) == Modular(0));
+        CHECK(at(exact->solutions.unknowns[0], t) == t);
+        CHECK(at(exact->solutions.unknowns[1], t) == t * t);
+    }
 }
 
 TEST_CASE("unknowns in which the equations are linear are found in the algebra") {

@@ -29,9 +29,7 @@ TEST_CASE("what doubles lose arrives with two or three times the digits") {
     const auto lost_again = lost(quickly, follower.follow_double_double(images, quickly));
     CHECK(quickly.size() > 10);
     CHECK(lost_again.size() == 1);
-    CHECK(follower.counts().failed == 1);
     CHECK(lost(lost_again, follower.follow_triple_double(images, lost_again)).empty());
-    CHECK(follower.counts().failed == 0);
 }
 
 namespace {
