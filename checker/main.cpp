@@ -34,7 +34,7 @@ What do you expect? Status 0 then says that the files prove just that:
     --degree N           exactly N solutions for the cameras; '>=N' at least N
     --group GROUP        how images permute these solutions: S312 in any way; '>=A312' in any even
                          way, at least; '<S8 wr S2 wr S10' in half of the ways that keep 10 blocks
-                         of 2 blocks of 8 together
+                         of 2 blocks of 8 together; 'S2 wr S136' in all that keep 136 pairs
     --classification     that every label class has a certificate
     --family FAMILY      that every problem of it has one: plmp, projective, or what plprove list
                          --family names for other cameras

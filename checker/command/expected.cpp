@@ -41,12 +41,14 @@ static ExpectedDegree parse_degree(std::string_view text) {
     return {exactly, *solutions};
 }
 
-/// Reads S312, >=A312, <S2 wr S10 or <S8 wr S2 wr S10.
+/// Reads S312, >=A312, <S2 wr S10, <S8 wr S2 wr S10 or S2 wr S136.
 static std::string parse_group(std::string_view text) {
-    constexpr std::string_view of_five_points = " wr S2 wr S10";
+    constexpr std::string_view of_five_points = " wr S2 wr S10", of_pairs = "S2 wr S";
     if (text == group_of_five_points) return std::string(text);
     std::string_view number = text;
-    if (text.starts_with('S'))
+    if (text.starts_with(of_pairs))
+        number.remove_prefix(of_pairs.size());
+    else if (text.starts_with('S'))
         number.remove_prefix(1);
     else if (text.starts_with(">=A"))
         number.remove_prefix(3);

@@ -4,6 +4,7 @@
 #include "checker/degrees/constraint_class.h"
 #include "checker/permutations/all_permutations.h"
 #include "checker/permutations/five_shared_points.h"
+#include "checker/permutations/half_turns.h"
 
 #include <set>
 
@@ -12,14 +13,25 @@ static void add_upper(DegreeBounds& known, const UpperBound& bound) {
     if (!known.at_most || bound.solutions < known.at_most->solutions) known.at_most = bound;
 }
 
+/// The two views whose essential matrix several solutions share, by theorem.
+static std::optional<Views> views_with_shared_matrix(const Signature& signature) {
+    const std::optional<Views> five_points = views_with_five_points(signature);
+    return five_points ? five_points : views_beside_half_turns(signature);
+}
+
 DegreeTable bounds_by_files(const Classification& classes, const std::vector<bool>& minimal,
                             const std::vector<LowerBound>& lower, const RegistrationBounds& upper) {
     DegreeTable table;
     for (const LowerBound& bound : lower) {
-        DegreeBounds& known = table[constraint_class(classes.representatives[bound.number])];
+        const Signature& signature = classes.representatives[bound.number];
+        DegreeBounds& known = table[constraint_class(signature)];
         known.counted = known.at_least = std::max(known.counted, bound.solutions);
         known.cycle_types.insert(known.cycle_types.end(), bound.cycle_types.begin(),
                                  bound.cycle_types.end());
+        std::ranges::copy_if(bound.block_cycles, std::back_inserter(known.block_cycles),
+                             [shared = views_with_shared_matrix(signature)](const auto& cycles) {
+                                 return cycles.views == shared;
+                             });
     }
     for (std::size_t n = 0; n < minimal.size() && !upper.empty(); ++n) {
         if (!minimal[n]) continue;

@@ -30,7 +30,9 @@ struct DegreeBounds {
     std::optional<UpperBound> at_most{};
     std::optional<exactly::Degree> theorem{}; // what it says; none if it was not asked
     std::vector<CycleType> cycle_types{};     // of permutations of solutions, by fibres
-    std::string_view group_theorem{};         // that says the group, S or P; empty if none
+    std::vector<BlockCycles>
+        block_cycles{};               // of the same, by matrices that theorems say are shared
+    std::string_view group_theorem{}; // that says the group, S or P; empty if none
 
     bool exact() const { return at_most && at_most->solutions == at_least; }
 };

@@ -2,18 +2,76 @@
 
 #include "checker/conclusion/pages_of_theorems.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace checker {
+namespace {
+std::size_t size_of(const CycleType& lengths) {
+    return std::accumulate(lengths.begin(), lengths.end(), std::size_t{0});
+}
+
+bool is_even(const CycleType& lengths) {
+    return (size_of(lengths) - lengths.size()) % 2 == 0;
+}
+
+bool takes_both_values(const std::vector<BlockCycles>& all, const auto& sign) {
+    return std::ranges::any_of(all, sign) && !std::ranges::all_of(all, sign);
+}
+
+/// Whether a power is one cycle, of a prime length p of which a theorem of Jordan says that a
+/// transitive group of so many points with it contains all even permutations.
+bool has_long_cycle(const CycleType& lengths, std::size_t points) {
+    return std::ranges::any_of(lengths, [&](std::size_t p) {
+        const auto is_multiple = [&](std::size_t length) { return length % p == 0; };
+        return 2 * p > points && p + 3 <= points && is_prime(p) &&
+               std::ranges::count_if(lengths, is_multiple) == 1;
+    });
+}
+
+/// With so many third cameras for each pose of two views that share five points.
+std::string group_of_third_cameras(std::size_t count) {
+    if (count == 1) return std::string(group_of_five_points);
+    return say("<S", count, " wr ", group_of_five_points.substr(1));
+}
+
+/// The group of so many solutions that share essential matrices, if its permutations have cycles
+/// like these (proofs/fibres.md, Theorem 3); empty if they do not show it.
+std::string group_with_blocks(std::vector<BlockCycles> all, std::size_t solutions) {
+    std::size_t blocks = 0;
+    for (const BlockCycles& cycles : all)
+        blocks = std::max(blocks, size_of(cycles.matrices));
+    std::erase_if(all, [&](const BlockCycles& cycles) {
+        return size_of(cycles.solutions) != solutions || size_of(cycles.matrices) != blocks;
+    });
+    const auto first_sign = [](const BlockCycles& cycles) { return is_even(cycles.solutions); };
+    const auto both_signs = [](const BlockCycles& cycles) {
+        return is_even(cycles.solutions) == is_even(cycles.matrices);
+    };
+    if (!takes_both_values(all, first_sign) || !takes_both_values(all, both_signs)) return {};
+    std::vector<CycleType> of_matrices;
+    for (const BlockCycles& cycles : all)
+        of_matrices.push_back(cycles.matrices);
+    const std::string of_blocks = say("S", blocks);
+    if (2 * blocks == solutions && blocks % 2 == 0 &&
+        group_shown_by(of_matrices, blocks, Orbits::one) == of_blocks)
+        return "S2 wr " + of_blocks;
+    const std::size_t third_cameras = solutions / 20; // of each pose of two views with five points
+    if (blocks == 10 && std::ranges::any_of(all, [&](const BlockCycles& cycles) {
+            return has_long_cycle(cycles.solutions, third_cameras);
+        }))
+        return group_of_third_cameras(third_cameras);
+    return {};
+}
+} // namespace
+
 std::string group_of(const DegreeBounds& bounds) {
     if (!bounds.exact()) return {};
     const std::size_t degree = bounds.at_least;
     if (bounds.group_theorem == theorem_of_permutations) return say("S", degree);
-    if (bounds.group_theorem == theorem_of_five_points) {
-        const std::size_t third_cameras = degree / 20; // of each pose of two views
-        return third_cameras == 1
-                   ? std::string(group_of_five_points)
-                   : say("<S", third_cameras, " wr ", group_of_five_points.substr(1));
-    }
-    return group_shown_by(bounds.cycle_types, degree, Orbits::one);
+    if (bounds.group_theorem == theorem_of_five_points) return group_of_third_cameras(degree / 20);
+    const std::string group = group_shown_by(bounds.cycle_types, degree, Orbits::one);
+    return group.empty() ? group_with_blocks(bounds.block_cycles, degree) : group;
 }
 
 std::string source_of_group(const DegreeBounds& bounds) {

@@ -11,7 +11,8 @@ inline constexpr std::string_view group_of_five_points = "<S2 wr S10";
 
 /// What is known of the group, if there are d solutions: `S<d>`, the symmetric group; `>=A<d>`, it
 /// contains the alternating group; `<S8 wr S2 wr S10`, the group of Theorem P, of index 2 in this
-/// one, or `<S2 wr S10`, that of five points in two views; empty if nothing.
+/// one, or `<S2 wr S10`, that of five points in two views; `S2 wr S136`, all permutations that keep
+/// pairs together; empty if nothing.
 std::string group_of(const DegreeBounds& bounds);
 
 /// How it is known: `by fibres: proofs/fibres.md`.

@@ -1,6 +1,7 @@
 #include "checker/degrees/degree_file.h"
 
 #include "checker/degrees/cameras_at.h"
+#include "checker/degrees/shared_matrices.h"
 #include "checker/degrees/solutions.h"
 #include "checker/fibres/prove_fibre.h"
 #include "checker/minimal/obstruction.h"
@@ -137,18 +138,37 @@ private:
         records_.replay(record.line, about + ": ", [&] {
             records_.spend(effort_of(fibre));
             prove_fibre<CamerasAt>(system_of(record, classes_), fibre);
-            file_.bounds.push_back({record.number, degree, {}});
+            file_.bounds.push_back({record.number, degree, {}, {}});
             fibres_.number = record.number;
-            fibres_.proved.push_back(fibre.lower);
+            fibres_.proved.push_back(fibre);
         });
     }
 
     /// Adds what all fibres of one class show.
     void finish_fibres() {
         if (fibres_.proved.empty()) return;
+        std::vector<Polynomial> polynomials;
+        for (const Fibre& fibre : fibres_.proved)
+            polynomials.push_back(fibre.lower);
         const auto spend = [&](std::uint64_t effort) { records_.spend(effort); };
-        file_.bounds.back().cycle_types = cycle_types_of(fibres_.proved, spend);
+        LowerBound& bound = file_.bounds.back();
+        bound.cycle_types = cycle_types_of(polynomials, spend);
+        if (!bound.cycle_types.empty()) {
+            const std::size_t most = std::ranges::max(polynomials, {}, &Polynomial::size).size();
+            for (const Fibre& fibre : fibres_.proved)
+                if (fibre.lower.size() == most) add_block_cycles(fibre, bound);
+        }
         fibres_ = {};
+    }
+
+    void add_block_cycles(const Fibre& fibre, LowerBound& bound) {
+        const std::uint64_t degree = fibre.lower.size();
+        records_.spend(degree * degree * degree / 100'000);
+        const std::vector<SharedMatrices> shared = shared_matrices(fibre);
+        if (shared.empty()) return;
+        const CycleType solutions = cycle_type_of(fibre.lower);
+        for (const auto& [views, values] : shared)
+            bound.block_cycles.push_back({views, solutions, cycle_type_of(values)});
     }
 
     void replay_solutions(const DegreeRecord& record, const std::string& about) {
@@ -159,13 +179,13 @@ private:
             };
         };
         const auto count = solutions_.run({camera_unknowns, "degree"}, record.line, about, prepare);
-        if (count) file_.bounds.push_back({record.number, *count, {}});
+        if (count) file_.bounds.push_back({record.number, *count, {}, {}});
     }
 
-    /// The fibres of a class that hold, by their polynomials.
+    /// The fibres of a class that hold.
     struct Fibres {
         std::size_t number = 0;
-        std::vector<Polynomial> proved{};
+        std::vector<Fibre> proved{};
     };
 
     Reader& reader_;

@@ -182,6 +182,33 @@ std::optional<Polynomial> Extension::inverse(const Polynomial& a) const {
     return multiply(s0, constant({1}));
 }
 
+Polynomial minimal_polynomial(const Extension& extension, const Polynomial& x, std::size_t most) {
+    const std::size_t size = extension.degree();
+    std::vector<std::pair<std::size_t, Polynomial>> echelon; // its pivots, and rows
+    Polynomial power = extension.constant({1});
+    for (std::size_t k = 0; k <= most; ++k) {
+        Polynomial row = power; // after its `size` coefficients: which powers it is the sum of
+        row.resize(size + most + 1);
+        row[size + k] = {1};
+        for (const auto& [pivot, other] : echelon) {
+            const Residue factor = row[pivot];
+            for (std::size_t i = 0; i < row.size() && factor != Residue{}; ++i)
+                row[i] = row[i] - factor * other[i];
+        }
+        const auto sums = row.begin() + std::ptrdiff_t(size);
+        const auto found =
+            std::find_if(row.begin(), sums, [](Residue c) { return c != Residue{}; });
+        if (found == sums) return {sums, sums + std::ptrdiff_t(k)};
+        const Residue scale = found->inverse();
+        const auto pivot = static_cast<std::size_t>(found - row.begin());
+        for (Residue& coefficient : row)
+            coefficient = coefficient * scale;
+        echelon.emplace_back(pivot, std::move(row));
+        power = extension.multiply(power, x);
+    }
+    return {};
+}
+
 bool is_regular(const Extension& extension, std::vector<std::vector<Polynomial>> matrix) {
     const std::size_t size = matrix.size();
     for (std::size_t c = 0; c < size; ++c) {

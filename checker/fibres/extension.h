@@ -45,6 +45,10 @@ private:
     Polynomial inverse_of_reversed_;
 };
 
+/// The minimal polynomial of x, its highest term left out, if it has at most this degree; else
+/// empty. Its roots are the values of x at the roots of g.
+Polynomial minimal_polynomial(const Extension& extension, const Polynomial& x, std::size_t most);
+
 /// Whether the determinant has no common factor with g. Throws Refused if elimination would need a
 /// pivot that has one.
 bool is_regular(const Extension& extension, std::vector<std::vector<Polynomial>> matrix);

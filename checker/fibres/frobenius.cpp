@@ -6,7 +6,7 @@
 #include <numeric>
 
 namespace checker {
-static bool is_prime(std::size_t n) {
+bool is_prime(std::size_t n) {
     for (std::size_t d = 2; d * d <= n; ++d)
         if (n % d == 0) return false;
     return n > 1;

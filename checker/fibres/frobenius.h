@@ -8,6 +8,8 @@
 #include <string>
 
 namespace checker {
+bool is_prime(std::size_t n);
+
 /// Lengths of cycles, in ascending order.
 using CycleType = std::vector<std::size_t>;
 

@@ -27,37 +27,6 @@ std::uint64_t effort_of(const Layout& layout, const ModelFibre& fibre) {
     return 1 + products * degree * degree / 100'000;
 }
 
-/// The minimal polynomial of x, its highest term left out, if it has this degree; empty if it has a
-/// larger one. Throws Refused if it has a smaller one.
-static Polynomial minimal_polynomial(const Extension& extension, const Polynomial& x,
-                                     std::size_t degree) {
-    const std::size_t size = extension.degree();
-    std::vector<std::pair<std::size_t, Polynomial>> echelon; // its pivots, and rows
-    Polynomial power = extension.constant({1});
-    for (std::size_t k = 0;; ++k) {
-        Polynomial row = power; // after its `size` coefficients: which powers it is the sum of
-        row.resize(size + degree + 1);
-        row[size + k] = {1};
-        for (const auto& [pivot, other] : echelon) {
-            const Residue factor = row[pivot];
-            for (std::size_t i = 0; i < row.size() && factor != Residue{}; ++i)
-                row[i] = row[i] - factor * other[i];
-        }
-        const auto sums = row.begin() + std::ptrdiff_t(size);
-        const auto found =
-            std::find_if(row.begin(), sums, [](Residue c) { return c != Residue{}; });
-        if (k == degree) return found == sums ? Polynomial(sums, row.end() - 1) : Polynomial{};
-        if (found == sums)
-            throw Refused("the values that count are not proved to be ", degree, " different ones");
-        const Residue scale = found->inverse();
-        const auto pivot = static_cast<std::size_t>(found - row.begin());
-        for (Residue& coefficient : row)
-            coefficient = coefficient * scale;
-        echelon.emplace_back(pivot, std::move(row));
-        power = extension.multiply(power, x);
-    }
-}
-
 static Given<DualExtension> values_at(const DualExtension& ring, const Extension& extension,
                                       const Layout& layout, const ModelFibre& fibre) {
     Given<DualExtension> given;
@@ -84,7 +53,11 @@ static Polynomial distinct_values(const Extension& extension, const Outcome<Dual
         values.push_back(std::move(value));
     }
     const Polynomial tau = combination_of(extension, fibre.distinct_by, values);
-    return minimal_polynomial(extension, tau, fibre.distinct);
+    Polynomial values_that_count = minimal_polynomial(extension, tau, fibre.distinct);
+    if (!values_that_count.empty() && values_that_count.size() < fibre.distinct)
+        throw Refused("the values that count are not proved to be ", fibre.distinct,
+                      " different ones");
+    return values_that_count;
 }
 
 Polynomial check_fibre(const Program& program, const Layout& layout, const ModelFibre& fibre) {

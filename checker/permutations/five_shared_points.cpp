@@ -3,8 +3,6 @@
 #include "checker/minimal/obstruction.h"
 #include "checker/permutations/general_pairs.h"
 
-#include <optional>
-
 namespace checker {
 namespace {
 /// Two views whose relative pose is known, and the third one.
@@ -12,15 +10,9 @@ struct Pair {
     std::size_t i = 0, j = 0, u = 0;
 };
 
-/// The only two views that share five points; none if there are more such pairs, or none.
-std::optional<Pair> pair_with_five_points(const Signature& signature) {
-    std::optional<Pair> found;
-    for (const Pair& pair : {Pair{0, 1, 2}, Pair{0, 2, 1}, Pair{1, 2, 0}}) {
-        if (shared_points(signature, 1U << pair.i | 1U << pair.j) != 5) continue;
-        if (found) return std::nullopt;
-        found = pair;
-    }
-    return found;
+Pair pair_of(Views views) {
+    const auto place = [](Views some) { return static_cast<std::size_t>(std::countr_zero(some)); };
+    return {place(views), place(views & (views - 1)), place(all_views ^ views)};
 }
 
 /// What the images say of the third camera, if the pose of the two others is known: the table of
@@ -165,10 +157,21 @@ private:
 };
 } // namespace
 
+std::optional<Views> views_with_five_points(const Signature& signature) {
+    std::optional<Views> found;
+    for (const Views views : view_pairs) {
+        if (shared_points(signature, views) != 5) continue;
+        if (found) return std::nullopt;
+        found = views;
+    }
+    return found;
+}
+
 bool has_all_permutations_of_third_cameras(const Signature& signature) {
-    const std::optional<Pair> pair = pair_with_five_points(signature);
-    if (!pair) return false;
-    const ThirdView third = third_view(signature, *pair);
-    return ProofForThirdView(*pair, third).succeeds();
+    const std::optional<Views> views = views_with_five_points(signature);
+    if (!views) return false;
+    const Pair pair = pair_of(*views);
+    const ThirdView third = third_view(signature, pair);
+    return ProofForThirdView(pair, third).succeeds();
 }
 } // namespace checker

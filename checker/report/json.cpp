@@ -78,8 +78,9 @@ static std::string members(const ProblemFile& file) {
 
 static std::string members(const DegreeFile& file) {
     std::vector<std::string> items;
-    for (const auto& [number, solutions, cycle_types] : file.bounds)
-        items.push_back(say("{\"class\": ", number, ", \"certified_at_least\": ", solutions, "}"));
+    for (const LowerBound& bound : file.bounds)
+        items.push_back(
+            say("{\"class\": ", bound.number, ", \"certified_at_least\": ", bound.solutions, "}"));
     return ", \"degrees\": " + array_of(items);
 }
 

@@ -129,8 +129,10 @@ static Proofs proofs_of(const Findings& findings) {
             proofs.problems[file->meaning] = file->problem + " is " + file->verdict;
         if (const auto* file = std::get_if<ProblemsFile>(&content)) add(proofs, *file);
         if (const auto* file = std::get_if<DegreeFile>(&content))
-            for (const auto& [number, solutions, cycle_types] : file->bounds)
-                proofs.solutions[number] = std::max(proofs.solutions[number], solutions);
+            for (const LowerBound& bound : file->bounds) {
+                std::size_t& most = proofs.solutions[bound.number];
+                most = std::max(most, bound.solutions);
+            }
         add_once(proofs.files, name);
     }
     return proofs;

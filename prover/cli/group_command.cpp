@@ -125,7 +125,8 @@ bool decomposes(const std::optional<LoopGroup>& by_loops) {
 std::string why_no_group(const Found& found) {
     if (found.by_fibres->records.empty()) return "none was found; try another --seed";
     if (found.by_fibres->degree == 1) return "there is one solution";
-    if (decomposes(found.by_loops)) return "it does not contain all even permutations, by evidence";
+    if (decomposes(found.by_loops) && !may_be_shown_with_blocks(found.by_loops->group.name()))
+        return "it does not contain all even permutations, by evidence";
     return "more may, see --fibres";
 }
 
@@ -192,9 +193,11 @@ GroupSearch search_by_fibres(const Asked& problem, GroupOptions options) {
     return find_group(*problem.in_general, problem.degree, options);
 }
 
-/// No fibres certify a group that keeps blocks together: one will do, for the number of solutions.
+/// No fibres certify most groups that keep blocks together: one will do, for the number of
+/// solutions.
 int most_fibres(const GroupRequest& request, const std::optional<LoopGroup>& by_loops) {
-    return decomposes(by_loops) ? 1 : request.options.fibres;
+    const bool in_vain = decomposes(by_loops) && !may_be_shown_with_blocks(by_loops->group.name());
+    return in_vain ? 1 : request.options.fibres;
 }
 
 /// The file of these records.

@@ -2,7 +2,10 @@
 
 #include "prover/fibres/class_fibre.h"
 #include "prover/fibres/scene_fibre.h"
+#include "prover/fibres/shared_matrices.h"
 #include "prover/model/fibre_text.h"
+
+#include <numeric>
 
 namespace plprove {
 
@@ -15,13 +18,35 @@ std::string symmetric(int degree) {
     return "S" + std::to_string(degree);
 }
 
+/// What these fibres show.
+std::string group_of(const std::vector<FibreRecord>& fibres, const std::vector<std::size_t>& places,
+                     int degree) {
+    std::vector<CycleType> cycle_types;
+    std::vector<SharedCycles> shared;
+    for (const std::size_t place : places) {
+        const FibreRecord& fibre = fibres[place];
+        cycle_types.push_back(fibre.cycle_type);
+        if (!fibre.matrices.empty()) shared.push_back({fibre.cycle_type, fibre.matrices});
+    }
+    if (!shared.empty()) return group_with_blocks(shared, degree);
+    return group_shown_by(cycle_types, degree, transitive);
+}
+
+std::string group_of(const std::vector<FibreRecord>& fibres, int degree) {
+    std::vector<std::size_t> all(fibres.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return group_of(fibres, all, degree);
+}
+
 /// The records that show the group, in the order of their fibres.
-std::string fewest_records(const GroupSearch& search, const std::vector<FibreRecord>& fibres) {
+std::string fewest_records(const std::string& group, const std::vector<FibreRecord>& fibres,
+                           int degree) {
     constexpr std::size_t most_records = 4;
     std::string records;
-    if (search.group.empty()) return fibres.empty() ? records : fibres.front().record;
-    const auto chosen =
-        fewest_that_show(search.group, search.cycle_types, search.degree, most_records, transitive);
+    if (group.empty()) return fibres.empty() ? records : fibres.front().record;
+    const auto chosen = fewest_that_show(fibres.size(), most_records, [&](const auto& places) {
+        return group_of(fibres, places, degree) == group;
+    });
     for (const std::size_t place : chosen)
         records += fibres[place].record;
     if (!chosen.empty()) return records;
@@ -30,10 +55,18 @@ std::string fewest_records(const GroupSearch& search, const std::vector<FibreRec
     return records;
 }
 
-template <class Fibre>
-std::optional<FibreRecord> recorded(const std::optional<Fibre>& fibre) {
+/// Of a class, whose unknowns are cameras.
+std::optional<FibreRecord> recorded(const std::optional<ClassFibre>& fibre) {
     if (!fibre) return std::nullopt;
-    return FibreRecord{model::factor_degrees(fibre->solutions.polynomial), write_record(*fibre)};
+    return FibreRecord{model::factor_degrees(fibre->solutions.polynomial),
+                       model::factor_degrees(shared_matrices(fibre->solutions)),
+                       write_record(*fibre)};
+}
+
+std::optional<FibreRecord> recorded(const std::optional<SceneFibre>& fibre) {
+    if (!fibre) return std::nullopt;
+    return FibreRecord{
+        model::factor_degrees(fibre->solutions.polynomial), {}, write_record(*fibre)};
 }
 
 } // namespace
@@ -46,7 +79,8 @@ GroupSearch search_group(int degree, const GroupOptions& options, const FindFibr
     const std::uint64_t first = options.seed * static_cast<std::uint64_t>(tries);
     const int most = degree == 1 ? 1 : options.fibres;
     const auto is_enough = [&] {
-        return std::ssize(fibres) == most || search.group == symmetric(degree);
+        return std::ssize(fibres) == most || search.group == symmetric(degree) ||
+               may_be_shown_with_blocks(search.group);
     };
     for (int n = 0; n < tries && !is_enough(); ++n) {
         auto fibre = find_fibre(first + static_cast<std::uint64_t>(n), [&](long bits) {
@@ -55,9 +89,9 @@ GroupSearch search_group(int degree, const GroupOptions& options, const FindFibr
         if (!fibre) continue;
         search.cycle_types.push_back(fibre->cycle_type);
         fibres.push_back(std::move(*fibre));
-        if (degree > 1) search.group = group_shown_by(search.cycle_types, degree, transitive);
+        if (degree > 1) search.group = group_of(fibres, degree);
     }
-    search.records = fewest_records(search, fibres);
+    search.records = fewest_records(search.group, fibres, degree);
     return search;
 }
 

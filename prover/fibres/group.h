@@ -24,13 +24,14 @@ struct GroupOptions {
 struct GroupSearch {
     int degree = 0;
     std::vector<CycleType> cycle_types; ///< of one permutation a fibre
-    std::string group;                  ///< `S<d>`, `>=A<d>`, or empty, as plcheck will find
+    std::string group;   ///< `S<d>`, `>=A<d>`, one with blocks, or empty, as plcheck will find
     std::string records; ///< of as few fibres as show this; of the first one if none do
 };
 
 /// A fibre, as the search for a group needs it.
 struct FibreRecord {
     CycleType cycle_type; ///< of the permutation that it shows
+    CycleType matrices;   ///< ... of essential matrices that solutions share; empty if they do not
     std::string record;   ///< without the first line of the file
 };
 

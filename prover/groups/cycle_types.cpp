@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <flint/ulong_extras.h>
+#include <numeric>
+#include <regex>
 #include <set>
 
 namespace plprove {
@@ -69,34 +71,37 @@ bool has_single_cycle(const CycleType& lengths, int degree) {
     });
 }
 
-bool has_even_sign(const CycleType& lengths, int degree) {
-    return (degree - static_cast<int>(lengths.size())) % 2 == 0;
+int points_of(const CycleType& lengths) {
+    return std::accumulate(lengths.begin(), lengths.end(), 0);
 }
 
-/// Which cycles, degree and orbits a search for few records is about.
-struct Wanted {
-    const std::string& group;
-    const std::vector<CycleType>& cycle_types;
-    int degree;
-    bool transitive;
-};
+bool has_even_sign(const CycleType& lengths) {
+    return (points_of(lengths) - static_cast<int>(lengths.size())) % 2 == 0;
+}
 
-/// Looks at all choices of `count` cycle types that begin with those that are chosen.
-bool choose(const Wanted& wanted, std::size_t count, std::vector<std::size_t>& chosen) {
-    if (chosen.size() == count) {
-        std::vector<CycleType> own;
-        for (const std::size_t place : chosen)
-            own.push_back(wanted.cycle_types[place]);
-        return group_shown_by(own, wanted.degree, wanted.transitive) == wanted.group;
-    }
-    for (std::size_t next = chosen.empty() ? 0 : chosen.back() + 1;
-         next < wanted.cycle_types.size(); ++next) {
+/// Looks at all choices of `size` places that begin with those that are chosen.
+bool choose(std::size_t count, std::size_t size,
+            const std::function<bool(const std::vector<std::size_t>&)>& shows,
+            std::vector<std::size_t>& chosen) {
+    if (chosen.size() == size) return shows(chosen);
+    for (std::size_t next = chosen.empty() ? 0 : chosen.back() + 1; next < count; ++next) {
         chosen.push_back(next);
-        if (choose(wanted, count, chosen)) return true;
+        if (choose(count, size, shows, chosen)) return true;
         chosen.pop_back();
     }
     return false;
 }
+
+/// Whether a power is a single cycle, of a prime length for which a transitive group of so many
+/// points with it contains all even permutations.
+bool has_long_cycle(const CycleType& lengths, int points) {
+    return std::ranges::any_of(lengths, [&](int p) {
+        return n_is_prime(static_cast<ulong>(p)) && 2 * p > points && p <= points - 3 &&
+               std::ranges::count_if(lengths, [&](int length) { return length % p == 0; }) == 1;
+    });
+}
+
+constexpr int poses = 20, pose_matrices = 10; // of two views that share five points
 
 } // namespace
 
@@ -105,19 +110,46 @@ std::string group_shown_by(const std::vector<CycleType>& cycle_types, int degree
     for (const CycleType& lengths : cycle_types) {
         has_cycle |= has_single_cycle(lengths, degree);
         differ |= lengths != cycle_types.front();
-        (has_even_sign(lengths, degree) ? even : odd) = true;
+        (has_even_sign(lengths) ? even : odd) = true;
     }
     if (!has_cycle || !differ || may_be_imprimitive(cycle_types, degree)) return {};
     if (!transitive && may_be_intransitive(cycle_types, degree)) return {};
     return (even && odd ? "S" : ">=A") + std::to_string(degree);
 }
 
-std::vector<std::size_t> fewest_that_show(const std::string& group,
-                                          const std::vector<CycleType>& cycle_types, int degree,
-                                          std::size_t most, bool transitive) {
+std::string group_with_blocks(const std::vector<SharedCycles>& all, int degree) {
+    const int matrices = points_of(all.front().matrices);
+    std::vector<CycleType> of_matrices;
+    bool has_cycle = false;
+    std::set<bool> signs, products;
+    for (const SharedCycles& cycles : all) {
+        if (points_of(cycles.matrices) != matrices) return {};
+        of_matrices.push_back(cycles.matrices);
+        has_cycle |= has_long_cycle(cycles.solutions, degree / poses);
+        signs.insert(has_even_sign(cycles.solutions));
+        products.insert(has_even_sign(cycles.solutions) == has_even_sign(cycles.matrices));
+    }
+    if (signs.size() < 2 || products.size() < 2) return {};
+    const std::string symmetric = "S" + std::to_string(matrices);
+    if (2 * matrices == degree && matrices % 2 == 0 &&
+        group_shown_by(of_matrices, matrices, true) == symmetric)
+        return "S2 wr " + symmetric;
+    if (matrices == pose_matrices && has_cycle)
+        return "<S" + std::to_string(degree / poses) + " wr S2 wr S10";
+    return {};
+}
+
+bool may_be_shown_with_blocks(const std::string& group) {
+    static const std::regex shown("S2 wr S\\d+|<S\\d+ wr S2 wr S10");
+    return std::regex_match(group, shown) && !group.starts_with("<S2 ");
+}
+
+std::vector<std::size_t>
+fewest_that_show(std::size_t count, std::size_t most,
+                 const std::function<bool(const std::vector<std::size_t>&)>& shows) {
     std::vector<std::size_t> chosen;
-    for (std::size_t count = 2; count <= most; ++count)
-        if (choose({group, cycle_types, degree, transitive}, count, chosen)) return chosen;
+    for (std::size_t size = 2; size <= most; ++size)
+        if (choose(count, size, shows, chosen)) return chosen;
     return {};
 }
 

@@ -27,6 +27,15 @@ GroupSearch find_group(const Study& study, int most,
     std::vector<Fibre> fibres{*study.fibre};
     GroupSearch search{{factor_degrees(fibres.front().values)}, {}, {}};
     std::vector<std::size_t> chosen;
+    const auto fewest = [&](const std::string& group) {
+        const auto shows = [&](const std::vector<std::size_t>& places) {
+            std::vector<CycleType> own;
+            for (const std::size_t place : places)
+                own.push_back(search.cycle_types[place]);
+            return group_shown_by(own, degree, transitive) == group;
+        };
+        return fewest_that_show(fibres.size(), most_records, shows);
+    };
     for (int n = 1; n < most && chosen.empty(); ++n) {
         if (progress) progress(fibres.size());
         auto next =
@@ -35,11 +44,10 @@ GroupSearch find_group(const Study& study, int most,
         if (!next || next->count() != solutions) continue;
         search.cycle_types.push_back(factor_degrees(next->values));
         fibres.push_back(std::move(*next));
-        chosen = fewest_that_show(symmetric, search.cycle_types, degree, most_records, transitive);
+        chosen = fewest(symmetric);
     }
     for (const std::string& group : {symmetric, ">=A" + std::to_string(degree)}) {
-        if (chosen.empty())
-            chosen = fewest_that_show(group, search.cycle_types, degree, most_records, transitive);
+        if (chosen.empty()) chosen = fewest(group);
         if (chosen.empty()) continue;
         search.group = group;
         for (const std::size_t place : chosen)

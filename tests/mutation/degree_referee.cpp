@@ -301,7 +301,7 @@ DegreeReferee::DegreeReferee() {
 
 std::optional<std::string>
 DegreeReferee::objection(const std::string& text, const std::vector<checker::LowerBound>& bounds) {
-    for (const auto& [number, solutions, cycle_types] : bounds) {
+    for (const auto& [number, solutions, cycle_types, block_cycles] : bounds) {
         if (known_.contains(number) && solutions > known_[number])
             return "more solutions than there are";
         // A class may have several fibres.

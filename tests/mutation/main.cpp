@@ -91,8 +91,8 @@ private:
 
 Claims claims_of(const checker::DegreeFile& file) {
     Claims claims;
-    for (const auto& [number, solutions, cycle_types] : file.bounds)
-        claims.push_back(checker::say("class ", number, ": at least ", solutions));
+    for (const checker::LowerBound& bound : file.bounds)
+        claims.push_back(checker::say("class ", bound.number, ": at least ", bound.solutions));
     return claims;
 }
 

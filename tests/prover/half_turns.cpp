@@ -1,8 +1,10 @@
-// The theorem on half-turns (proofs/results/half_turns.md) and the groups on file.
+// The theorem on half-turns (proofs/half_turns.md) and the groups on file.
+#include "checker/permutations/half_turns.h"
 #include "prover/catalogue/groups.h"
 #include "prover/minimal/families.h"
 #include "prover/problem/signature.h"
 
+#include <algorithm>
 #include <bit>
 #include <doctest/doctest.h>
 #include <set>
@@ -43,6 +45,12 @@ bool has_half_turn(const Features& problem) {
     return false;
 }
 
+checker::Signature for_checker(const Signature& signature) {
+    checker::Signature result{};
+    std::ranges::copy(signature, result.begin());
+    return result;
+}
+
 struct Expected {
     std::set<std::size_t> with_half_turn; ///< constraint classes
     std::set<std::size_t> with_five_points;
@@ -54,6 +62,9 @@ Expected expected() {
     const std::vector<Signature>& classes = label_classes();
     for (const Signature& signature : classes) {
         const Features problem = problem_of(signature);
+        const bool of_checker =
+            checker::views_beside_half_turns(for_checker(signature)).has_value();
+        CHECK(of_checker == has_half_turn(problem));
         if (obstruction(problem).deficiency() > 0) continue;
         const bool five_points = families_of(signature, true).five_point_extension;
         if (!five_points && !has_half_turn(problem)) continue;
