@@ -28,10 +28,9 @@ DegreeTable bounds_by_files(const Classification& classes, const std::vector<boo
         known.counted = known.at_least = std::max(known.counted, bound.solutions);
         known.cycle_types.insert(known.cycle_types.end(), bound.cycle_types.begin(),
                                  bound.cycle_types.end());
-        std::ranges::copy_if(bound.block_cycles, std::back_inserter(known.block_cycles),
-                             [shared = views_with_shared_matrix(signature)](const auto& cycles) {
-                                 return cycles.views == shared;
-                             });
+        const std::optional<Views> shared = views_with_shared_matrix(signature);
+        for (const BlockCycles& cycles : bound.block_cycles)
+            if (cycles.views == shared) known.block_cycles.push_back(cycles);
     }
     for (std::size_t n = 0; n < minimal.size() && !upper.empty(); ++n) {
         if (!minimal[n]) continue;

@@ -154,7 +154,8 @@ private:
         LowerBound& bound = file_.bounds.back();
         bound.cycle_types = cycle_types_of(polynomials, spend);
         if (!bound.cycle_types.empty()) {
-            const std::size_t most = std::ranges::max(polynomials, {}, &Polynomial::size).size();
+            const std::size_t most =
+                std::ranges::max_element(polynomials, {}, &Polynomial::size)->size();
             for (const Fibre& fibre : fibres_.proved)
                 if (fibre.lower.size() == most) add_block_cycles(fibre, bound);
         }
