@@ -13,10 +13,13 @@ static void add_upper(DegreeBounds& known, const UpperBound& bound) {
     if (!known.at_most || bound.solutions < known.at_most->solutions) known.at_most = bound;
 }
 
-/// The two views whose essential matrix several solutions share, by theorem.
-static std::optional<Views> views_with_shared_matrix(const Signature& signature) {
-    const std::optional<Views> five_points = views_with_five_points(signature);
-    return five_points ? five_points : views_beside_half_turns(signature);
+/// Whether a theorem says that these views have no more essential matrices: ten for five points, or
+/// half as many as there are solutions.
+static bool are_all_matrices(const Signature& signature, const BlockCycles& cycles) {
+    const std::size_t matrices = points_of(cycles.matrices);
+    if (cycles.views == views_with_five_points(signature)) return matrices == 10;
+    return cycles.views == views_beside_half_turns(signature) &&
+           2 * matrices == points_of(cycles.solutions);
 }
 
 DegreeTable bounds_by_files(const Classification& classes, const std::vector<bool>& minimal,
@@ -28,9 +31,8 @@ DegreeTable bounds_by_files(const Classification& classes, const std::vector<boo
         known.counted = known.at_least = std::max(known.counted, bound.solutions);
         known.cycle_types.insert(known.cycle_types.end(), bound.cycle_types.begin(),
                                  bound.cycle_types.end());
-        const std::optional<Views> shared = views_with_shared_matrix(signature);
         for (const BlockCycles& cycles : bound.block_cycles)
-            if (cycles.views == shared) known.block_cycles.push_back(cycles);
+            if (are_all_matrices(signature, cycles)) known.block_cycles.push_back(cycles);
     }
     for (std::size_t n = 0; n < minimal.size() && !upper.empty(); ++n) {
         if (!minimal[n]) continue;

@@ -30,8 +30,8 @@ struct DegreeBounds {
     std::optional<UpperBound> at_most{};
     std::optional<exactly::Degree> theorem{}; // what it says; none if it was not asked
     std::vector<CycleType> cycle_types{};     // of permutations of solutions, by fibres
-    std::vector<BlockCycles>
-        block_cycles{};               // of the same, by matrices that theorems say are shared
+    /// The same, with matrices of two views of which a theorem says that there are so few.
+    std::vector<BlockCycles> block_cycles{};
     std::string_view group_theorem{}; // that says the group, S or P; empty if none
 
     bool exact() const { return at_most && at_most->solutions == at_least; }

@@ -3,16 +3,11 @@
 #include "checker/conclusion/pages_of_theorems.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace checker {
 namespace {
-std::size_t size_of(const CycleType& lengths) {
-    return std::accumulate(lengths.begin(), lengths.end(), std::size_t{0});
-}
-
 bool is_even(const CycleType& lengths) {
-    return (size_of(lengths) - lengths.size()) % 2 == 0;
+    return (points_of(lengths) - lengths.size()) % 2 == 0;
 }
 
 bool takes_both_values(const std::vector<BlockCycles>& all, const auto& sign) {
@@ -40,9 +35,9 @@ std::string group_of_third_cameras(std::size_t count) {
 std::string group_with_blocks(std::vector<BlockCycles> all, std::size_t solutions) {
     std::size_t blocks = 0;
     for (const BlockCycles& cycles : all)
-        blocks = std::max(blocks, size_of(cycles.matrices));
+        blocks = std::max(blocks, points_of(cycles.matrices));
     std::erase_if(all, [&](const BlockCycles& cycles) {
-        return size_of(cycles.solutions) != solutions || size_of(cycles.matrices) != blocks;
+        return points_of(cycles.solutions) != solutions || points_of(cycles.matrices) != blocks;
     });
     const auto first_sign = [](const BlockCycles& cycles) { return is_even(cycles.solutions); };
     const auto both_signs = [](const BlockCycles& cycles) {

@@ -4,7 +4,8 @@
 #include "checker/fibres/fibre_number.h"
 
 namespace checker {
-/// A quotient of two sums of entries of the essential matrix; none if the divisor is 0 somewhere.
+/// The quotient of sums of entries of the essential matrix that FORMAT.md, section 9, names: others
+/// would do. None if the divisor is 0 somewhere.
 static std::optional<Polynomial> quotient_of_entries(const Extension& extension,
                                                      const CameraCoordinates<FibreNumber>& cameras,
                                                      Views views) {
@@ -22,8 +23,7 @@ static std::optional<Polynomial> quotient_of_entries(const Extension& extension,
         for (std::size_t b = 0; b < 3; ++b) {
             const CameraEquation equation{Kind::epipolar, {a, 3 + b}};
             const FibreNumber entry = evaluate(system, equation, space, derivatives);
-            const double n =
-                static_cast<double>(3 * a + b + 1); // FORMAT.md, section 9: others would do
+            const auto n = static_cast<double>(3 * a + b + 1);
             dividend = dividend + FibreNumber(n) * entry;
             divisor = divisor + FibreNumber(n * n) * entry;
         }

@@ -12,6 +12,10 @@ bool is_prime(std::size_t n) {
     return n > 1;
 }
 
+std::size_t points_of(const CycleType& lengths) {
+    return std::accumulate(lengths.begin(), lengths.end(), std::size_t{0});
+}
+
 /// t^q modulo g.
 static Polynomial frobenius_of_variable(const Extension& extension) {
     Polynomial product = extension.constant({1});
@@ -136,8 +140,7 @@ std::string group_shown_by(const std::vector<CycleType>& cycle_types, std::size_
                            Orbits orbits) {
     std::vector<CycleType> whole; // permutations of all solutions
     for (const CycleType& lengths : cycle_types)
-        if (std::accumulate(lengths.begin(), lengths.end(), std::size_t{0}) == solutions)
-            whole.push_back(lengths);
+        if (points_of(lengths) == solutions) whole.push_back(lengths);
     const auto has_cycle = [&](const CycleType& lengths) {
         return has_cycle_of_jordan(lengths, solutions);
     };

@@ -13,6 +13,9 @@ bool is_prime(std::size_t n);
 /// Lengths of cycles, in ascending order.
 using CycleType = std::vector<std::size_t>;
 
+/// How many points they have together.
+std::size_t points_of(const CycleType& lengths);
+
 /// The cycles of the permutation of the roots of g, its highest term left out, which has no
 /// multiple root: the degrees of the irreducible factors.
 CycleType cycle_type_of(const Polynomial& lower);

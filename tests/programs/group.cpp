@@ -160,6 +160,15 @@ TEST_CASE(
         CHECK(report["files"][1]["sha256"] == one.digest);
         CHECK(report["certified_groups"].dump() == "[[" + one.number + ",\"" + one.group + "\"]]");
     }
+    // Now the file is that of pairs. Without one of its three fibres signs or cycles are missing.
+    const std::string expect = plcheck + " --expect 'Pabcd/Pabcd/Pabcd + P/P/P + -/P/P' --group ";
+    const std::string files = " " + certs + "classification.plc " + file;
+    CHECK(run(expect + "'S2 wr S120'" + files).status == 0);
+    CHECK(run(expect + "S240" + files).status == 1);
+    CHECK(run(expect + "'S2 wr S'" + files).status == 3);
+    const std::string whole = read_file(file);
+    write_file(file, whole.substr(0, whole.rfind("\ndegree ") + 1));
+    CHECK(run(expect + "'S2 wr S120'" + files).status == 1);
 }
 
 TEST_CASE("plcheck certifies a group by Theorem S, from the record that the problem is minimal") {
