@@ -42,7 +42,8 @@ constexpr const char* group_examples =
     "With -o it looks for a certificate, too: it computes all solutions modulo a prime, for\n"
     "random images (a fibre). The factors of their polynomial are as long as the cycles of a\n"
     "permutation in the group. By them plcheck certifies that the group contains all even\n"
-    "permutations (docs/groups.md). One fibre certifies that there are so many solutions.\n\n"
+    "permutations, or all that keep some blocks of solutions together (docs/groups.md). One fibre\n"
+    "certifies that there are so many solutions.\n\n"
     "Examples:\n"
     "  plprove group Chicago                        takes a second\n"
     "  plprove group 2394 -o chicago.plc            with a certificate, ten seconds\n"
@@ -121,19 +122,26 @@ bool decomposes(const std::optional<LoopGroup>& by_loops) {
     return by_loops && by_loops->group.steps.size() > 1;
 }
 
+/// Whether fibres may certify the group. They do not say which solutions are together in a block,
+/// but for essential matrices of classes.
+bool may_be_shown(const Asked& asked, const std::optional<LoopGroup>& by_loops) {
+    return !decomposes(by_loops) ||
+           (asked.classes && may_be_shown_with_blocks(by_loops->group.name()));
+}
+
 /// Why fibres certify no group.
-std::string why_no_group(const Found& found) {
+std::string why_no_group(const Asked& asked, const Found& found) {
     if (found.by_fibres->records.empty()) return "none was found; try another --seed";
     if (found.by_fibres->degree == 1) return "there is one solution";
-    if (decomposes(found.by_loops) && !may_be_shown_with_blocks(found.by_loops->group.name()))
+    if (!may_be_shown(asked, found.by_loops))
         return "it does not contain all even permutations, by evidence";
     return "more may, see --fibres";
 }
 
-void write_fibres(std::ostream& out, const Found& found) {
+void write_fibres(std::ostream& out, const Asked& asked, const Found& found) {
     section(out, "fibres");
     if (found.by_fibres->group.empty())
-        out << "certify no group: " << why_no_group(found) << '\n';
+        out << "certify no group: " << why_no_group(asked, found) << '\n';
     else
         out << found.by_fibres->group << ": certified once plcheck accepts it\n";
     write_cycles(out, found.by_fibres->cycle_types);
@@ -153,7 +161,7 @@ std::string text_report(const Asked& asked, const Found& found) {
     write_loops(out, found.by_loops);
     if (const auto known = certified_group(asked))
         section(out, "certified") << "by plcheck --group '" << known->name << "'\n";
-    if (found.by_fibres) write_fibres(out, found);
+    if (found.by_fibres) write_fibres(out, asked, found);
     return out.str();
 }
 
@@ -193,13 +201,6 @@ GroupSearch search_by_fibres(const Asked& problem, GroupOptions options) {
     return find_group(*problem.in_general, problem.degree, options);
 }
 
-/// No fibres certify most groups that keep blocks together: one will do, for the number of
-/// solutions.
-int most_fibres(const GroupRequest& request, const std::optional<LoopGroup>& by_loops) {
-    const bool in_vain = decomposes(by_loops) && !may_be_shown_with_blocks(by_loops->group.name());
-    return in_vain ? 1 : request.options.fibres;
-}
-
 /// The file of these records.
 std::string certificate_of(const Asked& problem, const std::string& records) {
     if (problem.classes) return degree_file(records);
@@ -215,7 +216,8 @@ int find_group_of(const GroupRequest& request, const Deliver& deliver) {
     Found found{search_by_loops(problem, request.options.seed), {}};
     if (!request.path.empty()) {
         GroupOptions options = request.options;
-        options.fibres = most_fibres(request, found.by_loops);
+        if (!may_be_shown(problem, found.by_loops))
+            options.fibres = 1; // for the number of solutions
         found.by_fibres = search_by_fibres(problem, options);
         if (!found.by_fibres->records.empty())
             deliver(request.path, certificate_of(problem, found.by_fibres->records));
