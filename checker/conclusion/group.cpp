@@ -24,6 +24,10 @@ bool has_long_cycle(const CycleType& lengths, std::size_t points) {
     });
 }
 
+bool has_blocks(const std::string& group) {
+    return group.find(" wr ") != std::string::npos;
+}
+
 /// With so many third cameras for each pose of two views that share five points.
 std::string group_of_third_cameras(std::size_t count) {
     if (count == 1) return std::string(group_of_five_points);
@@ -31,7 +35,7 @@ std::string group_of_third_cameras(std::size_t count) {
 }
 
 /// The group of so many solutions that share essential matrices, if its permutations have cycles
-/// like these (proofs/fibres.md, Theorem 3); empty if they do not show it.
+/// like these (proofs/shared_matrices.md, Theorem 3); empty if they do not show it.
 std::string group_with_blocks(std::vector<BlockCycles> all, std::size_t solutions) {
     std::size_t blocks = 0;
     for (const BlockCycles& cycles : all)
@@ -70,7 +74,9 @@ std::string group_of(const DegreeBounds& bounds) {
 }
 
 std::string source_of_group(const DegreeBounds& bounds) {
-    if (bounds.group_theorem.empty()) return "by fibres: proofs/fibres.md";
+    if (bounds.group_theorem.empty())
+        return has_blocks(group_of(bounds)) ? "by fibres: proofs/shared_matrices.md"
+                                            : "by fibres: proofs/fibres.md";
     return say("by Theorem ", bounds.group_theorem, " of proofs/", page_of(bounds.group_theorem));
 }
 

@@ -1,5 +1,5 @@
 // Solutions of a fibre that have an essential matrix of two views in common: loops of images keep
-// them together (proofs/fibres.md, section 6).
+// them together (proofs/shared_matrices.md).
 #pragma once
 
 #include "checker/fibres/fibre.h"

@@ -1,5 +1,5 @@
 // Essential matrices of two views that several solutions of a fibre share: loops of images keep
-// these solutions together (proofs/fibres.md, section 6).
+// these solutions together (proofs/shared_matrices.md).
 #pragma once
 
 #include "prover/model/quotient.h"

@@ -1,5 +1,5 @@
-// Groups that keep solutions together which share an essential matrix (proofs/fibres.md, Theorem
-// 3): of random permutations of a whole group, and of subgroups that are nearly the whole.
+// Groups that keep solutions together which share an essential matrix (proofs/shared_matrices.md):
+// of random permutations of a whole group, and of subgroups that are nearly the whole.
 #include "checker/conclusion/group.h"
 #include "prover/groups/cycle_types.h"
 #include "prover/groups/permutation.h"
