@@ -43,22 +43,17 @@ std::optional<Univariate> quotient_of(const UnivariateField& field,
     }
 }
 
-/// The minimal polynomial of x, by what its powers have of 1 (Berlekamp and Massey).
+/// The minimal polynomial of x up to a factor, by what its powers have of 1.
 Univariate minimal_polynomial(const UnivariateField& field, const Univariate& x,
                               std::size_t degree) {
     constexpr std::size_t spare = 8; // a recurrence of full length is none that these know
-    nmod_berlekamp_massey_t sequence;
-    nmod_berlekamp_massey_init(sequence, modulus);
+    std::vector<Modular> sequence;
     Univariate power = field.constant(1);
     for (std::size_t k = 0; k < degree + spare; ++k) {
-        nmod_berlekamp_massey_add_point(sequence, power.coefficient(0).value());
+        sequence.push_back(power.coefficient(0));
         power = field.product(power, x);
     }
-    nmod_berlekamp_massey_reduce(sequence);
-    Univariate result;
-    nmod_poly_make_monic(result.get(), nmod_berlekamp_massey_V_poly(sequence));
-    nmod_berlekamp_massey_clear(sequence);
-    return result;
+    return model::recurrence_of(sequence);
 }
 
 } // namespace

@@ -116,22 +116,17 @@ bool keep_regular(const Program& program, std::span<const Modular> data, Solutio
 /// The minimal polynomial of x modulo g, or one whose roots are their inverses.
 Univariate minimal_polynomial(const Algebra& algebra, const Univariate& x, RandomResidues& random) {
     const std::size_t degree = algebra.polynomial().degree();
-    nmod_berlekamp_massey_t massey;
-    nmod_berlekamp_massey_init(massey, modulus);
+    std::vector<Modular> sequence;
     Univariate power = algebra.constant(1);
     const std::vector<Modular> function = random.residues(degree); // linear
     for (std::size_t i = 0; i < 2 * degree; ++i) {
         Modular value;
         for (std::size_t k = 0; k < degree; ++k)
             value = value + function[k] * power.coefficient(k);
-        nmod_berlekamp_massey_add_point(massey, value.value());
+        sequence.push_back(value);
         power = algebra.product(power, x);
     }
-    nmod_berlekamp_massey_reduce(massey);
-    Univariate result;
-    nmod_poly_set(result.get(), nmod_berlekamp_massey_V_poly(massey));
-    nmod_berlekamp_massey_clear(massey);
-    return result;
+    return recurrence_of(sequence);
 }
 
 std::vector<int> random_form(RandomResidues& random, std::size_t count) {

@@ -15,6 +15,18 @@ Modular Univariate::coefficient(std::size_t power) const {
     return Modular::of(nmod_poly_get_coeff_ui(value_, static_cast<slong>(power)));
 }
 
+Univariate recurrence_of(const std::vector<Modular>& sequence) {
+    nmod_berlekamp_massey_t massey;
+    nmod_berlekamp_massey_init(massey, modulus);
+    for (const Modular& value : sequence)
+        nmod_berlekamp_massey_add_point(massey, value.value());
+    nmod_berlekamp_massey_reduce(massey);
+    Univariate result;
+    nmod_poly_set(result.get(), nmod_berlekamp_massey_V_poly(massey));
+    nmod_berlekamp_massey_clear(massey);
+    return result;
+}
+
 Univariate Algebra::reduced(const Univariate& a) const {
     Univariate result;
     nmod_poly_rem(result.get(), a.get(), polynomial_.get());

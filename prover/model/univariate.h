@@ -33,4 +33,8 @@ private:
     nmod_poly_t value_;
 };
 
+/// The polynomial of least degree that is a linear recurrence of the sequence, up to a factor
+/// (Berlekamp and Massey).
+Univariate recurrence_of(const std::vector<Modular>& sequence);
+
 } // namespace plprove::model
