@@ -6,22 +6,14 @@
 
 namespace checker {
 namespace {
-bool is_even(const CycleType& lengths) {
-    return (points_of(lengths) - lengths.size()) % 2 == 0;
-}
-
 bool takes_both_values(const std::vector<BlockCycles>& all, const auto& sign) {
     return std::ranges::any_of(all, sign) && !std::ranges::all_of(all, sign);
 }
 
-/// Whether a power is one cycle, of a prime length p of which a theorem of Jordan says that a
-/// transitive group of so many points with it contains all even permutations.
+/// Whether a power is one cycle, so long that by a theorem of Jordan a transitive group of so many
+/// points with it contains all even permutations.
 bool has_long_cycle(const CycleType& lengths, std::size_t points) {
-    return std::ranges::any_of(lengths, [&](std::size_t p) {
-        const auto is_multiple = [&](std::size_t length) { return length % p == 0; };
-        return 2 * p > points && p + 3 <= points && is_prime(p) &&
-               std::ranges::count_if(lengths, is_multiple) == 1;
-    });
+    return points > 3 && has_prime_cycle(lengths, points / 2 + 1, points - 3);
 }
 
 bool has_blocks(const std::string& group) {

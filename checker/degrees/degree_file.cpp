@@ -150,25 +150,22 @@ private:
         std::vector<Polynomial> polynomials;
         for (const Fibre& fibre : fibres_.proved)
             polynomials.push_back(fibre.lower);
+        const std::size_t most =
+            std::ranges::max_element(polynomials, {}, &Polynomial::size)->size();
+        std::erase_if(fibres_.proved,
+                      [&](const Fibre& fibre) { return fibre.lower.size() < most; });
         const auto spend = [&](std::uint64_t effort) { records_.spend(effort); };
         LowerBound& bound = file_.bounds.back();
         bound.cycle_types = cycle_types_of(polynomials, spend);
-        if (!bound.cycle_types.empty()) {
-            const std::size_t most =
-                std::ranges::max_element(polynomials, {}, &Polynomial::size)->size();
-            for (const Fibre& fibre : fibres_.proved)
-                if (fibre.lower.size() == most) add_block_cycles(fibre, bound);
-        }
+        for (std::size_t i = 0; i < bound.cycle_types.size(); ++i)
+            add_block_cycles(fibres_.proved[i], bound.cycle_types[i], bound);
         fibres_ = {};
     }
 
-    void add_block_cycles(const Fibre& fibre, LowerBound& bound) {
+    void add_block_cycles(const Fibre& fibre, const CycleType& solutions, LowerBound& bound) {
         const std::uint64_t degree = fibre.lower.size();
         records_.spend(degree * degree * degree / 100'000);
-        const std::vector<SharedMatrices> shared = shared_matrices(fibre);
-        if (shared.empty()) return;
-        const CycleType solutions = cycle_type_of(fibre.lower);
-        for (const auto& [views, values] : shared)
+        for (const auto& [views, values] : shared_matrices(fibre))
             bound.block_cycles.push_back({views, solutions, cycle_type_of(values)});
     }
 

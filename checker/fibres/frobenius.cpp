@@ -16,6 +16,18 @@ std::size_t points_of(const CycleType& lengths) {
     return std::accumulate(lengths.begin(), lengths.end(), std::size_t{0});
 }
 
+bool is_even(const CycleType& lengths) {
+    return (points_of(lengths) - lengths.size()) % 2 == 0;
+}
+
+bool has_prime_cycle(const CycleType& lengths, std::size_t least, std::size_t most) {
+    return std::ranges::any_of(lengths, [&](std::size_t p) {
+        const auto is_multiple = [&](std::size_t length) { return length % p == 0; };
+        return least <= p && p <= most && is_prime(p) &&
+               std::ranges::count_if(lengths, is_multiple) == 1;
+    });
+}
+
 /// t^q modulo g.
 static Polynomial frobenius_of_variable(const Extension& extension) {
     Polynomial product = extension.constant({1});
@@ -125,33 +137,20 @@ static bool is_primitive(const std::vector<CycleType>& cycle_types, std::size_t 
     return true;
 }
 
-/// Whether a power of the permutation is one cycle, of a prime length p of which Jordan's theorems
-/// say that a primitive group with it contains all even permutations.
-static bool has_cycle_of_jordan(const CycleType& lengths, std::size_t points) {
-    return std::ranges::any_of(lengths, [&](std::size_t p) {
-        const bool is_alone = std::ranges::count_if(lengths, [&](std::size_t length) {
-                                  return length % p == 0;
-                              }) == 1;
-        return (p <= 3 || p + 3 <= points) && is_alone && is_prime(p);
-    });
-}
-
 std::string group_shown_by(const std::vector<CycleType>& cycle_types, std::size_t solutions,
                            Orbits orbits) {
     std::vector<CycleType> whole; // permutations of all solutions
     for (const CycleType& lengths : cycle_types)
         if (points_of(lengths) == solutions) whole.push_back(lengths);
+    // By Jordan's theorems a primitive group with such a cycle contains all even permutations.
     const auto has_cycle = [&](const CycleType& lengths) {
-        return has_cycle_of_jordan(lengths, solutions);
+        return has_prime_cycle(lengths, 2, std::max<std::size_t>(solutions, 6) - 3);
     };
     const auto differs = [&](const CycleType& lengths) { return lengths != whole.front(); };
     if (std::ranges::none_of(whole, has_cycle) || std::ranges::none_of(whole, differs) ||
         (orbits == Orbits::unknown && !is_transitive(whole, solutions)) ||
         !is_primitive(whole, solutions))
         return {};
-    const auto is_even = [&](const CycleType& lengths) {
-        return (solutions - lengths.size()) % 2 == 0;
-    };
     const auto even = std::ranges::count_if(whole, is_even);
     const bool both_signs = even > 0 && even < std::ssize(whole);
     return say(both_signs ? "S" : ">=A", solutions);

@@ -16,6 +16,12 @@ using CycleType = std::vector<std::size_t>;
 /// How many points they have together.
 std::size_t points_of(const CycleType& lengths);
 
+/// Whether permutations with these cycles are even.
+bool is_even(const CycleType& lengths);
+
+/// Whether a power of the permutation is one cycle, of a prime length from `least` to `most`.
+bool has_prime_cycle(const CycleType& lengths, std::size_t least, std::size_t most);
+
 /// The cycles of the permutation of the roots of g, its highest term left out, which has no
 /// multiple root: the degrees of the irreducible factors.
 CycleType cycle_type_of(const Polynomial& lower);

@@ -55,18 +55,20 @@ std::string fewest_records(const std::string& group, const std::vector<FibreReco
     return records;
 }
 
-/// Of a class, whose unknowns are cameras.
-std::optional<FibreRecord> recorded(const std::optional<ClassFibre>& fibre) {
-    if (!fibre) return std::nullopt;
-    return FibreRecord{model::factor_degrees(fibre->solutions.polynomial),
-                       model::factor_degrees(shared_matrices(fibre->solutions)),
-                       write_record(*fibre)};
+CycleType cycles_of_matrices(const ClassFibre& fibre) {
+    return model::factor_degrees(shared_matrices(fibre.solutions));
 }
 
-std::optional<FibreRecord> recorded(const std::optional<SceneFibre>& fibre) {
+/// The unknowns of these are scenes.
+CycleType cycles_of_matrices(const SceneFibre& /*fibre*/) {
+    return {};
+}
+
+template <class Fibre>
+std::optional<FibreRecord> recorded(const std::optional<Fibre>& fibre) {
     if (!fibre) return std::nullopt;
-    return FibreRecord{
-        model::factor_degrees(fibre->solutions.polynomial), {}, write_record(*fibre)};
+    return FibreRecord{model::factor_degrees(fibre->solutions.polynomial),
+                       cycles_of_matrices(*fibre), write_record(*fibre)};
 }
 
 } // namespace

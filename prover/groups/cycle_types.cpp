@@ -63,10 +63,10 @@ bool may_be_imprimitive(const std::vector<CycleType>& cycle_types, int degree) {
     return false;
 }
 
-/// Whether a power is a single cycle, of a prime length that Jordan's theorems are about.
-bool has_single_cycle(const CycleType& lengths, int degree) {
+/// Whether a power is a single cycle, of a prime length in this range.
+bool has_single_cycle(const CycleType& lengths, int shortest, int longest) {
     return std::ranges::any_of(lengths, [&](int p) {
-        if (!n_is_prime(static_cast<ulong>(p)) || p > std::max(3, degree - 3)) return false;
+        if (p < shortest || p > longest || !n_is_prime(static_cast<ulong>(p))) return false;
         return std::ranges::count_if(lengths, [&](int length) { return length % p == 0; }) == 1;
     });
 }
@@ -92,15 +92,6 @@ bool choose(std::size_t count, std::size_t size,
     return false;
 }
 
-/// Whether a power is a single cycle, of a prime length for which a transitive group of so many
-/// points with it contains all even permutations.
-bool has_long_cycle(const CycleType& lengths, int points) {
-    return std::ranges::any_of(lengths, [&](int p) {
-        return n_is_prime(static_cast<ulong>(p)) && 2 * p > points && p <= points - 3 &&
-               std::ranges::count_if(lengths, [&](int length) { return length % p == 0; }) == 1;
-    });
-}
-
 constexpr int poses = 20, pose_matrices = 10; // of two views that share five points
 
 } // namespace
@@ -108,7 +99,7 @@ constexpr int poses = 20, pose_matrices = 10; // of two views that share five po
 std::string group_shown_by(const std::vector<CycleType>& cycle_types, int degree, bool transitive) {
     bool has_cycle = false, even = false, odd = false, differ = false;
     for (const CycleType& lengths : cycle_types) {
-        has_cycle |= has_single_cycle(lengths, degree);
+        has_cycle |= has_single_cycle(lengths, 2, std::max(3, degree - 3)); // Jordan's theorems
         differ |= lengths != cycle_types.front();
         (has_even_sign(lengths) ? even : odd) = true;
     }
@@ -120,12 +111,14 @@ std::string group_shown_by(const std::vector<CycleType>& cycle_types, int degree
 std::string group_with_blocks(const std::vector<SharedCycles>& all, int degree) {
     const int matrices = points_of(all.front().matrices);
     std::vector<CycleType> of_matrices;
+    const int third_cameras = degree / poses; // of each pose of two views with five points
     bool has_cycle = false;
     std::set<bool> signs, products;
     for (const SharedCycles& cycles : all) {
         if (points_of(cycles.matrices) != matrices) return {};
         of_matrices.push_back(cycles.matrices);
-        has_cycle |= has_long_cycle(cycles.solutions, degree / poses);
+        // The third cameras of a pose are then permuted in all even ways.
+        has_cycle |= has_single_cycle(cycles.solutions, third_cameras / 2 + 1, third_cameras - 3);
         signs.insert(has_even_sign(cycles.solutions));
         products.insert(has_even_sign(cycles.solutions) == has_even_sign(cycles.matrices));
     }
@@ -135,7 +128,7 @@ std::string group_with_blocks(const std::vector<SharedCycles>& all, int degree) 
         group_shown_by(of_matrices, matrices, true) == symmetric)
         return "S2 wr " + symmetric;
     if (matrices == pose_matrices && has_cycle)
-        return "<S" + std::to_string(degree / poses) + " wr S2 wr S10";
+        return "<S" + std::to_string(third_cameras) + " wr S2 wr S10";
     return {};
 }
 
