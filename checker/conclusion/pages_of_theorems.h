@@ -24,6 +24,7 @@ inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems
     {"B", "calibrated_three_points.md"},
     {"C", "three_views/4_classes.md"},
     {"E", "calibrated_six_views.md"},
+    {"J", "upright_focal_views.md"},
     {"K", "three_views/5_many_pins.md"},
     {"L", "three_collinear_points.md"},
     {"M", "collinear_points_more_views.md"},

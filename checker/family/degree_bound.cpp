@@ -112,23 +112,7 @@ static std::optional<std::size_t> bound_of_upright_shared_focal(const Problem& p
     return std::nullopt;
 }
 
-/// Items 14 to 16.
-static std::optional<std::size_t> bound_of_upright_focal(const Problem& problem) {
-    const auto axis = std::ranges::find_if(problem.lines, is_axis);
-    if (axis == problem.lines.end()) return std::nullopt;
-    const auto has_no_point = [](const Line& line) { return line.points.empty(); };
-    const auto is_pin_of_axis = [&](const Line& line) {
-        return line.points.size() == 1 && meet(line, *axis);
-    };
-    const int views = std::popcount(problem.views);
-    const auto pins = std::ranges::count_if(problem.lines, is_pin_of_axis);
-    if (views == 3 && std::ranges::any_of(problem.lines, has_no_point)) return 7;
-    if (views == 3 && pins >= 2) return 34;
-    if (views == 4 && pins >= 1) return 93;
-    return std::nullopt;
-}
-
-/// Items 4 to 16; none where they do not apply.
+/// Items 4 to 13; none where they do not apply.
 static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& problem) {
     const std::string_view cameras = problem.cameras->name;
     const int views = std::popcount(problem.views);
@@ -143,7 +127,6 @@ static std::optional<std::size_t> bound_of_cameras_in_part(const Problem& proble
     if (cameras == "upright" && views == 2) return 4;
     if (cameras == "upright" && views == 3 && directions(problem) >= 2) return 6;
     if (cameras == "upright-shared-focal") return bound_of_upright_shared_focal(problem);
-    if (cameras == "upright-focal") return bound_of_upright_focal(problem);
     return std::nullopt;
 }
 

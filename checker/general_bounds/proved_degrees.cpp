@@ -8,8 +8,7 @@
 #include <string>
 
 namespace checker {
-/// A row of a theorem's table: a problem as one view sees it. The cameras are projective, but for
-/// Theorems A, B and E, where they are calibrated.
+/// A row of a theorem's table: a problem as one view sees it.
 struct ProvedRow {
     unsigned views = 0;
     std::string_view view{};
@@ -34,6 +33,14 @@ static constexpr ProvedRow proved_rows[] = {
     {4, "2*P + Pa", 1728, "B"},
     // proofs/calibrated_six_views.md
     {6, "Pa + 2*a", 186368, "E"},
+    // proofs/upright_focal_views.md
+    {3, "3*PL + a", 7, "J"},
+    {3, "2*PL + PLab", 34, "J"},
+    {3, "PL + 2*PLa", 34, "J"},
+    {4, "2*PL + PLa", 93, "J"},
+    {3, "5*a", 62, "J"},
+    {3, "Pabc + 2*a", 62, "J"},
+    {3, "2*Pab", 62, "J"},
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},
@@ -99,10 +106,15 @@ static constexpr ProvedRow proved_rows[] = {
     {5, "Pabcde + 3*a", 6, "V"},
 };
 
+/// The cameras that a theorem is about, as notation has them.
+static std::string_view cameras_of(std::string_view theorem) {
+    if (theorem == "A" || theorem == "B" || theorem == "E") return "";
+    return theorem == "J" ? "upright-focal: " : "projective: ";
+}
+
 /// The row's problem: each view sees each feature in the same way.
 static Problem problem_of(const ProvedRow& row) {
-    std::string notation =
-        row.theorem == "A" || row.theorem == "B" || row.theorem == "E" ? "" : "projective: ";
+    std::string notation(cameras_of(row.theorem));
     std::string_view rest = row.view;
     while (!rest.empty()) {
         const std::string_view feature = rest.substr(0, rest.find(" + "));

@@ -28,13 +28,15 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
         CAPTURE(on_file.problem);
         const bool calibrated =
             std::string_view("ABE").find(proved->theorem) != std::string_view::npos;
-        CHECK(on_file.family == (calibrated ? "plmp" : "projective"));
+        const bool upright = proved->theorem == "J";
+        CHECK(on_file.family == (calibrated ? "plmp" : upright ? "upright-focal" : "projective"));
         CHECK(proved->at_most == std::stoul(on_file.degree));
         CHECK(on_file.status == "certified");
         ++rows[proved->theorem];
     }
-    CHECK(rows == std::map<std::string_view, std::size_t>{
-                      {"A", 11}, {"B", 1}, {"E", 1}, {"L", 22}, {"M", 14}, {"N", 15}, {"V", 8}});
+    CHECK(rows ==
+          std::map<std::string_view, std::size_t>{
+              {"A", 11}, {"B", 1}, {"E", 1}, {"J", 7}, {"L", 22}, {"M", 14}, {"N", 15}, {"V", 8}});
 }
 
 TEST_CASE("a row is found in whatever order its problem is written") {
@@ -50,6 +52,9 @@ TEST_CASE("other views and other cameras have no row") {
     CHECK(bound_of("2*Pabcdef/Pabcdef/Pabcdef") == std::nullopt);
     CHECK(bound_of("PM/PM + PLM/PLM + 2*PL/PL + PM/PM") == 12U);
     CHECK(bound_of("projective: PLM/PLM + 2*PL/PL + 2*PM/PM") == std::nullopt);
+    CHECK(bound_of("upright-focal: 2*PLa/PLa/PLa + PL/PL/PL") == 34U);
+    CHECK(bound_of("upright-shared-focal: 2*PLa/PLa/PLa + PL/PL/PL") == std::nullopt);
+    CHECK(bound_of("upright-focal: P/P/P + Pabcd/Pabcd/Pabcd") == std::nullopt);
     CHECK(bound_of("shared-focal: 5*P/P") == std::nullopt);
     CHECK(bound_of("3*PL/PL/PL + P/P/P") == 64U);
     CHECK(bound_of("3*PL/PL/PL + P/P/-") == std::nullopt);
