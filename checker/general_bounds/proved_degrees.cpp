@@ -41,6 +41,8 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "5*a", 62, "J"},
     {3, "Pabc + 2*a", 62, "J"},
     {3, "2*Pab", 62, "J"},
+    // proofs/shared_focal_star.md
+    {3, "P + Pabcdef", 48, "O"},
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},
@@ -109,7 +111,8 @@ static constexpr ProvedRow proved_rows[] = {
 /// The cameras that a theorem is about, as notation has them.
 static std::string_view cameras_of(std::string_view theorem) {
     if (theorem == "A" || theorem == "B" || theorem == "E") return "";
-    return theorem == "J" ? "upright-focal: " : "projective: ";
+    if (theorem == "J") return "upright-focal: ";
+    return theorem == "O" ? "shared-focal: " : "projective: ";
 }
 
 /// The row's problem: each view sees each feature in the same way.

@@ -1,0 +1,144 @@
+// Theorem O (proofs/shared_focal_star.md): cameras modulo a prime with one focal length, and seven
+// lines through a point.
+#include "checker/algebra/vector3.h"
+#include "proofs/computations/residue_matrices.h"
+
+#include <doctest/doctest.h>
+
+using namespace checker;
+using proofs::Residues;
+
+namespace {
+
+using Vector = Vector3<Residue>;
+
+Residue determinant(const Vector& a, const Vector& b, const Vector& c) {
+    return dot(a, cross(b, c));
+}
+
+/// A view of the origin.
+class View {
+public:
+    View(Residue focal, Residues& random) : focal_(focal), origin_(vector(random)) {
+        const Residue a = random.next(), two{2};
+        const Vector b = vector(random);
+        const Residue scale = (a * a + dot(b, b)).inverse();
+        for (std::size_t i = 0; i < 3; ++i) {
+            Vector unit{};
+            unit[i] = {1};
+            const Vector turned = plus(plus(times(a * a - dot(b, b), unit), times(two * b[i], b)),
+                                       times(two * a, cross(b, unit)));
+            columns_[i] = times(scale, turned);
+        }
+    }
+
+    static Vector vector(Residues& random) { return {random.next(), random.next(), random.next()}; }
+
+    /// The image vector of a direction.
+    Vector image(const Vector& direction) const {
+        Vector turned{};
+        for (std::size_t i = 0; i < 3; ++i)
+            turned = plus(turned, times(direction[i], columns_[i]));
+        return calibrated(turned);
+    }
+
+    /// The normal of the plane that the view sees on an image line.
+    Vector normal(const Vector& line) const {
+        const Vector turned = calibrated(line);
+        return {dot(columns_[0], turned), dot(columns_[1], turned), dot(columns_[2], turned)};
+    }
+
+    /// The direction of the ray to the origin.
+    Vector ray() const {
+        const Residue inverse = focal_.inverse();
+        const Vector turned{inverse * origin_[0], inverse * origin_[1], origin_[2]};
+        return {dot(columns_[0], turned), dot(columns_[1], turned), dot(columns_[2], turned)};
+    }
+
+    /// The image of the line through the origin with a direction.
+    Vector line(const Vector& direction) const { return cross(origin_, image(direction)); }
+
+    /// The square of the normal, for this focal length or another.
+    static Residue square(const Vector& line, Residue focal) {
+        return focal * focal * (line[0] * line[0] + line[1] * line[1]) + line[2] * line[2];
+    }
+
+private:
+    Vector calibrated(const Vector& a) const { return {focal_ * a[0], focal_ * a[1], a[2]}; }
+
+    Residue focal_;
+    Vector origin_;
+    std::array<Vector, 3> columns_; ///< of the rotation
+};
+
+struct Views {
+    std::array<View, 3> views;
+    std::array<Vector, 3> rays;
+
+    /// The trilinear form T of equation (1).
+    Residue form(const std::array<Vector, 3>& lines) const {
+        return determinant(views[0].normal(lines[0]), views[1].normal(lines[1]),
+                           views[2].normal(lines[2]));
+    }
+
+    /// The coordinate i of the normal of an image line in view v.
+    Residue coordinate(std::size_t v, std::size_t i, const Vector& line) const {
+        return dot(views[v].normal(line), rays[i]);
+    }
+};
+
+constexpr Residue focal{3};
+
+Views three_views(Residues& random) {
+    const View one(focal, random), two(focal, random), three(focal, random);
+    return {{one, two, three}, {one.ray(), two.ray(), three.ray()}};
+}
+
+} // namespace
+
+TEST_CASE("seven lines through a point determine a trilinear form, which has two products") {
+    Residues random(1);
+    const Views all = three_views(random);
+    proofs::ResidueMatrix conditions;
+    for (int line = 0; line < 7; ++line) {
+        const Vector direction = View::vector(random);
+        std::array<Vector, 3> lines;
+        for (std::size_t v = 0; v < 3; ++v) {
+            lines[v] = all.views[v].line(direction);
+            CHECK(dot(all.views[v].normal(lines[v]), direction) == Residue{});
+            CHECK(all.coordinate(v, v, lines[v]) == Residue{});
+        }
+        CHECK(all.form(lines) == Residue{});
+        proofs::ResidueRow row;
+        for (std::size_t term = 0; term < 8; ++term) // two coordinates of a line are enough
+            row.push_back(lines[0][term & 1] * lines[1][term >> 1 & 1] * lines[2][term >> 2]);
+        conditions.push_back(row);
+    }
+    CHECK(proofs::rank_of(conditions) == 7);
+
+    std::array<Vector, 3> lines;
+    for (std::size_t v = 0; v < 3; ++v)
+        lines[v] = all.views[v].line(View::vector(random));
+    const auto n = [&](std::size_t v, std::size_t i) { return all.coordinate(v, i, lines[v]); };
+    CHECK(all.form(lines) * determinant(all.rays[0], all.rays[1], all.rays[2]) ==
+          n(0, 1) * n(1, 2) * n(2, 0) + n(0, 2) * n(1, 0) * n(2, 1));
+}
+
+TEST_CASE("the focal length of a star satisfies the cubic equation, another one does not") {
+    Residues random(2);
+    const Views all = three_views(random);
+    std::array<Vector, 3> first, second; // where all factors of a product but one kind are 0
+    for (std::size_t v = 0; v < 3; ++v) {
+        first[v] = all.views[v].line(all.rays[(v + 2) % 3]);
+        second[v] = all.views[v].line(all.rays[(v + 1) % 3]);
+    }
+    const auto product = [](const std::array<Vector, 3>& lines, Residue f) {
+        return View::square(lines[0], f) * View::square(lines[1], f) * View::square(lines[2], f);
+    };
+    const Residue one = all.form(first), other = all.form(second);
+    const auto difference = [&](Residue f) {
+        return product(first, f) * other * other - product(second, f) * one * one;
+    };
+    CHECK(difference(focal) == Residue{});
+    CHECK(difference(Residue{4}) != Residue{});
+}
