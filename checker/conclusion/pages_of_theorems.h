@@ -29,7 +29,7 @@ inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems
     {"L", "three_collinear_points.md"},
     {"M", "collinear_points_more_views.md"},
     {"N", "five_pins.md"},
-    {"O", "shared_focal_star.md"},
+    {"O", "one_focal_length.md"},
     {theorem_of_cameras, "moduli.md"},
     {theorem_of_arrangements, "moduli.md"},
     {"V", "four_and_five_views.md"},

@@ -41,8 +41,9 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "5*a", 62, "J"},
     {3, "Pabc + 2*a", 62, "J"},
     {3, "2*Pab", 62, "J"},
-    // proofs/shared_focal_star.md
+    // proofs/one_focal_length.md
     {3, "P + Pabcdef", 48, "O"},
+    {5, "3*PL + a", 256, "O"},
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},

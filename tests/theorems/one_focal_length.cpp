@@ -1,5 +1,5 @@
-// Theorem O (proofs/shared_focal_star.md): cameras modulo a prime with one focal length, and seven
-// lines through a point.
+// Theorem O (proofs/one_focal_length.md): cameras modulo a prime with one focal length, seven lines
+// through a point, and three points on a line with another line.
 #include "checker/algebra/vector3.h"
 #include "proofs/computations/residue_matrices.h"
 
@@ -16,7 +16,7 @@ Residue determinant(const Vector& a, const Vector& b, const Vector& c) {
     return dot(a, cross(b, c));
 }
 
-/// A view of the origin.
+/// A view of the origin, and of other points.
 class View {
 public:
     View(Residue focal, Residues& random) : focal_(focal), origin_(vector(random)) {
@@ -41,6 +41,9 @@ public:
             turned = plus(turned, times(direction[i], columns_[i]));
         return calibrated(turned);
     }
+
+    /// The image vector of a point.
+    Vector point(const Vector& point) const { return plus(image(point), origin_); }
 
     /// The normal of the plane that the view sees on an image line.
     Vector normal(const Vector& line) const {
@@ -141,4 +144,33 @@ TEST_CASE("the focal length of a star satisfies the cubic equation, another one 
     };
     CHECK(difference(focal) == Residue{});
     CHECK(difference(Residue{4}) != Residue{});
+}
+
+TEST_CASE(
+    "five views of three collinear points and a line satisfy two equations of degree two in the "
+    "square of the focal length") {
+    Residues random(3);
+    const Vector a = View::vector(random), b = View::vector(random);
+    const Vector one = View::vector(random), other = View::vector(random);
+    const Residue x = focal * focal, two{2};
+    proofs::ResidueMatrix rows; // of K, p^2, pq, q^2, with rho = (1 : 1)
+    for (int v = 0; v < 5; ++v) {
+        const View view(focal, random);
+        const Vector image_a = view.point(a), image_b = view.point(b);
+        const Vector y = cross(view.point(one), view.point(other)), r = minus(image_b, image_a);
+        const Vector product = cross(Vector{focal * y[0], focal * y[1], y[2]},
+                                     Vector{r[0], r[1], focal * r[2]}); // times the focal length
+        const Residue minor = y[0] * r[1] - y[1] * r[0];
+        const Residue scaled =
+            x * x * r[2] * r[2] * (y[0] * y[0] + y[1] * y[1]) +
+            x * (minor * minor - two * r[2] * y[2] * (y[0] * r[0] + y[1] * r[1])) +
+            y[2] * y[2] * (r[0] * r[0] + r[1] * r[1]);
+        CHECK(scaled == dot(product, product));
+        const Residue p = dot(y, image_b), q = dot(y, image_a);
+        rows.push_back({scaled, p * p, p * q, q * q});
+    }
+    CHECK(proofs::rank_of(rows) == 3);
+    for (proofs::ResidueRow& row : rows)
+        row.erase(row.begin());
+    CHECK(proofs::rank_of(rows) == 3);
 }
