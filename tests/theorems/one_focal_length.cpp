@@ -12,6 +12,8 @@ namespace {
 
 using Vector = Vector3<Residue>;
 
+constexpr Residue true_focal{3};
+
 Residue determinant(const Vector& a, const Vector& b, const Vector& c) {
     return dot(a, cross(b, c));
 }
@@ -74,6 +76,39 @@ private:
     std::array<Vector, 3> columns_; ///< of the rotation
 };
 
+/// Residues with a root of -1.
+struct Complex {
+    Residue real, imaginary;
+
+    Complex operator*(const Complex& b) const {
+        return {real * b.real - imaginary * b.imaginary, real * b.imaginary + imaginary * b.real};
+    }
+    Complex operator-(const Complex& b) const { return {real - b.real, imaginary - b.imaginary}; }
+    Complex conjugate() const { return {real, -imaginary}; }
+    bool operator==(const Complex&) const = default;
+};
+
+/// What a view sees of a line, beside three points on another one (section 5).
+struct LineInView {
+    Complex omega;
+    Residue p, q, square_of_nu;
+};
+
+LineInView line_in_view(const View& view, const std::array<Vector, 2>& points_of_axis,
+                        Residue distance, const Vector& y) {
+    const auto calibrated = [](const Vector& a) {
+        return Vector{true_focal * a[0], true_focal * a[1], a[2]};
+    };
+    const Vector a = view.point(points_of_axis[0]), b = view.point(points_of_axis[1]);
+    const Vector normal = calibrated(cross(a, b)), difference = minus(b, a);
+    const Vector r{difference[0], difference[1], true_focal * difference[2]};
+    return {
+        {dot(calibrated(y), cross(normal, r)), true_focal * distance * dot(calibrated(y), normal)},
+        dot(y, b),
+        dot(y, a),
+        dot(normal, normal)};
+}
+
 struct Views {
     std::array<View, 3> views;
     std::array<Vector, 3> rays;
@@ -90,10 +125,8 @@ struct Views {
     }
 };
 
-constexpr Residue focal{3};
-
 Views three_views(Residues& random) {
-    const View one(focal, random), two(focal, random), three(focal, random);
+    const View one(true_focal, random), two(true_focal, random), three(true_focal, random);
     return {{one, two, three}, {one.ray(), two.ray(), three.ray()}};
 }
 
@@ -142,7 +175,7 @@ TEST_CASE("the focal length of a star satisfies the cubic equation, another one 
     const auto difference = [&](Residue f) {
         return product(first, f) * other * other - product(second, f) * one * one;
     };
-    CHECK(difference(focal) == Residue{});
+    CHECK(difference(true_focal) == Residue{});
     CHECK(difference(Residue{4}) != Residue{});
 }
 
@@ -152,14 +185,15 @@ TEST_CASE(
     Residues random(3);
     const Vector a = View::vector(random), b = View::vector(random);
     const Vector one = View::vector(random), other = View::vector(random);
-    const Residue x = focal * focal, two{2};
+    const Residue x = true_focal * true_focal, two{2};
     proofs::ResidueMatrix rows; // of K, p^2, pq, q^2, with rho = (1 : 1)
     for (int v = 0; v < 5; ++v) {
-        const View view(focal, random);
+        const View view(true_focal, random);
         const Vector image_a = view.point(a), image_b = view.point(b);
         const Vector y = cross(view.point(one), view.point(other)), r = minus(image_b, image_a);
-        const Vector product = cross(Vector{focal * y[0], focal * y[1], y[2]},
-                                     Vector{r[0], r[1], focal * r[2]}); // times the focal length
+        const Vector product =
+            cross(Vector{true_focal * y[0], true_focal * y[1], y[2]},
+                  Vector{r[0], r[1], true_focal * r[2]}); // times the focal length
         const Residue minor = y[0] * r[1] - y[1] * r[0];
         const Residue scaled =
             x * x * r[2] * r[2] * (y[0] * y[0] + y[1] * y[1]) +
@@ -173,4 +207,37 @@ TEST_CASE(
     for (proofs::ResidueRow& row : rows)
         row.erase(row.begin());
     CHECK(proofs::rank_of(rows) == 3);
+}
+
+TEST_CASE("three products are equal where three views see three collinear points and two lines") {
+    Residues random(4);
+    const Residue distance{5};
+    const Vector a = View::vector(random), b = plus(a, Vector{Residue{3}, Residue{4}, {}});
+    std::array<std::array<LineInView, 3>, 2> lines;
+    std::array<Vector, 2> k;
+    const Views all = three_views(random);
+    for (std::size_t line = 0; line < 2; ++line) {
+        const Vector one = View::vector(random), other = View::vector(random);
+        Vector p, q;
+        for (std::size_t v = 0; v < 3; ++v) {
+            const View& view = all.views[v];
+            lines[line][v] =
+                line_in_view(view, {a, b}, distance, cross(view.point(one), view.point(other)));
+            p[v] = lines[line][v].p;
+            q[v] = lines[line][v].q;
+        }
+        k[line] = cross(p, q);
+    }
+    std::array<Complex, 3> products;
+    for (std::size_t v = 0; v < 3; ++v) {
+        const std::size_t u = (v + 1) % 3, w = (v + 2) % 3;
+        const auto omega = [&](std::size_t line, std::size_t view) {
+            return Complex{k[line][view], {}} * lines[line][view].omega;
+        };
+        const Complex theta = omega(0, u) * omega(1, w) - omega(0, w) * omega(1, u);
+        products[v] = theta * theta.conjugate() * Complex{lines[0][v].square_of_nu, {}};
+    }
+    CHECK(products[0] == products[1]);
+    CHECK(products[0] == products[2]);
+    CHECK(products[0].real != Residue{});
 }
