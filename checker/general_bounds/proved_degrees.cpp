@@ -45,6 +45,8 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "P + Pabcdef", 48, "O"},
     {5, "3*PL + a", 256, "O"},
     {3, "3*PL + 2*a", 80, "O"},
+    {3, "2*PL + PLab + a", 260, "O"},
+    {3, "PL + 2*PLa + a", 260, "O"},
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},

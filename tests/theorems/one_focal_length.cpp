@@ -241,3 +241,41 @@ TEST_CASE("three products are equal where three views see three collinear points
     CHECK(products[0] == products[2]);
     CHECK(products[0].real != Residue{});
 }
+
+TEST_CASE("intersection numbers in three views: 80 solutions with two lines, 260 with one and two "
+          "pins") {
+    // Classes on S: multiples of alpha and beta, and of the three E.
+    struct Class {
+        long alpha, beta;
+        std::array<long, 3> e;
+
+        Class operator+(const Class& b) const {
+            return {alpha + b.alpha, beta + b.beta, {e[0] + b.e[0], e[1] + b.e[1], e[2] + b.e[2]}};
+        }
+        long operator*(const Class& b) const {
+            long sum = 8 * (alpha * b.beta + beta * b.alpha);
+            for (std::size_t v = 0; v < 3; ++v)
+                sum += 8 * (alpha * b.e[v] + e[v] * b.alpha) - 8 * e[v] * b.e[v];
+            return sum;
+        }
+    };
+    const std::array<Class, 3> d{{{1, 3, {-1, 0, 0}}, {1, 3, {0, -1, 0}}, {1, 3, {0, 0, -1}}}};
+    // As the class of E and of its other half is 2 beta.
+    const std::array<Class, 3> bar{{{1, 1, {1, 0, 0}}, {1, 1, {0, 1, 0}}, {1, 1, {0, 0, 1}}}};
+    const Class delta = d[0] + bar[0];
+    const Class sum = d[0] + d[1] + d[2], bar_sum = bar[0] + bar[1] + bar[2];
+    const auto h = [](const std::array<Class, 3>& all) {
+        long products = 0;
+        for (std::size_t u = 0; u < 3; ++u)
+            for (std::size_t v = u; v < 3; ++v)
+                products += all[u] * all[v];
+        return products;
+    };
+    CHECK(h(d) == h(bar));
+    CHECK(delta * sum == delta * bar_sum);
+    const long two_lines =
+        h(d) + h(bar) + 2 * (sum * bar_sum) + delta * delta - 2 * (delta * (sum + bar_sum));
+    const long cubed = sum * bar_sum + 2 * h(d) - 2 * (delta * sum); // T^3 T'
+    CHECK(two_lines == 4 * 80);
+    CHECK(2 * cubed + 2 * two_lines - 32 - 48 - 2 * 24 == 4 * 260);
+}

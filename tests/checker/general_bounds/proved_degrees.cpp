@@ -43,7 +43,7 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
                                                           {"L", 22},
                                                           {"M", 14},
                                                           {"N", 15},
-                                                          {"O", 3},
+                                                          {"O", 5},
                                                           {"V", 8}});
 }
 
