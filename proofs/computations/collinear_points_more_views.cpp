@@ -7,25 +7,20 @@
 //
 // Each line of the output is a fact. Exit status 1 if one fails.
 #include "proofs/computations/plane_curves.h"
+#include "proofs/computations/report.h"
 #include "proofs/computations/scroll_quadrics.h"
 #include "proofs/computations/special_lines.h"
 #include "proofs/computations/star_equations.h"
 #include "proofs/computations/three_pin_curves.h"
 
 #include <algorithm>
-#include <iostream>
 #include <string>
 
 namespace {
 
 using namespace proofs;
 
-bool all_hold = true;
-
-void report(bool holds, const std::string& fact) {
-    std::cout << (holds ? "holds   " : "FAILS   ") << fact << '\n';
-    all_hold = all_hold && holds;
-}
+Report report;
 
 std::string name(const PinCounts& counts) {
     return std::to_string(counts[0]) + ", " + std::to_string(counts[1]) + ", " +
@@ -300,6 +295,5 @@ int main() {
     general_scene({2, 3, 3}, random);
     scene_of_special_line(random);
     special_lines(random);
-    std::cout << (all_hold ? "All hold.\n" : "Some fail.\n");
-    return all_hold ? 0 : 1;
+    return report.status();
 }

@@ -5,12 +5,11 @@
 //   c++ -std=c++20 -O2 -I. proofs/computations/five_directions.cpp -lgmp -o five_directions
 //
 // Each line of the output is a fact; exit status 1 if one fails.
+#include "proofs/computations/report.h"
 #include "proofs/computations/residue_matrices.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <iostream>
 #include <map>
 #include <string>
 
@@ -156,19 +155,6 @@ Section section_of(const std::vector<Equation>& equations) {
     }
     return {forms, rank_of(multiples), rank_of(all)};
 }
-
-class Report {
-public:
-    void fact(bool holds, const std::string& text) {
-        std::cout << (holds ? "holds   " : "FAILS   ") << text << '\n';
-        all_ = all_ && holds;
-    }
-    bool all() const { return all_; }
-
-private:
-    bool all_ = true;
-};
-
 } // namespace
 
 int main() {
@@ -176,18 +162,16 @@ int main() {
     std::vector<Equation> equations;
     for (const std::size_t degree : {3U, 4U}) {
         const std::vector<Equation> found = equations_of(degree);
-        report.fact(std::ranges::all_of(found, holds_over_the_integers),
-                    std::to_string(found.size()) + " equations of degree " +
-                        std::to_string(degree));
+        report(std::ranges::all_of(found, holds_over_the_integers),
+               std::to_string(found.size()) + " equations of degree " + std::to_string(degree));
         equations.insert(equations.end(), found.begin(), found.end());
     }
     const Section section = section_of(equations);
     const std::size_t left = section.forms - section.multiples;
-    report.fact(left == 62, "of " + std::to_string(section.forms) +
-                                " forms of degree 5 on a linear section, " + std::to_string(left) +
-                                " are left");
-    report.fact(section.all == section.forms,
-                "with the products of a linear form and forms of degree 4 these are all");
-    std::cout << (report.all() ? "All hold.\n" : "Some fail.\n");
-    return report.all() ? EXIT_SUCCESS : EXIT_FAILURE;
+    report(left == 62, "of " + std::to_string(section.forms) +
+                           " forms of degree 5 on a linear section, " + std::to_string(left) +
+                           " are left");
+    report(section.all == section.forms,
+           "with the products of a linear form and forms of degree 4 these are all");
+    return report.status();
 }

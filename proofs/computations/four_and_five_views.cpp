@@ -6,6 +6,7 @@
 //
 // Each line of the output is a fact and its place in the proof; exit status 1 if one fails. A fact
 // marked as a control is no hypothesis: it shows that the computation would notice a bad example.
+#include "proofs/computations/report.h"
 #include "proofs/computations/schubert_numbers.h"
 #include "proofs/computations/star_of_five.h"
 #include "proofs/computations/star_of_four.h"
@@ -14,7 +15,6 @@
 #include "proofs/computations/three_points_two_lines.h"
 
 #include <cstddef>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -23,18 +23,6 @@ namespace {
 using namespace proofs;
 
 constexpr unsigned seed = 1;
-
-class Report {
-public:
-    void fact(bool holds, const std::string& text) {
-        std::cout << (holds ? "holds   " : "FAILS   ") << text << '\n';
-        all_ = all_ && holds;
-    }
-    bool all() const { return all_; }
-
-private:
-    bool all_ = true;
-};
 
 /// (m - 1)^k for each of the m spurious points.
 std::int64_t spurious(const StarAndLines& problem) {
@@ -53,17 +41,17 @@ bool all_tangent_cones_meet_in_0(const StarAndLines& problem) {
 void free_lines(Report& report, const std::string& name, const StarAndLines& problem,
                 std::int64_t number, std::int64_t degree) {
     const std::int64_t found = schubert_number(problem.views, problem.pins, problem.lines);
-    report.fact(found == number, "Lemma V2, " + name + ": " + std::to_string(found));
-    report.fact(all_tangent_cones_meet_in_0(problem), "Lemma V3, " + name + ": isolated");
-    report.fact(found - spurious(problem) == degree,
-                "Theorem V, " + name + ": " + std::to_string(found - spurious(problem)));
+    report(found == number, "Lemma V2, " + name + ": " + std::to_string(found));
+    report(all_tangent_cones_meet_in_0(problem), "Lemma V3, " + name + ": isolated");
+    report(found - spurious(problem) == degree,
+           "Theorem V, " + name + ": " + std::to_string(found - spurious(problem)));
 }
 
 void star_of_five(Report& report) {
     Residues random(seed);
     const FiveImages images = generic_images(random);
-    report.fact(no_curve_of_degenerate_stars(images, random), "Lemma V7: finitely many points");
-    report.fact(spurious_points_are_nine(images), "Lemma V7, control: nine spurious points");
+    report(no_curve_of_degenerate_stars(images, random), "Lemma V7: finitely many points");
+    report(spurious_points_are_nine(images), "Lemma V7, control: nine spurious points");
 }
 
 void star_of_four(Report& report) {
@@ -71,10 +59,10 @@ void star_of_four(Report& report) {
     Residues random(seed);
     const StarEquations equations(generic_stars(random), random);
     const QuotientOfStar quotient = quotient_of_star(equations, degree, random);
-    report.fact(quotient.spanned_by_lower, "Lemma V8: polynomials of degree 2 suffice");
-    report.fact(quotient.dimension == 45,
-                "Lemma V8: a quotient of dimension " + std::to_string(quotient.dimension));
-    report.fact(spurious_stars_are_four(equations), "Lemma V8, control: four spurious points");
+    report(quotient.spanned_by_lower, "Lemma V8: polynomials of degree 2 suffice");
+    report(quotient.dimension == 45,
+           "Lemma V8: a quotient of dimension " + std::to_string(quotient.dimension));
+    report(spurious_stars_are_four(equations), "Lemma V8, control: four spurious points");
 }
 
 /// Lemma V12 (b) for E_1 or E_2, and that it is not so for multiples that vanish at a zero.
@@ -84,13 +72,12 @@ void multiples_of_one(Report& report, const QuotientOfThreePins& quotient, const
     const std::vector<Exponents> e = monomials_of(degree);
     const std::size_t symbols = quotient.number_of_symbols(degree);
     const std::string space = "E_" + std::to_string(h);
-    report.fact(symbols == 216 &&
-                    quotient.rank_with_multiples(degree, random.row(e.size()), random) == symbols,
-                "Lemma V12 (b): the multiples of one element of " + space + " suffice");
+    report(symbols == 216 &&
+               quotient.rank_with_multiples(degree, random.row(e.size()), random) == symbols,
+           "Lemma V12 (b): the multiples of one element of " + space + " suffice");
     const ResidueRow u = vanishing_at(common_kernel(images), e, random);
-    report.fact(quotient.rank_with_multiples(degree, u, random) == symbols - 1,
-                "Lemma V12, control: not so for an element of " + space +
-                    " that vanishes at kappa");
+    report(quotient.rank_with_multiples(degree, u, random) == symbols - 1,
+           "Lemma V12, control: not so for an element of " + space + " that vanishes at kappa");
 }
 
 void star_of_three(Report& report) {
@@ -98,23 +85,23 @@ void star_of_three(Report& report) {
     const FiveViews images = generic_views(random);
     std::vector<SparsePolynomial> equations = ThreePinEquations(images).all();
     const QuotientOfThreePins quotient(equations);
-    report.fact(quotient.dimension_of_f() == 440 && quotient.dimension() == 36,
-                "Lemma V12 (a): codimension " + std::to_string(quotient.dimension()));
+    report(quotient.dimension_of_f() == 440 && quotient.dimension() == 36,
+           "Lemma V12 (a): codimension " + std::to_string(quotient.dimension()));
     for (std::size_t h = 1; h <= 2; ++h)
         multiples_of_one(report, quotient, images, h, random);
     equations.resize(24);
-    report.fact(QuotientOfThreePins(equations).dimension() == 96,
-                "Lemma V12, control: codimension 96 for the minors of size 5 alone");
+    report(QuotientOfThreePins(equations).dimension() == 96,
+           "Lemma V12, control: codimension 96 for the minors of size 5 alone");
 }
 
 void three_points(Report& report) {
     Residues random(seed);
     const PinsAndLines images = generic_pins_and_lines(random);
     const Quadric quadric(images);
-    report.fact(quadric.smooth(), "Lemma V10: the quadric is smooth");
-    report.fact(quadric.smooth() && pins_have_rank_2(images, quadric), "Lemma V10: rank 2 of pins");
-    report.fact(quadric.smooth() && no_curve_of_degenerate_points(images, quadric, random),
-                "Lemma V10: finitely many points");
+    report(quadric.smooth(), "Lemma V10: the quadric is smooth");
+    report(quadric.smooth() && pins_have_rank_2(images, quadric), "Lemma V10: rank 2 of pins");
+    report(quadric.smooth() && no_curve_of_degenerate_points(images, quadric, random),
+           "Lemma V10: finitely many points");
 }
 
 } // namespace
@@ -124,12 +111,11 @@ int main() {
     free_lines(report, "P + 6*a in four views", {4, 0, 6}, 16, 12);
     free_lines(report, "Pab + 5*a in four views", {4, 2, 5}, 66, 30);
     free_lines(report, "Pa + 5*a in five views", {5, 1, 5}, 40, 20);
-    report.fact(!all_tangent_cones_meet_in_0({3, 5, 5}),
-                "Lemma V3, control: not so for Pabcde + 5*a in three views");
+    report(!all_tangent_cones_meet_in_0({3, 5, 5}),
+           "Lemma V3, control: not so for Pabcde + 5*a in three views");
     star_of_five(report);
     star_of_four(report);
     star_of_three(report);
     three_points(report);
-    std::cout << (report.all() ? "All hold.\n" : "Some fail.\n");
-    return report.all() ? 0 : 1;
+    return report.status();
 }
