@@ -50,9 +50,6 @@ struct CameraModel {
     /// it has unknowns (FORMAT.md, section 14).
     CameraMatrix<CoordinatePolynomial> (*of_solution)(bool second) = nullptr;
 
-    /// Whether a camera has two sets of coordinates, so that a solution is shown more than once.
-    bool twofold = false;
-
     /// How many unknowns, and coordinates in a solution, a camera has.
     std::size_t unknowns_of(bool second) const {
         return static_cast<std::size_t>(second ? unknowns_of_second : unknowns);

@@ -37,11 +37,13 @@ std::array<Vector3<T>, 3> turned(const Conic<T>& w, const T& a, const Vector3<T>
     return columns;
 }
 
-/// An upright camera has v = (0, b, 0). If it has a focal length of its own, r times that of
-/// camera 1, it multiplies the first two rows of M by r. Unless it is upright, r and -r then make
-/// the same M, with another rotation.
+/// An upright camera has v = (0, v_2, 0). If it has a focal length of its own, r times that of
+/// camera 1, it multiplies the first two rows of M by r. One that is not upright has (r, s)
+/// instead, a focal length and a turn about the camera's axis; so v = (v_1, v_2, 0) will do.
 template <std::size_t shared_numbers, bool upright, bool own_focal> struct Pinhole {
-    static constexpr std::size_t turn = upright ? 2 : 4, numbers = turn + 3 + (own_focal ? 1 : 0);
+    static constexpr std::size_t turn = upright ? 2 : own_focal ? 3 : 4;
+    static constexpr std::size_t own = !own_focal ? 0 : upright ? 1 : 2;
+    static constexpr std::size_t numbers = turn + 3 + own;
 
     /// `fixed`, `first_of_t` and `next` take numbers in their order.
     template <class T, class Fixed, class FirstOfT, class Next>
@@ -50,14 +52,16 @@ template <std::size_t shared_numbers, bool upright, bool own_focal> struct Pinho
                                   const Next& next) {
         const T a = fixed();
         Vector3<T> v{zero, next(), zero};
-        if constexpr (!upright) v = {v[1], next(), next()};
+        if constexpr (!upright) v = {v[1], next(), own_focal ? zero : next()};
         auto [x, y, z] = turned(conic(shared, zero, one), a, v);
         const T t = first_of_t();
         const Vector3<T> translation{t, next(), next()};
         if constexpr (own_focal) {
-            const T r = next();
-            for (Vector3<T>* column : {&x, &y, &z})
-                *column = {r * (*column)[0], r * (*column)[1], (*column)[2]};
+            const T r = next(), s = upright ? zero : next();
+            for (Vector3<T>* column : {&x, &y, &z}) {
+                const auto& [first, second, third] = *column;
+                *column = {r * first - s * second, s * first + r * second, third};
+            }
         }
         return {x, y, z, translation};
     }
@@ -100,8 +104,7 @@ template <std::size_t shared_numbers, bool upright, bool own_focal> struct Pinho
                 .objection = objection,
                 .place_modulo = place<Residue>,
                 .place = place<mpz_class>,
-                .of_solution = of_solution,
-                .twofold = own_focal && !upright};
+                .of_solution = of_solution};
     }
 };
 } // namespace checker

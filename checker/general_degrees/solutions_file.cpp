@@ -31,13 +31,6 @@ static std::size_t coordinates_of(const Problem& problem) {
     return static_cast<std::size_t>(camera_columns(problem)) + depths_of(problem);
 }
 
-/// How many different cameras so many coordinates are, at least.
-static std::size_t different(const Problem& problem, std::size_t count) {
-    const int twofold = problem.cameras->twofold ? problem.view_count() - 1 : 0; // cameras
-    const std::size_t copies = std::size_t{1} << twofold;
-    return (count + copies - 1) / copies;
-}
-
 /// The fibres of a problem, one after the other: those that hold, by their polynomials.
 struct FibresOfProblem {
     std::string notation{};
@@ -71,8 +64,7 @@ private:
         records_.replay(record.line, printable(record.problem.notation, 200) + ": ", [&] {
             records_.spend(effort_of(fibre));
             prove_fibre<SceneAt>(scene_system(problem, record.views), fibre);
-            file_.counts.push_back(
-                {record.problem.notation, problem, different(problem, degree), {}});
+            file_.counts.push_back({record.problem.notation, problem, degree, {}});
             fibres_.notation = record.problem.notation;
             fibres_.proved.push_back(fibre.lower);
         });
@@ -81,10 +73,8 @@ private:
     /// Adds what all fibres of one problem show.
     void finish_fibres() {
         if (fibres_.proved.empty()) return;
-        SolutionCount& count = file_.counts.back();
         const auto spend = [&](std::uint64_t effort) { records_.spend(effort); };
-        if (!count.problem.cameras->twofold)
-            count.cycle_types = cycle_types_of(fibres_.proved, spend);
+        file_.counts.back().cycle_types = cycle_types_of(fibres_.proved, spend);
         fibres_ = {};
     }
 
@@ -99,7 +89,7 @@ private:
         };
         const auto count = solutions_.run({coordinates_of(problem), "problem"}, record.line,
                                           printable(notation, 200), prepare);
-        if (count) file_.counts.push_back({notation, problem, different(problem, *count), {}});
+        if (count) file_.counts.push_back({notation, problem, *count, {}});
     }
 
     Reader& reader_;

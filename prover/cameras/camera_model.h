@@ -70,10 +70,6 @@ struct CameraModel {
     /// equations of all images. None: they always do.
     bool (*is_camera)(const Complex* numbers) = nullptr;
 
-    /// Whether a camera has its coordinates twice: those with a number r, and others with -r. Then
-    /// it is found twice, too.
-    bool twofold = false;
-
     TrackedForm tracked = TrackedForm::polynomials;
 
     // What follows from the map from numbers to matrices: camera_map.h fills it in.
@@ -95,8 +91,6 @@ struct CameraModel {
     /// Parameters of `views` cameras, two or more, up to the motions of space.
     int dimension(int views) const { return shared + unknowns_of_second + unknowns * (views - 2); }
     int all_numbers() const { return numbers + shared; }
-    /// How often the coordinates of `views` cameras show one solution.
-    int copies(int views) const { return twofold ? 1 << (views - 1) : 1; }
 
     std::span<const ScaledRun> scaled_runs(bool second) const {
         return second ? scaled_in_second : scaled;

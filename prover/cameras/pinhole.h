@@ -60,7 +60,8 @@ Matrix3Of<T> conic_rotation(const Matrix3Of<T>& w, const T& a, const std::array<
 
 /// All.
 struct Calibrated {
-    static constexpr int own = 0, shared = 0;
+    static constexpr bool own_focal = false;
+    static constexpr int shared = 0;
     template <class T>
     static Matrix3Of<T> conic(const T*) {
         const T one = in_ring<T>(1);
@@ -70,7 +71,8 @@ struct Calibrated {
 
 /// All but one focal length f: e = f^2.
 struct SharedFocal {
-    static constexpr int own = 0, shared = 1;
+    static constexpr bool own_focal = false;
+    static constexpr int shared = 1;
     template <class T>
     static Matrix3Of<T> conic(const T* e) {
         const T one = in_ring<T>(1);
@@ -78,15 +80,16 @@ struct SharedFocal {
     }
 };
 
-/// All but a focal length of each camera: e of camera 1, and of each other camera its focal length
-/// divided by that of camera 1.
+/// All but a focal length of each camera: e of camera 1, and of each other camera the ratio of its
+/// focal length to that of camera 1.
 struct OwnFocal : SharedFocal {
-    static constexpr int own = 1;
+    static constexpr bool own_focal = true;
 };
 
 /// All but one focal length and one principal point.
 struct SharedFocalCenter {
-    static constexpr int own = 0, shared = 3;
+    static constexpr bool own_focal = false;
+    static constexpr int shared = 3;
     template <class T>
     static Matrix3Of<T> conic(const T* n) {
         const T one = in_ring<T>(1);
@@ -96,7 +99,8 @@ struct SharedFocalCenter {
 
 /// Nothing but that it is the same for all cameras.
 struct SharedMatrix {
-    static constexpr int own = 0, shared = 5;
+    static constexpr bool own_focal = false;
+    static constexpr int shared = 5;
     template <class T>
     static Matrix3Of<T> conic(const T* n) {
         return {{{in_ring<T>(1), n[0], n[2]}, {n[0], n[1], n[3]}, {n[2], n[3], n[4]}}};
@@ -104,18 +108,26 @@ struct SharedMatrix {
 };
 
 /// A camera by a rotation of the conic, (a, v) up to a factor; t; and its own part of the
-/// calibration. If it is upright, it turns about the vertical direction, v = (0, b, 0) for (a, b).
-/// Else a ratio r of focal lengths and -r make the same matrix, as diag(-1, -1, 1) is a rotation.
+/// calibration. If it is upright, it turns about the vertical direction, v = (0, b, 0) for (a, b),
+/// and its own part is the ratio r of focal lengths. Else its own part is (r, s), a rotation about
+/// the axis of the camera, and the ratio is the root of r^2 + s^2. The other rotation is then about
+/// an axis in the image plane: v = (b, c, 0). (Diag(-1, -1, 1) is a rotation. So a ratio and any
+/// rotation make the same matrix as minus this ratio and another rotation; but r, s, and v are
+/// determined by it.)
 template <class Calibration, bool upright>
 struct Pinhole {
-    static constexpr int turn = upright ? 2 : 4;
-    static constexpr int numbers = turn + 3 + Calibration::own, shared = Calibration::shared;
+    static constexpr bool own_focal = Calibration::own_focal;
+    static constexpr int turn = upright ? 2 : own_focal ? 3 : 4;
+    static constexpr int own = !own_focal ? 0 : upright ? 1 : 2;
+    static constexpr int numbers = turn + 3 + own, shared = Calibration::shared;
 
     /// v of (a, v).
     template <class T>
     static std::array<T, 3> axis(const T* n) {
         if constexpr (upright)
             return {T{}, n[1], T{}};
+        else if constexpr (own_focal)
+            return {n[1], n[2], T{}};
         else
             return {n[1], n[2], n[3]};
     }
@@ -126,10 +138,17 @@ struct Pinhole {
         CameraMatrix<T> camera;
         for (std::size_t i = 0; i < 3; ++i)
             camera[i] = {left[i][0], left[i][1], left[i][2], n[turn + i]};
-        if constexpr (Calibration::own == 1)
-            for (std::size_t i = 0; i < 2; ++i)
-                for (std::size_t j = 0; j < 3; ++j)
-                    camera[i][j] = camera[i][j] * n[turn + 3];
+        if constexpr (own_focal)
+            for (std::size_t j = 0; j < 3; ++j) {
+                const T x = left[0][j], y = left[1][j], r = n[turn + 3];
+                camera[0][j] = r * x;
+                camera[1][j] = r * y;
+                if constexpr (!upright) {
+                    const T s = n[turn + 4];
+                    camera[0][j] = camera[0][j] - s * y;
+                    camera[1][j] = camera[1][j] + s * x;
+                }
+            }
         return camera;
     }
 
@@ -144,7 +163,7 @@ struct Pinhole {
     }
 
     /// Whether none of these is 0, clearly: the number N = a^2 det w + v.wv by which the rotation
-    /// is multiplied, the determinant of the conic, and the camera's own focal length. (N counts,
+    /// is multiplied, the determinant of the conic, and the ratio of focal lengths. (N counts,
     /// not the determinant of the matrix: that is N^3, and true cameras have a small one.)
     static bool is_camera(const CameraModel::Complex* n) {
         constexpr double small = 1e-8;
@@ -160,7 +179,12 @@ struct Pinhole {
                 terms += std::abs(term);
                 size += std::norm(w[i][j]);
             }
-        if (Calibration::own == 1 && std::abs(n[turn + 3]) < small) return false;
+        if constexpr (own_focal) {
+            const CameraModel::Complex r = n[turn + 3], s = upright ? 0 : n[turn + 4];
+            const double ratio = std::sqrt(std::abs(r * r + s * s));
+            if (ratio < small || ratio * ratio < small * (std::norm(r) + std::norm(s)))
+                return false;
+        }
         return std::abs(factor) > small * terms && std::abs(det) > small * std::pow(size, 1.5);
     }
 
@@ -177,8 +201,7 @@ struct Pinhole {
                                   .scaled = scaled,
                                   .scaled_in_second = scaled_in_second,
                                   .normalise = normalise,
-                                  .is_camera = is_camera,
-                                  .twofold = Calibration::own == 1 && !upright});
+                                  .is_camera = is_camera});
     }
 };
 

@@ -85,9 +85,6 @@ struct Found {
 /// Throws BadInput where the degree is not on file.
 Asked asked_in_general(const Problem& problem) {
     const std::string name = notation(problem);
-    if (problem.cameras->twofold) // loops would permute copies of the solutions
-        throw BadInput("groups are not computed for cameras of the kind " +
-                       std::string(problem.cameras->name) + ": give a problem for others");
     const auto known = many_views::degree_on_file(name);
     if (!known || known->bound != "exact")
         throw BadInput("how many solutions " + name +
@@ -251,7 +248,7 @@ std::vector<TableRow> rows_of_families(std::uint64_t seed) {
         const many_views::DegreeOnFile known = many_views::parse_family_degree(line);
         const Problem problem = parse_problem(known.problem);
         const bool is_label_class = problem.views == 3 && local_features(problem);
-        if (known.bound != "exact" || problem.cameras->twofold || is_label_class) continue;
+        if (known.bound != "exact" || is_label_class) continue;
         rows.push_back({'"' + std::string(known.problem) + '"', known.degree, [=] {
                             return many_views::group_of_loops(problem, known.degree, seed, 1);
                         }});

@@ -41,11 +41,6 @@ void require_complete_visibility(const Problem& problem, const std::string& opti
                    " out, and see `plprove model --from`, `--lift`");
 }
 
-/// How often a solution is found.
-int copies(const Problem& problem) {
-    return problem.cameras->copies(problem.views);
-}
-
 int all_threads() {
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
@@ -54,10 +49,7 @@ int all_threads() {
 struct Finding {
     const Problem& problem;
     MonodromyCount count;
-    int copies = 1;    ///< how often each solution is counted
     int certified = 0; ///< how many solutions the certificate shows; 0 if there is none
-
-    int solutions() const { return count.solutions / copies; }
 };
 
 many_views::MonodromyResult solutions_of(const Problem& problem,
@@ -65,15 +57,14 @@ many_views::MonodromyResult solutions_of(const Problem& problem,
     ProgressLine line("finding solutions", 0);
     many_views::MonodromySettings settings;
     settings.threads = all_threads();
-    if (request.target > 0) settings.most_solutions = request.target * copies(problem) - 1;
+    if (request.target > 0) settings.most_solutions = request.target - 1;
     if (request.at_least > 0) {
         constexpr int ways_that_find_all = 3; // usually
         settings.edges = ways_that_find_all;
-        settings.most_solutions = request.at_least * copies(problem);
+        settings.most_solutions = request.at_least;
     }
     settings.report = [&](int known, int edges) {
-        line.show(static_cast<std::size_t>(known / copies(problem)),
-                  " so far, " + std::to_string(edges) + " ways");
+        line.show(static_cast<std::size_t>(known), " so far, " + std::to_string(edges) + " ways");
     };
     return many_views::run_monodromy(problem, request.seed, settings);
 }
@@ -81,8 +72,7 @@ many_views::MonodromyResult solutions_of(const Problem& problem,
 many_views::SolutionsRecord record_of(const many_views::MonodromyResult& found,
                                       const ManyViewsDegreeRequest& request) {
     const int all = static_cast<int>(std::ssize(found.points));
-    const int wanted =
-        request.at_least > 0 ? request.at_least * copies(found.system.problem()) : all;
+    const int wanted = request.at_least > 0 ? request.at_least : all;
     return many_views::certify(found, wanted, request.seed, all_threads());
 }
 
@@ -105,10 +95,10 @@ MonodromyCount counted_in_part(const Problem& problem, const ManyViewsDegreeRequ
 Finding found_in_full(const Problem& problem, const ManyViewsDegreeRequest& request,
                       const Deliver& deliver) {
     const many_views::MonodromyResult found = solutions_of(problem, request);
-    Finding finding{problem, found, copies(problem)};
+    Finding finding{problem, found};
     if (request.path.empty()) return finding;
     const auto record = record_of(found, request);
-    finding.certified = (record.count() + copies(problem) - 1) / copies(problem);
+    finding.certified = record.count();
     if (finding.certified == 0)
         throw std::runtime_error("the run found no certificate: try another --seed");
     if (finding.certified < request.at_least)
@@ -123,8 +113,7 @@ Finding found_in_full(const Problem& problem, const ManyViewsDegreeRequest& requ
 /// suggests it.
 std::string completeness(const Finding& finding) {
     const auto on_file = many_views::degree_on_file(finding.problem);
-    if (on_file && on_file->status == "certified" &&
-        on_file->degree * finding.copies == finding.count.solutions)
+    if (on_file && on_file->status == "certified" && on_file->degree == finding.count.solutions)
         return "certified";
     return finding.count.complete() ? "evidence" : "unknown";
 }
@@ -133,7 +122,7 @@ std::string json_report(const Finding& finding) {
     const MonodromyCount& count = finding.count;
     const nlohmann::ordered_json report = {{"problem", notation(finding.problem)},
                                            {"name", name(finding.problem)},
-                                           {"solutions", finding.solutions()},
+                                           {"solutions", finding.count.solutions},
                                            {"complete", completeness(finding)},
                                            {"ways", count.ways},
                                            {"ways_that_agree", count.edges},
@@ -148,7 +137,7 @@ std::string text_report(const Finding& finding) {
     std::ostringstream out;
     section(out, "problem") << notation(finding.problem) << '\n';
     const std::string complete = completeness(finding);
-    section(out, "degree") << (complete == "unknown" ? "at least " : "") << finding.solutions()
+    section(out, "degree") << (complete == "unknown" ? "at least " : "") << finding.count.solutions
                            << (complete == "certified" ? " certified, all found" : " by evidence")
                            << '\n';
     section(out, "ways") << count.edges << " of " << count.ways

@@ -17,21 +17,18 @@ namespace {
 
 using many_views::MonodromyResult;
 
-/// The runs over one problem. Monodromy may find each solution several times.
+/// The runs over one problem.
 class Runs {
 public:
     Runs(const SweepItem& item, const DegreeOptions& options)
-        : problem_(parse_problem(item.problem)), copies_(problem_.cameras->copies(problem_.views)),
-          seed_(options.seed) {
-        if (options.target > 0) settings_.most_solutions = options.target * copies_ - 1;
+        : problem_(parse_problem(item.problem)), seed_(options.seed) {
+        if (options.target > 0) settings_.most_solutions = options.target - 1;
     }
 
     /// One more. The numbers count from 1 on.
     MonodromyCount operator()(std::uint64_t number) {
         runs_.push_back(many_views::run_monodromy(problem_, seed_of(number), settings_));
-        MonodromyCount count = runs_.back();
-        count.solutions = each_once(count.solutions);
-        return count;
+        return runs_.back();
     }
 
     /// The certificate of the run that found most.
@@ -44,16 +41,13 @@ public:
     many_views::SolutionsRecord record(int solutions) const {
         std::optional<many_views::SolutionsRecord> best;
         for (auto run = runs_.begin(); run != runs_.end(); ++run) {
-            if (each_once(run->solutions) != solutions) continue;
+            if (run->solutions != solutions) continue;
             auto found = record_of(run);
             if (!best || found.count() > best->count()) best = std::move(found);
-            if (each_once(best->count()) >= solutions) break;
+            if (best->count() >= solutions) break;
         }
         return best.value();
     }
-
-    /// How many solutions these are, if each is counted once. Some copies may be lost.
-    int each_once(int found) const { return (found + copies_ - 1) / copies_; }
 
     void add_paths_to(DegreeRun& run) const {
         for (const MonodromyResult& one : runs_) {
@@ -74,7 +68,6 @@ private:
     }
 
     Problem problem_;
-    int copies_;
     std::uint64_t seed_;
     many_views::MonodromySettings settings_;
     std::vector<MonodromyResult> runs_;
@@ -101,7 +94,7 @@ DegreeRun compute_family_degree(const SweepItem& item, const DegreeOptions& opti
     runs.add_paths_to(run);
     const bool exact = counted && counted->exact;
     const auto record = exact ? runs.record(counted->solutions) : runs.record();
-    run.degree = runs.each_once(record.count());
+    run.degree = record.count();
     run.complete = exact && run.degree == counted->solutions;
     if (run.degree > 0)
         run.record = without_first_line(many_views::write_solutions(std::span(&record, 1)));

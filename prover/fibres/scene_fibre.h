@@ -22,8 +22,8 @@ struct SceneFibre {
 };
 
 /// `degree` solutions for random complex images, where all fibres start; nothing if a few runs of
-/// monodromy find another number. Assumes that the problem is minimal, that all views see
-/// everything, and that no solution has its coordinates twice (CameraModel::twofold).
+/// monodromy find another number. Assumes that the problem is minimal, and that all views see
+/// everything.
 std::optional<many_views::MonodromyResult> find_scenes(const Problem& problem, int degree,
                                                        std::uint64_t seed);
 

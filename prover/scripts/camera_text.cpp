@@ -16,6 +16,9 @@ struct Known {
     bool upright = false; ///< turns about the second axis only
     int shared = 0;       ///< numbers of the conic
     bool own = false;     ///< a ratio of focal lengths of each camera
+
+    /// The turn about the camera's axis is not in the rotation: it is (r, s), with the ratio.
+    bool turns_apart() const { return own && !upright; }
 };
 
 Known known_of(const CameraModel& cameras) {
@@ -59,8 +62,10 @@ void append_conic(ModelText& text, int shared) {
 
 /// The numbers of a camera without those of its position.
 void append_unknowns(ModelText& text, const Known& kind, const std::string& n) {
-    std::string names = kind.upright ? "b" + n : "q" + n + " : vector 3";
+    std::string names = kind.upright ? "b" + n : "q" + n;
+    if (!kind.upright) names += kind.turns_apart() ? " : vector 2" : " : vector 3";
     if (kind.own) names += ", r" + n;
+    if (kind.turns_apart()) names += ", s" + n;
     names += n == "2" ? ", d2 : vector 2" : ", t" + n + " : vector 3";
     text.line("unknown " + names);
     if (n == "2") text.line("let t2 = [1, d2[1], d2[2]]", "the scale of space is free");
@@ -74,16 +79,23 @@ void append_rotation(ModelText& text, const Known& kind, const std::string& n) {
 
 void append_rotation_of_conic(ModelText& text, const Known& kind, const std::string& n) {
     append_unknowns(text, kind, n);
-    std::string v = "q" + n;
-    if (kind.upright) {
-        v = "v" + n;
-        text.line("let " + v + " = [0, b" + n + ", 0]");
-    }
+    const std::string v = kind.upright || kind.turns_apart() ? "v" + n : "q" + n;
+    if (kind.upright) text.line("let " + v + " = [0, b" + n + ", 0]");
+    if (kind.turns_apart()) text.line("let " + v + " = [q" + n + "[1], q" + n + "[2], 0]");
     std::string matrix = "(det(W) - dot(" + v + ", W*" + v + "))*identity(3) + 2*transpose([" + v +
                          "])*[W*" + v + "] + 2*C*skew(" + v + ")";
-    if (kind.own) matrix = "[[r" + n + ", 0, 0], [0, r" + n + ", 0], [0, 0, 1]]*(" + matrix + ")";
+    std::string nonzero = "det(W) + dot(" + v + ", W*" + v + ")";
+    const std::string r = "r" + n, s = "s" + n;
+    if (kind.turns_apart()) {
+        matrix =
+            "[[" + r + ", -" + s + ", 0], [" + s + ", " + r + ", 0], [0, 0, 1]]*(" + matrix + ")";
+        nonzero += ", " + r + "^2 + " + s + "^2";
+    } else if (kind.own) {
+        matrix = "[[" + r + ", 0, 0], [0, " + r + ", 0], [0, 0, 1]]*(" + matrix + ")";
+        nonzero += ", " + r;
+    }
     text.line("let M" + n + " = " + matrix);
-    text.line("nonzero det(W) + dot(" + v + ", W*" + v + ")" + (kind.own ? ", r" + n : ""));
+    text.line("nonzero " + nonzero);
 }
 
 void append_matrix(ModelText& text, const std::string& n) {
@@ -104,11 +116,8 @@ void append_matrix(ModelText& text, const std::string& n) {
 std::string numbers_of(const Known& kind, const std::string& n) {
     const std::string position = n == "2" ? "d2" : "t" + n;
     if (kind.projective) return n == "2" ? "p2" : "p" + n + ", " + position;
-    if (!kind.own || kind.upright)
-        return (kind.upright ? "b" : "q") + n + (kind.own ? ", r" + n : "") + ", " + position;
-    const std::string entry = "M" + n + "[3][3]";
-    if (n != "2") return "M" + n + "/" + entry + ", " + position + "*(M2[3][3]/" + entry + ")";
-    return "M2/" + entry + ", " + position;
+    return (kind.upright ? "b" : "q") + n + (kind.own ? ", r" + n : "") +
+           (kind.turns_apart() ? ", s" + n : "") + ", " + position;
 }
 
 } // namespace
@@ -133,10 +142,7 @@ std::string append_cameras(ModelText& text, const Problem& problem) {
 void append_counts(ModelText& text, const Problem& problem) {
     const Known kind = known_of(*problem.cameras);
     text.line("");
-    text.comment(kind.own && !kind.upright
-                     ? "Solutions with the same cameras are one: with r and -r there are two sets "
-                       "of coordinates for each."
-                     : "Solutions with the same cameras are one.");
+    text.comment("Solutions with the same cameras are one.");
     if (kind.shared > 0)
         text.line(kind.shared == 1   ? "count e"
                   : kind.shared == 3 ? "count b, c, e"

@@ -130,12 +130,41 @@ TEST_CASE("cameras whose conic has rank 2, or with focal length 0, are none") {
         ++conics;
         const ScaledRun turn = model->scaled[0];
         if (model->numbers == turn.count + 3) continue;
-        numbers[static_cast<std::size_t>(turn.count + 3)] = 0; // after the rotation and t
+        // After the rotation and t: r, or r and s.
+        const auto ratio = numbers.begin() + turn.count + 3;
+        *ratio = 0;
+        if (model->numbers == turn.count + 5) {
+            CHECK(model->is_camera(numbers.data()));
+            ratio[0] = Complex(0, 1) * ratio[1];
+        }
         CHECK(!model->is_camera(numbers.data()));
         ++focal_lengths;
     }
     CHECK(conics == 6);
     CHECK(focal_lengths == 2);
+}
+
+TEST_CASE("a focal length each: coordinates are those of K R K1^-1 with any turn about the axis") {
+    const auto focal = std::ranges::find(camera_models(), "focal", &CameraModel::name);
+    REQUIRE(focal != camera_models().end());
+    std::mt19937 engine(5);
+    const Numbers numbers = random_camera(**focal, false, engine);
+    const auto camera = (*focal)->matrix(numbers.data());
+    // M ω⁻¹ Mᵀ is a multiple of diag(ρ², ρ², 1/e), with the ratio ρ of focal lengths.
+    const Complex e = numbers.back(), r = numbers[6], s = numbers[7];
+    const auto product = [&](std::size_t i, std::size_t j) {
+        return camera[i][0] * camera[j][0] + camera[i][1] * camera[j][1] +
+               camera[i][2] * camera[j][2] / e;
+    };
+    CHECK(std::abs(product(0, 1)) < 1e-9);
+    CHECK(std::abs(product(0, 2)) < 1e-9);
+    CHECK(std::abs(product(1, 2)) < 1e-9);
+    CHECK(std::abs(product(0, 0) - product(1, 1)) < 1e-9);
+    CHECK(std::abs(product(0, 0) - (r * r + s * s) * e * product(2, 2)) < 1e-9);
+    // Rotations that differ by a turn about the axis have the same third row.
+    Numbers turned = numbers;
+    std::swap(turned[6], turned[7]);
+    CHECK((*focal)->matrix(turned.data())[2] == camera[2]);
 }
 
 TEST_CASE("monodromy finds the same with the polynomials of the matrix as in a faster way") {

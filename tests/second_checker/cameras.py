@@ -3,12 +3,12 @@
 from algebra import cross, dot, quaternion_matrix
 
 # Of cameras that are calibrated in part: the shared numbers, those of a turn, those after t.
-IN_PART = {"shared-focal": (1, 4, 0), "focal": (1, 4, 1), "shared-focal-center": (3, 4, 0),
+IN_PART = {"shared-focal": (1, 4, 0), "focal": (1, 3, 2), "shared-focal-center": (3, 4, 0),
            "shared-k": (5, 4, 0), "upright": (0, 2, 0), "upright-shared-focal": (1, 2, 0),
            "upright-focal": (1, 2, 1)}
 KINDS = {"calibrated", "projective", *IN_PART}
 # A turn about any line takes them to such cameras.
-TURNING = {"calibrated", *(kind for kind, (_, turn, _) in IN_PART.items() if turn == 4)}
+TURNING = {"calibrated", *(kind for kind, (_, turn, _) in IN_PART.items() if turn > 2)}
 
 
 def counts(kind):
@@ -38,7 +38,7 @@ def conic(shared):
 
 
 def turned(w, a, v):
-    """The columns of M, without diag(r, r, 1)."""
+    """The columns of M, without what r and s do."""
     adjugate = [cross(w[1], w[2]), cross(w[2], w[0]), cross(w[0], w[1])]
     wv = [dot(row, v) for row in w]
     columns = []
@@ -54,10 +54,10 @@ def in_part(kind, shared, numbers, chart, second):
     _, turn, own = IN_PART[kind]
     a, *v = chart.moving(numbers[:turn], 1)
     t = chart.moving(numbers[turn:turn + 3], 1 if second else 0)
-    r, = chart.moving(numbers[turn + 3:]) if own else [1]
-    columns = turned(conic(shared), a, v if turn == 4 else [0, *v, 0])
-    return [[x * r if i < 2 else x for x in row] + [t[i]]
-            for i, row in enumerate(zip(*columns))]
+    r, s = [*chart.moving(numbers[turn + 3:]), 0][:2] if own else [1, 0]
+    columns = turned(conic(shared), a, [0, *v, 0] if turn == 2 else [*v, 0][:3])
+    columns = [[r * x - s * y, s * x + r * y, z] for x, y, z in columns]
+    return [[*row, t[i]] for i, row in enumerate(zip(*columns))]
 
 
 def matrices(kind, shared, cameras, chart):
