@@ -30,6 +30,7 @@ inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems
     {"M", "collinear_points_more_views.md"},
     {"N", "five_pins.md"},
     {"O", "one_focal_length.md"},
+    {"R", "focal_stars.md"},
     {theorem_of_cameras, "moduli.md"},
     {theorem_of_arrangements, "moduli.md"},
     {"V", "four_and_five_views.md"},

@@ -47,6 +47,12 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "3*PL + 2*a", 80, "O"},
     {3, "2*PL + PLab + a", 260, "O"},
     {3, "PL + 2*PLa + a", 260, "O"},
+    // proofs/focal_stars.md
+    {3, "Pabcdefg + 2*a", 108, "R"},
+    {3, "Pab + Pabcdef", 108, "R"},
+    {3, "P + Pabcdef + a", 48, "R"},
+    {3, "2*P + Pabcde", 60, "R"},
+    {3, "2*PL + PLabcdef", 60, "R"},
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},
@@ -116,7 +122,8 @@ static constexpr ProvedRow proved_rows[] = {
 static std::string_view cameras_of(std::string_view theorem) {
     if (theorem == "A" || theorem == "B" || theorem == "E") return "";
     if (theorem == "J") return "upright-focal: ";
-    return theorem == "O" ? "shared-focal: " : "projective: ";
+    if (theorem == "O") return "shared-focal: ";
+    return theorem == "R" ? "focal: " : "projective: ";
 }
 
 /// The row's problem: each view sees each feature in the same way.

@@ -28,7 +28,7 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
         CAPTURE(on_file.problem);
         static const std::map<std::string_view, std::string_view> families{
             {"A", "plmp"},          {"B", "plmp"},         {"E", "plmp"},
-            {"J", "upright-focal"}, {"O", "shared-focal"},
+            {"J", "upright-focal"}, {"O", "shared-focal"}, {"R", "focal"},
         };
         const auto family = families.find(proved->theorem);
         CHECK(on_file.family == (family == families.end() ? "projective" : family->second));
@@ -44,6 +44,7 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
                                                           {"M", 14},
                                                           {"N", 15},
                                                           {"O", 5},
+                                                          {"R", 5},
                                                           {"V", 8}});
 }
 
@@ -64,6 +65,8 @@ TEST_CASE("other views and other cameras have no row") {
     CHECK(bound_of("upright-shared-focal: 2*PLa/PLa/PLa + PL/PL/PL") == std::nullopt);
     CHECK(bound_of("upright-focal: P/P/P + Pabcd/Pabcd/Pabcd") == std::nullopt);
     CHECK(bound_of("shared-focal: 5*P/P") == std::nullopt);
+    CHECK(bound_of("focal: Pabcdef/Pabcdef/Pabcdef + Pab/Pab/Pab") == 108U);
+    CHECK(bound_of("shared-focal: Pab/Pab/Pab + Pabcdef/Pabcdef/Pabcdef") == std::nullopt);
     CHECK(bound_of("3*PL/PL/PL + P/P/P") == 64U);
     CHECK(bound_of("3*PL/PL/PL + P/P/-") == std::nullopt);
     CHECK(bound_of("3*PL/PL + P/P") == std::nullopt);
