@@ -315,6 +315,15 @@ def program_of_six_lines(views, dice):
             f"ideal G = {','.join(equations[:views])}, x^2+det(g), z*({equations[views]})-1; G = std(G);\n")
 
 
+def count_of(text):
+    """How many zeros the ideal G has that Singular computes so; what it says, if it does not find
+    finitely many."""
+    text += 'print("COUNT "+string(dim(G))+" "+string(vdim(G)));\nquit;\n'
+    run = subprocess.run(["Singular", "-q"], input=text, capture_output=True, text=True, check=False)
+    dimension, _, count = run.stdout.rpartition("COUNT ")[2].strip().partition(" ")
+    return int(count) if dimension == "0" else run.stdout[-500:]
+
+
 def degree(notation):
     """How many solutions there are; what Singular says instead, if it does not find finitely many."""
     kind, views, features = read_problem(notation)
@@ -325,16 +334,25 @@ def degree(notation):
         text = program_of_six_lines(views, dice)
     else:
         text = program(views, features, dice)
-    text = f'option(redSB); option(noredefine);\n{text}print("COUNT "+string(dim(G))+" "+string(vdim(G)));\n'
-    run = subprocess.run(["Singular", "-q"], input=text + "quit;\n", capture_output=True, text=True, check=False)
-    dimension, _, count = run.stdout.rpartition("COUNT ")[2].strip().partition(" ")
-    return int(count) if dimension == "0" else run.stdout[-500:]
+    return count_of("option(redSB); option(noredefine);\n" + text)
 
 
 def is_chosen(family, problem, solutions, quick):
     if family == "projective":
         return not quick or read_problem(problem)[2].count("a") < MANY_FREE_LINES
     return family in IN_PART and solutions <= (FEW_IN_PART if quick else MOST_IN_PART)
+
+
+def compare(known, count, how):
+    """Whether counting the solutions of some problem finds another number than is known, or there is none."""
+    wrong = 0
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as threads:
+        for problem, found in zip(known, threads.map(count, known)):
+            if found != known[problem]:
+                print(f"{problem}: {found}, on file {known[problem]}", flush=True)
+                wrong += 1
+    print(f"{len(known)} degrees {how}, {wrong} of them differ from those on file")
+    return wrong > 0 or not known
 
 
 def main():
@@ -344,15 +362,7 @@ def main():
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             if is_chosen(row["family"], row["problem"], int(row["degree"]), quick):
                 known[row["problem"]] = int(row["degree"])
-    problems = list(known)
-    wrong = 0
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as threads:
-        for problem, found in zip(problems, threads.map(degree, problems)):
-            if found != known[problem]:
-                print(f"{problem}: {found}, on file {known[problem]}", flush=True)
-                wrong += 1
-    print(f"{len(problems)} degrees by Groebner bases, {wrong} of them differ from those on file")
-    return wrong > 0 or not problems
+    return compare(known, degree, "by Groebner bases")
 
 
 if __name__ == "__main__":

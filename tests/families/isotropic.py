@@ -5,11 +5,11 @@
 
 Two kinds of problems: with known verticals and a focal length each, if no three points are on a line; and
 with one focal length, or one each, if there are three points on a line and lines without points. Nothing is
-shared with plprove and plcheck, and with groebner.py not the equations. There cameras are matrices. Here the unknowns are
-angles u, as numbers z = exp(i u), and (x, y) in a plane is x + i y and x - i y: a rotation multiplies
-them by z and 1/z. So equations have few terms, and Singular takes seconds, for hundreds of solutions, where
-entries of matrices take too long. Images are random modulo a prime that has a root of -1. Status 1 if
-some number is not the degree on file.
+shared with plprove and plcheck, and with groebner.py not the equations. There cameras are matrices. Here the
+unknowns are angles u, as numbers z = exp(i u), and (x, y) in a plane is x + i y and x - i y: a rotation
+multiplies them by z and 1/z. So equations have few terms, and Singular takes seconds where entries of
+matrices take too long. Images are random modulo a prime that has a root of -1. Status 1 if some number is not
+the degree on file.
 
 *Known verticals.* Camera v turns by z_v, g_v is 1/f_v. An image line (l1, 1, l3) shows a plane whose normal has
 the coordinates n = (l1/i + l3 g)/z and n' = (-l1/i + l3 g) z, and 1 in height. Three planes share a
@@ -21,16 +21,14 @@ alpha_v q + beta_v = (g+, g-, g3) in isotropic image coordinates. An isotropic v
 the line is seen at V (g+ (c-g3), -g- (c+g3), c^2-g3^2), the other one at Y (-g+ (c+g3), g- (c-g3), c^2-g3^2)
 with V Y (c^2-g3^2) = 1, where c is a length, and f^2 = g+ g-/(c^2-g3^2). All c may change their sign.
 """
-import concurrent.futures
 import csv
 import itertools
-import os
 import random
-import subprocess
 import sys
 
-from groebner import P, cross, inverse, read_problem
+from groebner import P, compare, count_of, cross, inverse, read_problem
 
+FAMILIES = ["upright-focal", "shared-focal", "focal"]
 I = next(root for root in (pow(a, (P - 1) // 4, P) for a in range(2, 99)) if root * root % P == P - 1)
 VIEWS = range(3)
 PAIRS = [(0, 1), (1, 2), (2, 0)]
@@ -60,8 +58,9 @@ class Upright:
         free = [self.line(self.image(), self.image()) for feature in features if feature[0] != "P"]
         lines = joins + pins + free
         for line in lines:
-            self.equations.append(total(f"{n}*{other}-{m}*{mother}" for (n, mother), (m, other) in (
-                (self.normal(line, v), self.normal(line, w)) for v, w in PAIRS)))
+            normals = [self.normal(line, v) for v in VIEWS]
+            self.equations.append(total(
+                f"{normals[v][0]}*{normals[w][1]}-{normals[w][0]}*{normals[v][1]}" for v, w in PAIRS))
         for x, count in points:
             if count + len(points) - 1 >= 3:
                 self.units.append(self.rays_differ(x))
@@ -162,31 +161,22 @@ def system(notation):
     return None
 
 
-def degree(equations):
+def degree(notation):
     """How many solutions there are; what Singular says instead, if it does not find finitely many."""
-    text = (f"ring r = {P}, ({','.join(['t'] + equations.names)}), dp;\n"
-            f"ideal G = {','.join(equations.equations)}, t*{'*'.join(equations.units)}-1;\n"
-            'G = slimgb(G);\nprint("COUNT "+string(dim(G))+" "+string(vdim(G)));\nquit;\n')
-    run = subprocess.run(["Singular", "-q"], input=text, capture_output=True, text=True, check=False)
-    dimension, _, count = run.stdout.rpartition("COUNT ")[2].strip().partition(" ")
-    half, odd = divmod(int(count or 1), 2)  # signs may change
-    return half if dimension == "0" and not odd else run.stdout[-500:]
+    equations = system(notation)
+    found = count_of(f"ring r = {P}, ({','.join(['t'] + equations.names)}), dp;\n"
+                     f"ideal G = {','.join(equations.equations)}, t*{'*'.join(equations.units)}-1;\n"
+                     "G = slimgb(G);\n")
+    is_even = isinstance(found, int) and found % 2 == 0
+    return found // 2 if is_even else found  # signs may change
 
 
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         known = {row["problem"]: int(row["degree"])
                  for row in csv.DictReader(line for line in file if not line.startswith("#"))
-                 if row["bound"] == "exact" and row["family"] in ("upright-focal", "shared-focal", "focal")}
-    systems = {problem: equations for problem in known if (equations := system(problem))}
-    wrong = 0
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as threads:
-        for problem, found in zip(systems, threads.map(degree, systems.values())):
-            if found != known[problem]:
-                print(f"{problem}: {found}, on file {known[problem]}", flush=True)
-                wrong += 1
-    print(f"{len(systems)} degrees in isotropic coordinates, {wrong} of them differ from those on file")
-    return wrong > 0 or not systems
+                 if row["bound"] == "exact" and row["family"] in FAMILIES and system(row["problem"])}
+    return compare(known, degree, "in isotropic coordinates")
 
 
 if __name__ == "__main__":
