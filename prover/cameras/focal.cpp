@@ -4,6 +4,7 @@
 namespace plprove {
 
 extern const CameraModel focal_cameras;
-constinit const CameraModel focal_cameras = Pinhole<OwnFocal, false>::model("focal", "focal:");
+constinit const CameraModel focal_cameras =
+    Pinhole<SharedFocal, false, true>::model("focal", "focal:");
 
 } // namespace plprove

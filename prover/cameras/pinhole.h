@@ -60,7 +60,6 @@ Matrix3Of<T> conic_rotation(const Matrix3Of<T>& w, const T& a, const std::array<
 
 /// All.
 struct Calibrated {
-    static constexpr bool own_focal = false;
     static constexpr int shared = 0;
     template <class T>
     static Matrix3Of<T> conic(const T*) {
@@ -69,9 +68,8 @@ struct Calibrated {
     }
 };
 
-/// All but one focal length f: e = f^2.
+/// All but one focal length f, or that of camera 1: e = f^2.
 struct SharedFocal {
-    static constexpr bool own_focal = false;
     static constexpr int shared = 1;
     template <class T>
     static Matrix3Of<T> conic(const T* e) {
@@ -80,15 +78,8 @@ struct SharedFocal {
     }
 };
 
-/// All but a focal length of each camera: e of camera 1, and of each other camera the ratio of its
-/// focal length to that of camera 1.
-struct OwnFocal : SharedFocal {
-    static constexpr bool own_focal = true;
-};
-
 /// All but one focal length and one principal point.
 struct SharedFocalCenter {
-    static constexpr bool own_focal = false;
     static constexpr int shared = 3;
     template <class T>
     static Matrix3Of<T> conic(const T* n) {
@@ -99,7 +90,6 @@ struct SharedFocalCenter {
 
 /// Nothing but that it is the same for all cameras.
 struct SharedMatrix {
-    static constexpr bool own_focal = false;
     static constexpr int shared = 5;
     template <class T>
     static Matrix3Of<T> conic(const T* n) {
@@ -107,16 +97,14 @@ struct SharedMatrix {
     }
 };
 
-/// A camera by a rotation of the conic, (a, v) up to a factor; t; and its own part of the
-/// calibration. If it is upright, it turns about the vertical direction, v = (0, b, 0) for (a, b),
-/// and its own part is the ratio r of focal lengths. Else its own part is (r, s), a rotation about
-/// the axis of the camera, and the ratio is the root of r^2 + s^2. The other rotation is then about
-/// an axis in the image plane: v = (b, c, 0). (Diag(-1, -1, 1) is a rotation. So a ratio and any
-/// rotation make the same matrix as minus this ratio and another rotation; but r, s, and v are
-/// determined by it.)
-template <class Calibration, bool upright>
+/// A camera by a rotation of the conic, (a, v) up to a factor; t; and if it has a focal length of
+/// its own, the ratio of this to that of camera 1. An upright one turns about the vertical
+/// direction, v = (0, b, 0), and its ratio is r. Another one has (r, s) instead, a turn about the
+/// axis of the camera and the root of r^2 + s^2 as ratio; the rotation is then about an axis in the
+/// image plane, v = (b, c, 0). (As diag(-1, -1, 1) is a rotation, a ratio and minus this ratio make
+/// the same matrix, with different rotations. But r, s and v are determined by the matrix.)
+template <class Calibration, bool upright, bool own_focal = false>
 struct Pinhole {
-    static constexpr bool own_focal = Calibration::own_focal;
     static constexpr int turn = upright ? 2 : own_focal ? 3 : 4;
     static constexpr int own = !own_focal ? 0 : upright ? 1 : 2;
     static constexpr int numbers = turn + 3 + own, shared = Calibration::shared;

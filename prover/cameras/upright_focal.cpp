@@ -5,6 +5,6 @@ namespace plprove {
 
 extern const CameraModel upright_focal_cameras;
 constinit const CameraModel upright_focal_cameras =
-    Pinhole<OwnFocal, true>::model("upright-focal", "upright-focal:");
+    Pinhole<SharedFocal, true, true>::model("upright-focal", "upright-focal:");
 
 } // namespace plprove
