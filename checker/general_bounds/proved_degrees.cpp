@@ -41,6 +41,7 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "5*a", 62, "J"},
     {3, "Pabc + 2*a", 62, "J"},
     {3, "2*Pab", 62, "J"},
+    {3, "P + Pabcd", 22, "J"},
     // proofs/one_focal_length.md
     {3, "P + Pabcdef", 48, "O"},
     {5, "3*PL + a", 256, "O"},
@@ -53,6 +54,10 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "P + Pabcdef + a", 48, "R"},
     {3, "2*P + Pabcde", 60, "R"},
     {3, "2*PL + PLabcdef", 60, "R"},
+    // proofs/focal_collinear_points.md
+    {3, "3*PL + 3*a", 42, "Z"},
+    {3, "2*PL + PLab + 2*a", 140, "Z"},
+    {3, "PL + 2*PLa + 2*a", 140, "Z"},
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},
@@ -123,7 +128,8 @@ static std::string_view cameras_of(std::string_view theorem) {
     if (theorem == "A" || theorem == "B" || theorem == "E") return "";
     if (theorem == "J") return "upright-focal: ";
     if (theorem == "O") return "shared-focal: ";
-    return theorem == "R" ? "focal: " : "projective: ";
+    if (theorem == "R" || theorem == "Z") return "focal: ";
+    return "projective: ";
 }
 
 /// The row's problem: each view sees each feature in the same way.

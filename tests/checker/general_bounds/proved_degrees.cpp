@@ -27,8 +27,8 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
         if (!proved) continue;
         CAPTURE(on_file.problem);
         static const std::map<std::string_view, std::string_view> families{
-            {"A", "plmp"},          {"B", "plmp"},         {"E", "plmp"},
-            {"J", "upright-focal"}, {"O", "shared-focal"}, {"R", "focal"},
+            {"A", "plmp"},         {"B", "plmp"},  {"E", "plmp"},  {"J", "upright-focal"},
+            {"O", "shared-focal"}, {"R", "focal"}, {"Z", "focal"},
         };
         const auto family = families.find(proved->theorem);
         CHECK(on_file.family == (family == families.end() ? "projective" : family->second));
@@ -39,13 +39,14 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
     CHECK(rows == std::map<std::string_view, std::size_t>{{"A", 11},
                                                           {"B", 1},
                                                           {"E", 1},
-                                                          {"J", 7},
+                                                          {"J", 8},
                                                           {"L", 22},
                                                           {"M", 14},
                                                           {"N", 15},
                                                           {"O", 5},
                                                           {"R", 5},
-                                                          {"V", 8}});
+                                                          {"V", 8},
+                                                          {"Z", 3}});
 }
 
 TEST_CASE("a row is found in whatever order its problem is written") {
@@ -63,10 +64,13 @@ TEST_CASE("other views and other cameras have no row") {
     CHECK(bound_of("projective: PLM/PLM + 2*PL/PL + 2*PM/PM") == std::nullopt);
     CHECK(bound_of("upright-focal: 2*PLa/PLa/PLa + PL/PL/PL") == 34U);
     CHECK(bound_of("upright-shared-focal: 2*PLa/PLa/PLa + PL/PL/PL") == std::nullopt);
-    CHECK(bound_of("upright-focal: P/P/P + Pabcd/Pabcd/Pabcd") == std::nullopt);
+    CHECK(bound_of("upright-focal: Pabcd/Pabcd/Pabcd + P/P/P") == 22U);
+    CHECK(bound_of("upright-focal: Pa/Pa/Pa + Pabc/Pabc/Pabc") == std::nullopt);
     CHECK(bound_of("shared-focal: 5*P/P") == std::nullopt);
     CHECK(bound_of("focal: Pabcdef/Pabcdef/Pabcdef + Pab/Pab/Pab") == 108U);
     CHECK(bound_of("shared-focal: Pab/Pab/Pab + Pabcdef/Pabcdef/Pabcdef") == std::nullopt);
+    CHECK(bound_of("focal: 2*a/a/a + PL/PL/PL + 2*PLa/PLa/PLa") == 140U);
+    CHECK(bound_of("focal: 3*PL/PL/PL/PL + 2*a/a/a/a") == std::nullopt);
     CHECK(bound_of("3*PL/PL/PL + P/P/P") == 64U);
     CHECK(bound_of("3*PL/PL/PL + P/P/-") == std::nullopt);
     CHECK(bound_of("3*PL/PL + P/P") == std::nullopt);
