@@ -54,6 +54,11 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "P + Pabcdef + a", 48, "R"},
     {3, "2*P + Pabcde", 60, "R"},
     {3, "2*PL + PLabcdef", 60, "R"},
+    {3, "3*PL + Pabc", 30, "R"},
+    // proofs/focal_planes.md
+    {4, "PLM + 2*PL + 2*PM", 168, "Y"},
+    {3, "PLMa + 2*PL + 2*PM", 66, "Y"},
+    {3, "PLM + 2*PL + PM + PMa", 66, "Y"},
     // proofs/focal_collinear_points.md
     {3, "3*PL + 3*a", 42, "Z"},
     {3, "2*PL + PLab + 2*a", 140, "Z"},
@@ -128,7 +133,7 @@ static std::string_view cameras_of(std::string_view theorem) {
     if (theorem == "A" || theorem == "B" || theorem == "E") return "";
     if (theorem == "J") return "upright-focal: ";
     if (theorem == "O") return "shared-focal: ";
-    if (theorem == "R" || theorem == "Z") return "focal: ";
+    if (theorem == "R" || theorem == "Y" || theorem == "Z") return "focal: ";
     return "projective: ";
 }
 

@@ -28,7 +28,7 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
         CAPTURE(on_file.problem);
         static const std::map<std::string_view, std::string_view> families{
             {"A", "plmp"},         {"B", "plmp"},  {"E", "plmp"},  {"J", "upright-focal"},
-            {"O", "shared-focal"}, {"R", "focal"}, {"Z", "focal"},
+            {"O", "shared-focal"}, {"R", "focal"}, {"Y", "focal"}, {"Z", "focal"},
         };
         const auto family = families.find(proved->theorem);
         CHECK(on_file.family == (family == families.end() ? "projective" : family->second));
@@ -44,8 +44,9 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
                                                           {"M", 14},
                                                           {"N", 15},
                                                           {"O", 5},
-                                                          {"R", 5},
+                                                          {"R", 6},
                                                           {"V", 8},
+                                                          {"Y", 3},
                                                           {"Z", 3}});
 }
 
@@ -71,6 +72,8 @@ TEST_CASE("other views and other cameras have no row") {
     CHECK(bound_of("shared-focal: Pab/Pab/Pab + Pabcdef/Pabcdef/Pabcdef") == std::nullopt);
     CHECK(bound_of("focal: 2*a/a/a + PL/PL/PL + 2*PLa/PLa/PLa") == 140U);
     CHECK(bound_of("focal: 3*PL/PL/PL/PL + 2*a/a/a/a") == std::nullopt);
+    CHECK(bound_of("focal: PLM/PLM/PLM + PLa/PLa/PLa + PL/PL/PL + 2*PM/PM/PM") == 66U);
+    CHECK(bound_of("PLM/PLM/PLM + PLa/PLa/PLa + PL/PL/PL + 2*PM/PM/PM") == std::nullopt);
     CHECK(bound_of("3*PL/PL/PL + P/P/P") == 64U);
     CHECK(bound_of("3*PL/PL/PL + P/P/-") == std::nullopt);
     CHECK(bound_of("3*PL/PL + P/P") == std::nullopt);
