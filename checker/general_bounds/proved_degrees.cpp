@@ -42,6 +42,7 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "Pabc + 2*a", 62, "J"},
     {3, "2*Pab", 62, "J"},
     {3, "P + Pabcd", 22, "J"},
+    {3, "Pa + Pabc", 52, "J"},
     // proofs/one_focal_length.md
     {3, "P + Pabcdef", 48, "O"},
     {5, "3*PL + a", 256, "O"},

@@ -1,6 +1,7 @@
-// What Theorem J needs computed (proofs/upright_focal_views.md, section 6): the degree of a variety
-// in a projective space of dimension 11 is at most 62. Modulo q = 2^61 - 1. From the folder
-// that holds checker/ and proofs/:
+// What Theorem J needs computed (proofs/upright_focal_views.md, sections 6 and 8): the degree of a
+// variety in a projective space of dimension 11 is at most 62; and where all lines through a point
+// satisfy its equation the variety has the dimension 1 at most. Modulo q = 2^61 - 1. From the
+// folder that holds checker/ and proofs/:
 //
 //   c++ -std=c++20 -O2 -I. proofs/computations/five_directions.cpp -lgmp -o five_directions
 //
@@ -155,6 +156,55 @@ Section section_of(const std::vector<Equation>& equations) {
     }
     return {forms, rank_of(multiples), rank_of(all)};
 }
+
+/// The linear forms F of triples of image lines through given points, one for each view: those of a
+/// basis.
+ResidueMatrix forms_of_lines_through(const ResidueMatrix& points) {
+    std::array<ResidueMatrix, 3> lines;
+    for (std::size_t v = 0; v < 3; ++v)
+        lines[v] = kernel_of({points[v]}, 3);
+    ResidueMatrix forms;
+    for (std::size_t choice = 0; choice < 8; ++choice) {
+        const auto line = [&](std::size_t v) -> const ResidueRow& {
+            return lines[v][choice >> v & 1];
+        };
+        ResidueRow& form = forms.emplace_back();
+        for (const auto& [v, w] : pairs) {
+            const Residue height = line(3 - v - w)[1];
+            const ResidueRow &first = line(v), &second = line(w);
+            form.push_back(height * first[0] * second[0]);
+            form.push_back(height * first[0] * second[2]);
+            form.push_back(-(height * first[2] * second[0]));
+            form.push_back(height * first[2] * second[2]);
+        }
+    }
+    return forms;
+}
+
+/// Where all these linear forms vanish: the dimension, and the rank of the multiples of degree 4 of
+/// the equations on a plane, among all 15 forms.
+struct Base {
+    std::size_t dimension = 0, multiples = 0;
+};
+
+Base base_of(const std::vector<Equation>& equations) {
+    constexpr std::size_t numbers = 3, degree = 4, forms = 15;
+    Residues random(3);
+    const ResidueMatrix space = kernel_of(forms_of_lines_through(random.matrix(3, 3)), coordinates);
+    const ResidueMatrix plane = product(random.matrix(numbers, space.size()), space);
+    ResidueMatrix multiples; // a row for each point
+    for (std::size_t i = 0; i < forms; ++i) {
+        const ResidueRow z = random.row(numbers);
+        const ResidueRow values = product({z}, plane)[0];
+        ResidueRow& row = multiples.emplace_back();
+        for (const Equation& equation : equations) {
+            const Residue factor = equation.at(values);
+            for (const Monomial& other : monomials(numbers, degree - equation.monomials[0].size()))
+                row.push_back(factor * value(other, z));
+        }
+    }
+    return {space.size() - 1, rank_of(multiples)};
+}
 } // namespace
 
 int main() {
@@ -173,5 +223,9 @@ int main() {
                            " are left");
     report(section.all == section.forms,
            "with the products of a linear form and forms of degree 4 these are all");
+    const Base base = base_of(equations);
+    report(base.dimension == 4 && base.multiples == 15,
+           "where lines through a point satisfy their equations, in a space of dimension " +
+               std::to_string(base.dimension) + ", a plane meets the variety nowhere");
     return report.status();
 }
