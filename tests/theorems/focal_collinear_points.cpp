@@ -1,61 +1,21 @@
 // Theorem Z (proofs/focal_collinear_points.md): three cameras modulo a prime, with a focal length
 // each, that see three points on a line; orders on a curve of no solutions; intersection numbers.
-#include "checker/algebra/vector3.h"
-#include "proofs/computations/residue_matrices.h"
+#include "tests/theorems/isotropic_view.h"
 
-#include <array>
 #include <doctest/doctest.h>
 
 using namespace checker;
+using namespace isotropic;
 using proofs::Residues;
 
 namespace {
 
-using Vector = Vector3<Residue>; // in isotropic coordinates (+, -, 3)
-
-constexpr Residue two{2};
 constexpr Vector along{Residue{}, {}, {1}}; // from P to Q
-
-Vector random_vector(Residues& random) {
-    return {random.next(), random.next(), random.next()};
-}
 
 template <class T>
 T determinant(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c) {
     return dot(a, cross(b, c));
 }
-
-/// Twice the bilinear form of x_+ x_- + w x_3^2.
-Residue form(const Vector& x, const Vector& y, Residue w) {
-    return x[0] * y[1] + x[1] * y[0] + two * w * x[2] * y[2];
-}
-
-/// A camera with a random focal length, place, and rotation: two reflections.
-class View {
-public:
-    explicit View(Residues& random)
-        : focal_(random.next()),
-          place_(random_vector(random)), mirrors_{random_vector(random), random_vector(random)} {}
-
-    Residue w() const { return focal_ * focal_; }
-
-    Vector direction(Vector x) const {
-        for (const Vector& normal : mirrors_) {
-            const Residue factor = two * form(x, normal, {1}) * form(normal, normal, {1}).inverse();
-            x = minus(x, times(factor, normal));
-        }
-        return {focal_ * x[0], focal_ * x[1], x[2]};
-    }
-
-    Vector point(const Vector& x) const { return plus(direction(x), place_); }
-
-    Vector line(const Vector& x, const Vector& y) const { return cross(point(x), point(y)); }
-
-private:
-    Residue focal_;
-    Vector place_;
-    std::array<Vector, 2> mirrors_;
-};
 
 /// What a view says of P, Q and P + kappa (Q - P).
 struct Seen {
