@@ -7,15 +7,11 @@
 using namespace checker;
 using namespace isotropic;
 using proofs::Residues;
+using residue_vectors::determinant;
 
 namespace {
 
 constexpr Vector along{Residue{}, {}, {1}}; // from P to Q
-
-template <class T>
-T determinant(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c) {
-    return dot(a, cross(b, c));
-}
 
 /// What a view says of P, Q and P + kappa (Q - P).
 struct Seen {

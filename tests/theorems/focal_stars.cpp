@@ -1,9 +1,8 @@
 // Theorem R (proofs/focal_stars.md): three cameras modulo a prime, with a focal length each, that
 // see a point; an example in general position; and intersection numbers.
-#include "checker/algebra/vector3.h"
 #include "checker/general_bounds/proved_degrees.h"
 #include "checker/problem/notation.h"
-#include "proofs/computations/residue_matrices.h"
+#include "tests/theorems/residue_vectors.h"
 
 #include <doctest/doctest.h>
 #include <map>
@@ -12,15 +11,12 @@ using namespace checker;
 using proofs::ResidueMatrix;
 using proofs::ResidueRow;
 using proofs::Residues;
+using residue_vectors::random_vector;
+using residue_vectors::Vector;
 
 namespace {
 
-using Vector = Vector3<Residue>;
 using Matrix = std::array<Vector, 3>;
-
-Vector random_vector(Residues& random) {
-    return {random.next(), random.next(), random.next()};
-}
 
 Vector times_matrix(const Vector& row, const Matrix& m) {
     return plus(plus(times(row[0], m[0]), times(row[1], m[1])), times(row[2], m[2]));

@@ -2,21 +2,17 @@
 // of a vector x are x_1 + i x_2, x_1 - i x_2 and x_3.
 #pragma once
 
-#include "checker/algebra/vector3.h"
-#include "proofs/computations/residue_matrices.h"
+#include "tests/theorems/residue_vectors.h"
 
 #include <array>
 
 namespace isotropic {
 
 using checker::Residue;
-using Vector = checker::Vector3<Residue>;
+using residue_vectors::random_vector;
+using residue_vectors::Vector;
 
 constexpr Residue two{2};
-
-inline Vector random_vector(proofs::Residues& random) {
-    return {random.next(), random.next(), random.next()};
-}
 
 /// Twice the bilinear form of x_+ x_- + w x_3^2.
 inline Residue form(const Vector& x, const Vector& y, Residue w) {

@@ -1,29 +1,23 @@
 // Theorem O (proofs/one_focal_length.md): cameras modulo a prime with one focal length, seven lines
 // through a point, and three points on a line with another line.
-#include "checker/algebra/vector3.h"
-#include "proofs/computations/residue_matrices.h"
+#include "tests/theorems/residue_vectors.h"
 
 #include <doctest/doctest.h>
 
 using namespace checker;
+using namespace residue_vectors;
 using proofs::Residues;
 
 namespace {
 
-using Vector = Vector3<Residue>;
-
 constexpr Residue true_focal{3};
-
-Residue determinant(const Vector& a, const Vector& b, const Vector& c) {
-    return dot(a, cross(b, c));
-}
 
 /// A view of the origin, and of other points.
 class View {
 public:
-    View(Residue focal, Residues& random) : focal_(focal), origin_(vector(random)) {
+    View(Residue focal, Residues& random) : focal_(focal), origin_(random_vector(random)) {
         const Residue a = random.next(), two{2};
-        const Vector b = vector(random);
+        const Vector b = random_vector(random);
         const Residue scale = (a * a + dot(b, b)).inverse();
         for (std::size_t i = 0; i < 3; ++i) {
             Vector unit{};
@@ -33,8 +27,6 @@ public:
             columns_[i] = times(scale, turned);
         }
     }
-
-    static Vector vector(Residues& random) { return {random.next(), random.next(), random.next()}; }
 
     /// The image vector of a direction.
     Vector image(const Vector& direction) const {
@@ -137,7 +129,7 @@ TEST_CASE("seven lines through a point determine a trilinear form, which has two
     const Views all = three_views(random);
     proofs::ResidueMatrix conditions;
     for (int line = 0; line < 7; ++line) {
-        const Vector direction = View::vector(random);
+        const Vector direction = random_vector(random);
         std::array<Vector, 3> lines;
         for (std::size_t v = 0; v < 3; ++v) {
             lines[v] = all.views[v].line(direction);
@@ -154,7 +146,7 @@ TEST_CASE("seven lines through a point determine a trilinear form, which has two
 
     std::array<Vector, 3> lines;
     for (std::size_t v = 0; v < 3; ++v)
-        lines[v] = all.views[v].line(View::vector(random));
+        lines[v] = all.views[v].line(random_vector(random));
     const auto n = [&](std::size_t v, std::size_t i) { return all.coordinate(v, i, lines[v]); };
     CHECK(all.form(lines) * determinant(all.rays[0], all.rays[1], all.rays[2]) ==
           n(0, 1) * n(1, 2) * n(2, 0) + n(0, 2) * n(1, 0) * n(2, 1));
@@ -183,8 +175,8 @@ TEST_CASE(
     "five views of three collinear points and a line satisfy two equations of degree two in the "
     "square of the focal length") {
     Residues random(3);
-    const Vector a = View::vector(random), b = View::vector(random);
-    const Vector one = View::vector(random), other = View::vector(random);
+    const Vector a = random_vector(random), b = random_vector(random);
+    const Vector one = random_vector(random), other = random_vector(random);
     const Residue x = true_focal * true_focal, two{2};
     proofs::ResidueMatrix rows; // of K, p^2, pq, q^2, with rho = (1 : 1)
     for (int v = 0; v < 5; ++v) {
@@ -212,12 +204,12 @@ TEST_CASE(
 TEST_CASE("three products are equal where three views see three collinear points and two lines") {
     Residues random(4);
     const Residue distance{5};
-    const Vector a = View::vector(random), b = plus(a, Vector{Residue{3}, Residue{4}, {}});
+    const Vector a = random_vector(random), b = plus(a, Vector{Residue{3}, Residue{4}, {}});
     std::array<std::array<LineInView, 3>, 2> lines;
     std::array<Vector, 2> k;
     const Views all = three_views(random);
     for (std::size_t line = 0; line < 2; ++line) {
-        const Vector one = View::vector(random), other = View::vector(random);
+        const Vector one = random_vector(random), other = random_vector(random);
         Vector p, q;
         for (std::size_t v = 0; v < 3; ++v) {
             const View& view = all.views[v];

@@ -1,17 +1,15 @@
 // Theorem J, section 7 (proofs/upright_focal_views.md): three cameras modulo a prime that know the
 // vertical direction see lines through a point; and how many zeros a determinant has on a curve.
-#include "checker/algebra/vector3.h"
-#include "proofs/computations/residue_matrices.h"
+#include "tests/theorems/residue_vectors.h"
 
 #include <array>
 #include <doctest/doctest.h>
 
 using namespace checker;
+using namespace residue_vectors;
 using proofs::Residues;
 
 namespace {
-
-using Vector = Vector3<Residue>;
 
 constexpr std::array<std::size_t, 3> views{0, 1, 2};
 
@@ -21,15 +19,6 @@ std::size_t next(std::size_t v) {
 
 std::size_t previous(std::size_t v) {
     return (v + 2) % 3;
-}
-
-Vector random_vector(Residues& random) {
-    return {random.next(), random.next(), random.next()};
-}
-
-template <class T>
-T determinant(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c) {
-    return dot(a, cross(b, c));
 }
 
 /// With second coordinate 1.
