@@ -34,6 +34,7 @@ inline constexpr std::pair<std::string_view, std::string_view> pages_of_theorems
     {theorem_of_cameras, "moduli.md"},
     {theorem_of_arrangements, "moduli.md"},
     {"V", "four_and_five_views.md"},
+    {"X", "upright_focal_depths.md"},
     {"Y", "focal_planes.md"},
     {"Z", "focal_collinear_points.md"},
     {theorem_of_shared_points, "shared_points.md"},

@@ -43,6 +43,12 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "2*Pab", 62, "J"},
     {3, "P + Pabcd", 22, "J"},
     {3, "Pa + Pabc", 52, "J"},
+    // proofs/upright_focal_depths.md
+    {3, "Pa + 3*a", 60, "X"},
+    {3, "P + Pab + a", 52, "X"},
+    {3, "2*Pa + a", 59, "X"},
+    {3, "2*P + Pa", 51, "X"},
+    {3, "2*P + 2*a", 42, "X"},
     // proofs/one_focal_length.md
     {3, "P + Pabcdef", 48, "O"},
     {5, "3*PL + a", 256, "O"},
@@ -132,7 +138,7 @@ static constexpr ProvedRow proved_rows[] = {
 /// The cameras that a theorem is about, as notation has them.
 static std::string_view cameras_of(std::string_view theorem) {
     if (theorem == "A" || theorem == "B" || theorem == "E") return "";
-    if (theorem == "J") return "upright-focal: ";
+    if (theorem == "J" || theorem == "X") return "upright-focal: ";
     if (theorem == "O") return "shared-focal: ";
     if (theorem == "R" || theorem == "Y" || theorem == "Z") return "focal: ";
     return "projective: ";

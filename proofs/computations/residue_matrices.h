@@ -50,14 +50,15 @@ struct Echelon {
     std::vector<std::size_t> pivots{};
 };
 
-/// Adds a multiple of one row to another.
-inline void add_multiple(ResidueRow& row, Residue factor, const ResidueRow& other) {
-    for (std::size_t j = 0; j < row.size(); ++j)
+/// Adds a multiple of one row to another, from a column on.
+inline void add_multiple(ResidueRow& row, Residue factor, const ResidueRow& other,
+                         std::size_t from = 0) {
+    for (std::size_t j = from; j < row.size(); ++j)
         row[j] = row[j] + factor * other[j];
 }
 
-/// The reduced echelon form.
-inline Echelon echelon(ResidueMatrix matrix) {
+/// An echelon form: below a leading one there are zeros, above it too if it is to be reduced.
+inline Echelon echelon(ResidueMatrix matrix, bool reduced = true) {
     Echelon result;
     const std::size_t columns = matrix.empty() ? 0 : matrix.front().size();
     std::size_t rank = 0;
@@ -70,9 +71,9 @@ inline Echelon echelon(ResidueMatrix matrix) {
         const Residue inverse = matrix[rank][column].inverse();
         for (Residue& number : matrix[rank])
             number = number * inverse;
-        for (std::size_t i = 0; i < matrix.size(); ++i)
+        for (std::size_t i = reduced ? 0 : rank + 1; i < matrix.size(); ++i)
             if (i != rank && matrix[i][column] != Residue{})
-                add_multiple(matrix[i], -matrix[i][column], matrix[rank]);
+                add_multiple(matrix[i], -matrix[i][column], matrix[rank], column);
         result.pivots.push_back(column);
         ++rank;
     }
@@ -82,7 +83,7 @@ inline Echelon echelon(ResidueMatrix matrix) {
 }
 
 inline std::size_t rank_of(const ResidueMatrix& matrix) {
-    return echelon(matrix).pivots.size();
+    return echelon(matrix, false).pivots.size();
 }
 
 /// A basis of the vectors with this many coordinates that all rows take to 0.

@@ -1,13 +1,13 @@
 // Theorem J, section 7 (proofs/upright_focal_views.md): three cameras modulo a prime that know the
 // vertical direction see lines through a point; and how many zeros a determinant has on a curve.
-#include "tests/theorems/residue_vectors.h"
+#include "tests/theorems/upright_view.h"
 
 #include <array>
 #include <doctest/doctest.h>
 
 using namespace checker;
 using namespace residue_vectors;
-using proofs::Residues;
+using namespace upright_view;
 
 namespace {
 
@@ -21,52 +21,10 @@ std::size_t previous(std::size_t v) {
     return (v + 2) % 3;
 }
 
-/// With second coordinate 1.
-Vector upright(const Vector& x) {
-    return times(x[1].inverse(), x);
-}
-
 /// The product of horizontal parts.
 Residue horizontal(const Vector& x, const Vector& y) {
     return x[0] * y[0] + x[2] * y[2];
 }
-
-/// A camera diag(1, 1, g) after a turn about the second axis. It sees the point Q at q.
-class View {
-public:
-    explicit View(Residues& random) : g(random.next()), q(random_vector(random)) {
-        const Residue u = random.next(), scale = (Residue{1} + u * u).inverse();
-        cosine_ = (Residue{1} - u * u) * scale;
-        sine_ = Residue{2} * u * scale;
-    }
-
-    Residue g;
-    Vector q;
-
-    /// The normal of the plane that is seen on an image line.
-    Vector normal(const Vector& l) const { return turned_back({l[0], l[1], g * l[2]}); }
-
-    /// The direction of the ray to Q.
-    Vector ray() const { return turned_back({q[0], q[1], g.inverse() * q[2]}); }
-
-    /// The image vector of a direction.
-    Vector image(const Vector& x) const {
-        return {x[0] * cosine_ + x[2] * sine_, x[1], g * (x[2] * cosine_ - x[0] * sine_)};
-    }
-
-    /// The image line through q with first coordinate x and second coordinate 1.
-    Vector line(Residue x) const { return {x, {1}, -((x * q[0] + q[1]) * q[2].inverse())}; }
-
-    /// The first coordinate of the line through q and an image vector.
-    Residue place(const Vector& image_vector) const { return upright(cross(q, image_vector))[0]; }
-
-private:
-    Vector turned_back(const Vector& x) const {
-        return {x[0] * cosine_ - x[2] * sine_, x[1], x[0] * sine_ + x[2] * cosine_};
-    }
-
-    Residue cosine_, sine_;
-};
 
 /// A number a + b y, where y^2 is known.
 struct Number {
