@@ -17,6 +17,19 @@ namespace {
 
 using namespace proofs;
 
+/// At a point of a linear space, given by numbers z and its coordinates: all products of an
+/// equation and a monomial in z that have this degree.
+ResidueRow multiples_at(const std::vector<Equation>& equations, const ResidueRow& values,
+                        const ResidueRow& z, std::size_t degree) {
+    ResidueRow row;
+    for (const Equation& equation : equations) {
+        const Residue factor = equation.at(values);
+        for (const Monomial& other : monomials(z.size(), degree - equation.monomials[0].size()))
+            row.push_back(factor * value(other, z));
+    }
+    return row;
+}
+
 /// On a linear section, where the coordinates are linear forms in seven numbers: how many forms of
 /// degree 5 there are, the rank of multiples of equations among them, and that of these and of all
 /// products with the first number. Forms are given by their values at as many points.
@@ -32,14 +45,10 @@ Section section_of(const std::vector<Equation>& equations) {
     ResidueMatrix multiples, all; // a row for each point
     for (std::size_t i = 0; i < forms; ++i) {
         const ResidueRow z = random.row(numbers);
-        ResidueRow values, row;
+        ResidueRow values;
         for (const ResidueRow& form : linear_forms)
             values.push_back(product(form, z));
-        for (const Equation& equation : equations) {
-            const Residue factor = equation.at(values);
-            for (const Monomial& other : monomials(numbers, degree - equation.monomials[0].size()))
-                row.push_back(factor * value(other, z));
-        }
+        ResidueRow row = multiples_at(equations, values, z, degree);
         multiples.push_back(row);
         for (const Monomial& other : monomials(numbers, degree - 1))
             row.push_back(z[0] * value(other, z));
@@ -55,20 +64,9 @@ ResidueMatrix forms_of_lines_through(const ResidueMatrix& points) {
     for (std::size_t v = 0; v < 3; ++v)
         lines[v] = kernel_of({points[v]}, 3);
     ResidueMatrix forms;
-    for (std::size_t choice = 0; choice < 8; ++choice) {
-        const auto line = [&](std::size_t v) -> const ResidueRow& {
-            return lines[v][choice >> v & 1];
-        };
-        ResidueRow& form = forms.emplace_back();
-        for (const auto& [v, w] : pairs) {
-            const Residue height = line(3 - v - w)[1];
-            const ResidueRow &first = line(v), &second = line(w);
-            form.push_back(height * first[0] * second[0]);
-            form.push_back(height * first[0] * second[2]);
-            form.push_back(-(height * first[2] * second[0]));
-            form.push_back(height * first[2] * second[2]);
-        }
-    }
+    for (std::size_t choice = 0; choice < 8; ++choice)
+        forms.push_back(direction_form(
+            {lines[0][choice & 1], lines[1][choice >> 1 & 1], lines[2][choice >> 2]}));
     return forms;
 }
 
@@ -87,12 +85,7 @@ Base base_of(const std::vector<Equation>& equations) {
     for (std::size_t i = 0; i < forms; ++i) {
         const ResidueRow z = random.row(numbers);
         const ResidueRow values = product({z}, plane)[0];
-        ResidueRow& row = multiples.emplace_back();
-        for (const Equation& equation : equations) {
-            const Residue factor = equation.at(values);
-            for (const Monomial& other : monomials(numbers, degree - equation.monomials[0].size()))
-                row.push_back(factor * value(other, z));
-        }
+        multiples.push_back(multiples_at(equations, values, z, degree));
     }
     return {space.size() - 1, rank_of(multiples)};
 }

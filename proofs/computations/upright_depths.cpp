@@ -51,9 +51,8 @@ bool is_in_lambda(const Monomial& monomial, std::size_t v) {
 /// The product [a, b] of two columns of different views, from the coordinates.
 Residue bracket(const ResidueRow& values, std::size_t a, std::size_t b) {
     if (next(a / 2) != b / 2) return -bracket(values, b, a);
-    const std::size_t v = a / 2, first = a % 2, second = b % 2;
-    const Residue value = values[4 * v + 2 * first + second];
-    return first == 1 && second == 0 ? -value : value;
+    const Residue value = values[2 * a + b % 2];
+    return a % 2 == 1 && b % 2 == 0 ? -value : value;
 }
 
 /// A factor of relations: 1, or a combination of the four [p, r] in Lambda_v, for columns p, r of
@@ -111,6 +110,8 @@ public:
         for (std::size_t i = 0; i < problem.free_lines; ++i)
             free_lines_.push_back(random_images(random));
         lines.insert(lines.end(), free_lines_.begin(), free_lines_.end());
+        for (const Images& line : lines)
+            forms.push_back(direction_form(line));
         for (std::size_t i = 1; i < points_.size(); ++i)
             add_point(i);
         for (const Images& line : free_lines_)
@@ -118,24 +119,11 @@ public:
     }
 
     std::vector<Images> lines{}; // those without points come last
+    ResidueMatrix forms{};       // F of each, (2)
     std::vector<Relation> relations{};
 
     std::size_t unknowns() const { return views + points_.size() - 1; }
     const std::vector<Images>& points() const { return points_; }
-
-    /// The coefficients of the linear form F of a line, (2).
-    static ResidueRow direction_form(const Images& line) {
-        ResidueRow form;
-        for (std::size_t i = 0; i < coordinates; ++i) {
-            ResidueRow unit(coordinates);
-            unit[i] = {1};
-            Residue sum;
-            for (std::size_t v = 0; v < views; ++v)
-                sum = sum + line[v][1] * seen(unit, {}, line, next(v), next(next(v)));
-            form.push_back(sum);
-        }
-        return form;
-    }
 
 private:
     static Images random_images(Residues& random) {
@@ -272,16 +260,13 @@ struct Left {
 };
 
 Left left_of(const Example& example, const Equations& equations, Residues& random) {
-    ResidueMatrix forms;
-    for (const Images& line : example.lines)
-        forms.push_back(Example::direction_form(line));
-    const ResidueMatrix space = kernel_of(forms, coordinates);
+    const ResidueMatrix space = kernel_of(example.forms, coordinates);
     const std::size_t dimension = space.size(), points = count_of(dimension);
     const ResidueMatrix at = product(random.matrix(points, dimension), space);
     const std::size_t unknowns = example.unknowns();
     bool independent = true;
     for (std::size_t v = 0; v < views; ++v) {
-        ResidueMatrix with_lambda = forms;
+        ResidueMatrix with_lambda = example.forms;
         for (std::size_t i = 0; i < 4; ++i)
             with_lambda.emplace_back(coordinates)[4 * pair_without(v) + i] = {1};
         independent = independent && rank_of(with_lambda) == with_lambda.size();
@@ -328,18 +313,15 @@ Left left_of(const Example& example, const Equations& equations, Residues& rando
     return {all - rank, all - rank_of(reduced.rows), independent};
 }
 
-/// A point of the boundary (section 5): u are four numbers for the columns of the next two views,
-/// and k, k' those for the columns of view t.
-ResidueRow boundary_point(std::size_t t, const ResidueRow& u, Residue k, Residue k_prime) {
+/// The coordinates where the columns are (u_a, k_a). At the boundary (section 5) u is 0 for one
+/// view, and k for the others.
+ResidueRow point_of(const ResidueRow& u, const ResidueRow& k) {
     ResidueRow point(coordinates);
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t a = 0; a < columns; ++a)
         for (std::size_t j = 0; j < 2; ++j) {
-            const std::size_t v = i < 2 ? next(t) : next(next(t));
-            const Residue value = u[i] * (j == 0 ? k : k_prime);
-            if (v == next(t)) // the pair t, v
-                point[4 * t + 2 * j + i % 2] = j == 1 && i % 2 == 0 ? value : -value;
-            else // the pair v, t
-                point[4 * v + 2 * (i % 2) + j] = i % 2 == 1 && j == 0 ? -value : value;
+            const std::size_t b = 2 * next(a / 2) + j;
+            const Residue value = u[a] * k[b] - k[a] * u[b];
+            point[2 * a + j] = a % 2 == 1 && j == 0 ? -value : value;
         }
     return point;
 }
@@ -349,26 +331,67 @@ ResidueRow boundary_point(std::size_t t, const ResidueRow& u, Residue k, Residue
 ResidueRow with_distances(const Example& example, const ResidueMatrix& pencil, const Images& line,
                           std::size_t t) {
     const Images &origin = example.points()[0], &point = example.points()[1];
-    const Images join = line_through(origin, point);
+    const Images& join = example.lines.front();
     ResidueRow differences;
     for (const ResidueRow& u : pencil) {
         std::array<Residue, 2> distances;
         for (std::size_t i = 0; i < 2; ++i) {
             const std::size_t v = next(i == 0 ? t : next(t));
+            const Residue first = u[2 * v], third = u[2 * v + 1];
             const Residue height =
-                -(join[v][0] * u[2 * i] + join[v][2] * u[2 * i + 1]) * join[v][1].inverse();
+                -(join[v][0] * first + join[v][2] * third) * join[v][1].inverse();
             const ResidueRow through = cross(point[v], {{1}, {}, {}});
-            const Residue depth = -product(through, {u[2 * i], height, u[2 * i + 1]}) *
-                                  product(through, origin[v]).inverse();
+            const Residue depth =
+                -product(through, {first, height, third}) * product(through, origin[v]).inverse();
             distances[i] = product(line[v], origin[v]) * depth;
         }
         differences.push_back(line[next(t)][1] * distances[1] -
                               line[next(next(t))][1] * distances[0]);
     }
-    ResidueRow u(4);
+    ResidueRow u(columns);
     add_multiple(u, differences[1], pencil[0]);
     add_multiple(u, -differences[0], pencil[1]);
     return u;
+}
+
+/// The u of the boundary where view t is the other one, and lines but a special one agree (section
+/// 5).
+ResidueRow where_lines_agree(const Example& example, std::size_t t, std::size_t special) {
+    const std::size_t v = next(t), w = next(v);
+    ResidueMatrix conditions(2, ResidueRow(columns));
+    conditions[0][2 * t] = conditions[1][2 * t + 1] = {1};
+    for (std::size_t i = 0; i < example.lines.size(); ++i) {
+        if (i == special) continue;
+        const Images& line = example.lines[i];
+        ResidueRow& condition = conditions.emplace_back(columns);
+        condition[2 * v] = line[w][1] * line[v][0];
+        condition[2 * v + 1] = line[w][1] * line[v][2];
+        condition[2 * w] = -(line[v][1] * line[w][0]);
+        condition[2 * w + 1] = -(line[v][1] * line[w][2]);
+    }
+    const ResidueMatrix solutions = kernel_of(conditions, columns);
+    if (solutions.size() == 1) return solutions[0];
+    const std::size_t last = example.lines.size() - 1; // this one and that before have no points
+    return with_distances(example, solutions, example.lines[special == last ? last - 1 : last], t);
+}
+
+/// Whether this is a point of the variety where some unknowns, with any depth of view t, meet all
+/// relations.
+bool has_zero(const Example& example, const Equations& equations, const ResidueRow& point,
+              std::size_t t) {
+    const auto vanishes = [&](const Equation& equation) { return equation.at(point) == Residue{}; };
+    const auto contains = [&](const ResidueRow& form) { return product(form, point) == Residue{}; };
+    if (!std::ranges::all_of(equations.all, vanishes)) return false;
+    if (!std::ranges::all_of(example.forms, contains)) return false;
+    ResidueMatrix on_unknowns;
+    for (const Relation& relation : example.relations)
+        for (std::size_t i = 0; i < 4; ++i) {
+            Factor factor{relation.factor_without_view, {}};
+            factor.combination[i] = {1};
+            on_unknowns.push_back(relation.coefficients(point, factor));
+            on_unknowns.back()[t] = {};
+        }
+    return rank_of(on_unknowns) + 1 < example.unknowns();
 }
 
 /// How many points of the boundary have unknowns that meet all relations.
@@ -376,42 +399,12 @@ std::size_t at_boundary(const Example& example, const Equations& equations) {
     std::size_t count = 0;
     for (std::size_t t = 0; t < views; ++t)
         for (std::size_t special = 0; special < example.lines.size(); ++special) {
-            const Images& line = example.lines[special];
-            ResidueMatrix conditions;
-            const std::size_t v = next(t), w = next(v);
-            for (std::size_t i = 0; i < example.lines.size(); ++i) {
-                const Images& other = example.lines[i];
-                if (i != special)
-                    conditions.push_back({other[w][1] * other[v][0], other[w][1] * other[v][2],
-                                          -(other[v][1] * other[w][0]),
-                                          -(other[v][1] * other[w][2])});
-            }
-            ResidueMatrix solutions = kernel_of(conditions, 4);
-            if (solutions.size() == 2) {
-                // The last lines have no points.
-                const std::size_t last = example.lines.size() - 1;
-                solutions = {with_distances(example, solutions,
-                                            example.lines[special == last ? last - 1 : last], t)};
-            }
-            const ResidueRow point = boundary_point(t, solutions.at(0), line[t][2], -line[t][0]);
-            ResidueMatrix on_unknowns;
-            for (const Relation& relation : example.relations)
-                for (std::size_t i = 0; i < 4; ++i) {
-                    Factor factor{relation.factor_without_view, {}};
-                    factor.combination[i] = {1};
-                    ResidueRow row = relation.coefficients(point, factor);
-                    row[t] = {};
-                    on_unknowns.push_back(row);
-                }
-            const bool on_variety =
-                std::ranges::all_of(equations.all, [&](const Equation& equation) {
-                    return equation.at(point) == Residue{};
-                });
-            const bool in_space = std::ranges::all_of(example.lines, [&](const Images& some) {
-                return product(Example::direction_form(some), point) == Residue{};
-            });
-            // The depth of view t is free, as no relation has it here.
-            if (on_variety && in_space && rank_of(on_unknowns) + 1 < example.unknowns()) ++count;
+            const ResidueRow& line = example.lines[special][t];
+            ResidueRow k(columns);
+            k[2 * t] = line[2];
+            k[2 * t + 1] = -line[0];
+            const ResidueRow u = where_lines_agree(example, t, special);
+            if (has_zero(example, equations, point_of(u, k), t)) ++count;
         }
     return count;
 }

@@ -121,4 +121,18 @@ inline bool holds_over_the_integers(const Equation& equation) {
     return true;
 }
 
+/// The linear form F of image lines, one for each view: its coefficients.
+inline ResidueRow direction_form(const std::array<ResidueRow, 3>& line) {
+    ResidueRow form;
+    for (const auto& [v, w] : pairs) {
+        const Residue height = line[3 - v - w][1];
+        const ResidueRow &first = line[v], &second = line[w];
+        form.push_back(height * first[0] * second[0]);
+        form.push_back(height * first[0] * second[2]);
+        form.push_back(-(height * first[2] * second[0]));
+        form.push_back(height * first[2] * second[2]);
+    }
+    return form;
+}
+
 } // namespace proofs

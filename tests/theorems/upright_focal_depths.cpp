@@ -21,19 +21,20 @@ Pair combination(Residue s, const Pair& a, Residue t, const Pair& b) {
     return {s * a[0] + t * b[0], s * a[1] + t * b[1]};
 }
 
-/// A camera at a place, that sees the origin at o.
+/// A camera at a place, that sees the origin at q.
 struct Station {
-    explicit Station(Residues& random) : view(random), o(view.q), depth(random.next()) {
+    explicit Station(Residues& random) : view(random), depth(random.next()) {
         const Residue zero, one{1};
         const Vector first = view.image({one, zero, zero}), third = view.image({zero, zero, one});
         x = {first[0], third[0]};
         y = {first[2], third[2]};
     }
 
-    Vector image(const Vector& point) const { return plus(view.image(point), times(depth, o)); }
+    Vector image(const Vector& point) const {
+        return plus(view.image(point), times(depth, view.q));
+    }
 
     View view;
-    Vector o;
     Residue depth;
     Pair x, y; // the columns
 };
@@ -63,7 +64,8 @@ TEST_CASE("heights and depths of a point meet the relations of Theorem X") {
             const Station& station = scene.stations[i / 2];
             const Vector q = times(random.next(), station.image(point)); // up to a factor
             const std::size_t entry = i % 2 == 0 ? 0 : 2;
-            e[i] = station.depth * (station.o[1] * q[1].inverse() * q[entry] - station.o[entry]) +
+            e[i] = station.depth *
+                       (station.view.q[1] * q[1].inverse() * q[entry] - station.view.q[entry]) +
                    h * q[entry] * q[1].inverse();
         }
         for (std::size_t a = 0; a < e.size(); ++a)
@@ -90,7 +92,7 @@ TEST_CASE("directions and distances of a line meet the relations of Theorem X") 
         const Station& station = scene.stations[v];
         l[v] = cross(station.image(a), station.image(b));
         c[v] = combination(l[v][0], station.x, l[v][2], station.y);
-        d[v] = dot(l[v], station.o) * station.depth;
+        d[v] = dot(l[v], station.view.q) * station.depth;
     }
     const auto sum = [&](auto&& term) { return term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1); };
     using Size = std::size_t;
