@@ -96,8 +96,8 @@ int main() {
     std::vector<Equation> equations;
     for (const std::size_t degree : {3U, 4U}) {
         const std::vector<Equation> found =
-            equations_of(degree, [](const Monomial&) { return true; });
-        report(std::ranges::all_of(found, holds_over_the_integers),
+            equations_of(pairs, degree, [](const Monomial&) { return true; });
+        report(hold_over_the_integers(pairs, found),
                std::to_string(found.size()) + " equations of degree " + std::to_string(degree));
         equations.insert(equations.end(), found.begin(), found.end());
     }

@@ -413,13 +413,13 @@ std::size_t at_boundary(const Example& example, const Equations& equations) {
 int main() {
     Report report;
     const auto everything = [](const Monomial&) { return true; };
-    Equations equations{equations_of(degree, everything), {}};
+    Equations equations{equations_of(pairs, degree, everything), {}};
     for (std::size_t v = 0; v < views; ++v)
         equations.in_lambda[v] = equations_of(
-            degree, [&](const Monomial& monomial) { return is_in_lambda(monomial, v); });
+            pairs, degree, [&](const Monomial& monomial) { return is_in_lambda(monomial, v); });
     for (std::size_t unknown = 0; unknown <= views; ++unknown) {
         const std::vector<Equation>& some = equations.of_unknown(unknown);
-        report(std::ranges::all_of(some, holds_over_the_integers),
+        report(hold_over_the_integers(pairs, some),
                std::to_string(some.size()) + " equations of degree 4" +
                    (unknown < views ? ", with a factor without view " + std::to_string(unknown + 1)
                                     : ""));

@@ -10,29 +10,42 @@
 
 namespace proofs {
 
-/// The coordinates of each pair of views v, w: S, g_w C, g_v C, g_v g_w S, with sine and cosine of
-/// an angle.
-inline constexpr std::array<std::array<std::size_t, 2>, 3> pairs{{{0, 1}, {1, 2}, {2, 0}}};
-inline constexpr std::size_t coordinates = 4 * pairs.size();
+/// Pairs of views v, w. Each has four coordinates: S, g_w C, g_v C, g_v g_w S, with sine and cosine
+/// of the angle from v to w.
+using Pairs = std::vector<std::array<std::size_t, 2>>;
 
-using Point = std::array<Residue, coordinates>;
+inline constexpr std::size_t coordinates_of_pair = 4;
+inline const Pairs pairs{{0, 1}, {1, 2}, {2, 0}}; // of three views
+inline constexpr std::size_t coordinates = 3 * coordinates_of_pair;
+
 using Monomial = std::vector<std::size_t>; // coordinates, ascending
-using Powers = std::array<int, 3>;         // of g_1, g_2, g_3
+using Powers = std::vector<int>;           // of g_1, g_2, ...
 
-/// A point of the variety, all g being 1: with the tangents s and t of half of the angles from view
-/// 1 to 2 and from 2 to 3. Each coordinate is a polynomial of degree 2 in s and in t.
-inline Point point_with(Residue s, Residue t) {
-    const Residue one{1}, two{2};
-    const std::array<Residue, 2> sine{two * s, two * t}, cosine{one - s * s, one - t * t};
-    const std::array<Residue, 2> unit{one + s * s, one + t * t};
-    const std::array<Residue, 3> sines{sine[0] * unit[1], sine[1] * unit[0],
-                                       -(sine[0] * cosine[1] + cosine[0] * sine[1])};
-    const std::array<Residue, 3> cosines{cosine[0] * unit[1], cosine[1] * unit[0],
-                                         cosine[0] * cosine[1] - sine[0] * sine[1]};
-    Point point;
-    for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
-        point[4 * pair] = point[4 * pair + 3] = sines[pair];
-        point[4 * pair + 1] = point[4 * pair + 2] = cosines[pair];
+inline std::size_t views_of(const Pairs& some) {
+    std::size_t views = 0;
+    for (const auto& [v, w] : some)
+        views = std::max({views, v + 1, w + 1});
+    return views;
+}
+
+/// A point of the variety, all g being 1: with the tangents of half of the angles from view 1 to
+/// the others. Each coordinate is a polynomial of degree 2 in each tangent.
+inline ResidueRow point_with(const Pairs& some, const ResidueRow& tangents) {
+    const Residue one{1};
+    ResidueRow sine{{}}, cosine{one}, unit{one}; // times the unit
+    for (const Residue t : tangents) {
+        sine.push_back(t + t);
+        cosine.push_back(one - t * t);
+        unit.push_back(one + t * t);
+    }
+    ResidueRow point;
+    for (const auto& [v, w] : some) {
+        Residue others = one;
+        for (std::size_t u = 0; u < unit.size(); ++u)
+            if (u != v && u != w) others = others * unit[u];
+        const Residue s = others * (sine[w] * cosine[v] - cosine[w] * sine[v]);
+        const Residue c = others * (cosine[v] * cosine[w] + sine[v] * sine[w]);
+        point.insert(point.end(), {s, c, c, s});
     }
     return point;
 }
@@ -58,10 +71,10 @@ Residue value(const Monomial& monomial, const Values& values) {
     return product;
 }
 
-inline Powers powers_of(const Monomial& monomial) {
-    Powers powers{};
+inline Powers powers_of(const Pairs& some, const Monomial& monomial) {
+    Powers powers(views_of(some));
     for (const std::size_t coordinate : monomial) {
-        const auto& [v, w] = pairs[coordinate / 4];
+        const auto& [v, w] = some[coordinate / coordinates_of_pair];
         powers[w] += static_cast<int>(coordinate % 2);
         powers[v] += static_cast<int>(coordinate % 4 / 2);
     }
@@ -85,39 +98,58 @@ struct Equation {
 /// All equations of the variety of this degree in products that are allowed, as far as some of its
 /// points modulo q show.
 template <class Allowed>
-std::vector<Equation> equations_of(std::size_t degree, Allowed allowed) {
+std::vector<Equation> equations_of(const Pairs& some, std::size_t degree, Allowed allowed) {
     std::map<Powers, std::vector<Monomial>> by_powers;
-    for (const Monomial& monomial : monomials(coordinates, degree))
-        if (allowed(monomial)) by_powers[powers_of(monomial)].push_back(monomial);
+    for (const Monomial& monomial : monomials(coordinates_of_pair * some.size(), degree))
+        if (allowed(monomial)) by_powers[powers_of(some, monomial)].push_back(monomial);
     Residues random(2);
     std::vector<Equation> equations;
     for (const auto& [powers, terms] : by_powers) {
         ResidueMatrix values;
         for (std::size_t i = 0; i < terms.size(); ++i) {
-            const Residue s = random.next();
-            const Point point = point_with(s, random.next());
+            const ResidueRow point = point_with(some, random.row(views_of(some) - 1));
             values.emplace_back();
             for (const Monomial& term : terms)
                 values.back().push_back(value(term, point));
         }
-        for (const ResidueRow& row : kernel_of(values, terms.size()))
-            equations.push_back({terms, row});
+        for (const ResidueRow& row : kernel_of(values, terms.size())) {
+            Equation& equation = equations.emplace_back();
+            for (std::size_t i = 0; i < terms.size(); ++i)
+                if (row[i] != Residue{}) {
+                    equation.monomials.push_back(terms[i]);
+                    equation.coefficients.push_back(row[i]);
+                }
+        }
     }
     return equations;
 }
 
-/// Whether the equation is one over the integers: if its coefficients are small, it is a polynomial
-/// in s and t with coefficients below q, so it is enough that it is 0 modulo q; and as that has a
-/// degree of 8 at most in either, that it vanishes where both are numbers from 0 to 8.
-inline bool holds_over_the_integers(const Equation& equation) {
+/// Whether the equations hold over the integers: if their coefficients are small, they are
+/// polynomials in the tangents with coefficients below q. So it is enough that these are 0 modulo
+/// q; and as they have at most twice the degree in each tangent, that they vanish where all are
+/// numbers from 0 to that.
+inline bool hold_over_the_integers(const Pairs& some, const std::vector<Equation>& equations) {
     const auto is_small = [](Residue a) {
         return a == Residue{} || a == Residue{1} || a == -Residue{1} || a == Residue{2} ||
                a == -Residue{2};
     };
-    if (!std::ranges::all_of(equation.coefficients, is_small)) return false;
-    for (std::uint64_t s = 0; s <= 8; ++s)
-        for (std::uint64_t t = 0; t <= 8; ++t)
-            if (equation.at(point_with(Residue{s}, Residue{t})) != Residue{}) return false;
+    std::size_t degree = 0;
+    for (const Equation& equation : equations) {
+        if (!std::ranges::all_of(equation.coefficients, is_small)) return false;
+        degree = std::max(degree, equation.monomials.front().size());
+    }
+    const Residue end = Residue::of(2 * degree + 1);
+    ResidueRow tangents(views_of(some) - 1);
+    for (std::size_t place = 0; place < tangents.size();) {
+        const ResidueRow point = point_with(some, tangents);
+        for (const Equation& equation : equations)
+            if (equation.at(point) != Residue{}) return false;
+        for (place = 0; place < tangents.size(); ++place) { // count on, from the first place
+            tangents[place] = tangents[place] + Residue{1};
+            if (tangents[place] != end) break;
+            tangents[place] = {};
+        }
+    }
     return true;
 }
 
