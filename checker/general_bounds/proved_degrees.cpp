@@ -49,6 +49,7 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "2*Pa + a", 59, "X"},
     {3, "2*P + Pa", 51, "X"},
     {3, "2*P + 2*a", 42, "X"},
+    {4, "3*P", 235, "X"},
     // proofs/one_focal_length.md
     {3, "P + Pabcdef", 48, "O"},
     {5, "3*PL + a", 256, "O"},

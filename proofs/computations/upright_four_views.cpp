@@ -1,6 +1,7 @@
 // What Theorem X needs computed for three points in four views (proofs/upright_focal_depths.md,
 // section 6): how many dimensions of a space of forms of degree 9 the equations leave, and where
-// they vanish at the boundary. Modulo q = 2^61 - 1. From the folder that holds checker/ and proofs/:
+// they vanish at the boundary. Modulo q = 2^61 - 1. From the folder that holds checker/ and
+// proofs/:
 //
 //   c++ -std=c++20 -O2 -I. proofs/computations/upright_four_views.cpp -lgmp -o upright_four_views
 //
@@ -21,7 +22,7 @@ using namespace proofs;
 constexpr std::size_t views = 4, degree = 4;
 constexpr std::size_t columns = 2 * views; // x_v, y_v are those with the numbers 2 v and 2 v + 1
 constexpr std::size_t first_height = views, unknowns = views + 2; // m_1, ..., m_4, h_Q, h_R
-constexpr std::size_t dimensions = 1330; // of the space of forms
+constexpr std::size_t dimensions = 1330;                          // of the space of forms
 
 const Pairs pairs_of_four{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
@@ -136,7 +137,7 @@ ResidueMatrix multiples_of(const std::vector<Equation>& cubics, const Places& pl
     return rows;
 }
 
-/// Multiples of the equation (9) of two views v and w: by Lambda_v, Lambda_w and a height.
+/// Multiples of the equation (8) of two views v and w: by Lambda_v, Lambda_w and a height.
 ResidueMatrix multiples_of_pairs(const Places& places, Residues& random) {
     constexpr std::size_t multiples = 10; // for each height
     ResidueMatrix rows;
@@ -198,7 +199,6 @@ int main() {
         for (std::size_t k = 0; k < dimensions; ++k)
             row[k] = row[k] * product(form, places[k].coordinates);
     }
-    report(rank_of(reduced.rows) == dimensions,
-           "with the multiples of a linear form none is left");
+    report(rank_of(reduced.rows) == dimensions, "with the multiples of a linear form none is left");
     return report.status();
 }

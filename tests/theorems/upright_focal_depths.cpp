@@ -1,9 +1,10 @@
-// Theorem X (proofs/upright_focal_depths.md): three cameras modulo a prime that know the vertical
-// direction see points and lines, and depths and heights meet the relations.
+// Theorem X (proofs/upright_focal_depths.md): three or four cameras modulo a prime that know the
+// vertical direction see points and lines, and depths and heights meet the relations.
 #include "tests/theorems/upright_view.h"
 
 #include <array>
 #include <doctest/doctest.h>
+#include <vector>
 
 using namespace checker;
 using namespace residue_vectors;
@@ -40,14 +41,31 @@ struct Station {
 };
 
 struct Scene {
-    explicit Scene(Residues& random)
-        : stations{Station(random), Station(random), Station(random)} {}
+    Scene(std::size_t views, Residues& random) {
+        for (std::size_t v = 0; v < views; ++v)
+            stations.emplace_back(random);
+    }
 
-    std::array<Station, 3> stations;
+    std::vector<Station> stations;
 
     const Pair& column(std::size_t i) const {
         const Station& station = stations[i / 2];
         return i % 2 == 0 ? station.x : station.y;
+    }
+
+    std::size_t columns() const { return 2 * stations.size(); }
+
+    /// e_a of a point for all columns, by its images, depths and this height.
+    std::vector<Residue> products(const Vector& point, Residue height, Residues& random) const {
+        std::vector<Residue> e;
+        for (const Station& station : stations) {
+            const Vector q = times(random.next(), station.image(point)); // up to a factor
+            for (const std::size_t entry : {0U, 2U})
+                e.push_back(station.depth * (station.view.q[1] * q[1].inverse() * q[entry] -
+                                             station.view.q[entry]) +
+                            height * q[entry] * q[1].inverse());
+        }
+        return e;
     }
 };
 
@@ -55,19 +73,11 @@ struct Scene {
 
 TEST_CASE("heights and depths of a point meet the relations of Theorem X") {
     Residues random(1);
-    const Scene scene(random);
+    const Scene scene(3, random);
     const Vector point = random_vector(random);
     for (const bool true_height : {true, false}) {
         const Residue h = true_height ? point[1] : random.next();
-        std::array<Residue, 6> e;
-        for (std::size_t i = 0; i < e.size(); ++i) {
-            const Station& station = scene.stations[i / 2];
-            const Vector q = times(random.next(), station.image(point)); // up to a factor
-            const std::size_t entry = i % 2 == 0 ? 0 : 2;
-            e[i] = station.depth *
-                       (station.view.q[1] * q[1].inverse() * q[entry] - station.view.q[entry]) +
-                   h * q[entry] * q[1].inverse();
-        }
+        const std::vector<Residue> e = scene.products(point, h, random);
         for (std::size_t a = 0; a < e.size(); ++a)
             for (std::size_t b = a + 1; b < e.size(); ++b)
                 for (std::size_t c = b + 1; c < e.size(); ++c) {
@@ -81,9 +91,36 @@ TEST_CASE("heights and depths of a point meet the relations of Theorem X") {
     }
 }
 
+TEST_CASE("depths and heights of two points tell the columns of four cameras") {
+    Residues random(3);
+    const Scene scene(4, random);
+    const Vector q = random_vector(random), r = random_vector(random);
+    const Residue determinant = q[0] * r[2] - q[2] * r[0];
+    for (const bool true_height : {true, false}) {
+        const std::vector<Residue> first = scene.products(q, q[1], random);
+        const std::vector<Residue> second =
+            scene.products(r, true_height ? r[1] : random.next(), random);
+        const auto form = [&](std::size_t a, std::size_t b) {
+            return first[a] * second[b] - first[b] * second[a];
+        };
+        for (std::size_t a = 0; a < scene.columns(); ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                CHECK((form(a, b) == determinant * bracket(scene.column(a), scene.column(b))) ==
+                      true_height); // (7)
+        for (std::size_t x = 0; x < scene.columns(); x += 2)
+            for (std::size_t other_x = 0; other_x < x; other_x += 2) {
+                const std::size_t y = x + 1, other_y = other_x + 1;
+                const Residue term = form(x, y) * form(x, other_y);
+                CHECK((term + form(other_x, other_y) * form(y, other_x) == Residue{}) ==
+                      true_height); // (8)
+                CHECK(term != Residue{});
+            }
+    }
+}
+
 TEST_CASE("directions and distances of a line meet the relations of Theorem X") {
     Residues random(2);
-    const Scene scene(random);
+    const Scene scene(3, random);
     const Vector a = random_vector(random), b = random_vector(random);
     std::array<Vector, 3> l;
     std::array<Pair, 3> c;

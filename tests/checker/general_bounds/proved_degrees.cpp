@@ -47,7 +47,7 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
                                                           {"O", 5},
                                                           {"R", 6},
                                                           {"V", 8},
-                                                          {"X", 5},
+                                                          {"X", 6},
                                                           {"Y", 3},
                                                           {"Z", 3}});
 }
@@ -70,6 +70,8 @@ TEST_CASE("other views and other cameras have no row") {
     CHECK(bound_of("upright-focal: Pabcd/Pabcd/Pabcd + P/P/P") == 22U);
     CHECK(bound_of("upright-focal: Pa/Pa/Pa + Pabc/Pabc/Pabc") == 52U);
     CHECK(bound_of("upright-focal: Pa/Pa/Pa + 3*a/a/a") == 60U);
+    CHECK(bound_of("upright-focal: 3*P/P/P/P") == 235U);
+    CHECK(bound_of("upright-focal: 3*P/P/P") == std::nullopt);
     CHECK(bound_of("upright-focal: Pa/Pa/Pa/Pa + 2*a/a/a/a") == std::nullopt);
     CHECK(bound_of("shared-focal: 5*P/P") == std::nullopt);
     CHECK(bound_of("focal: Pabcdef/Pabcdef/Pabcdef + Pab/Pab/Pab") == 108U);
