@@ -66,8 +66,8 @@ struct DegreesRequest {
     unsigned threads = 0; ///< 0: what is useful
     std::vector<ClassFilter> classes;
     std::string family;
-    bool uncounted = false; ///< of the family, only problems whose degree is not on file
-    int most_views = 0;     ///< of the family, only problems in at most so many views; 0: all
+    bool uncounted = false;     ///< of the family, only problems whose degree is not on file
+    std::optional<Range> views; ///< of the family, only problems in so many views
 };
 
 struct CollectRequest {
@@ -236,14 +236,14 @@ std::vector<std::size_t> wanted(const DegreesRequest& request, const SweepSubjec
     std::vector<std::size_t> numbers;
     for (const SweepItem& item : subject.items) {
         const bool is_counted = request.uncounted && item.degree > 0;
-        const bool has_many_views =
-            request.most_views > 0 && parse_problem(item.problem).views > request.most_views;
-        if (!is_counted && !has_many_views) numbers.push_back(item.number);
+        const bool has_views =
+            !request.views || request.views->contains(parse_problem(item.problem).views);
+        if (!is_counted && has_views) numbers.push_back(item.number);
     }
     if (numbers.empty())
         throw BadInput("no problem of " + request.family + " is left: all have " +
                        (request.uncounted ? "a degree on file; leave --uncounted out"
-                                          : "more views; give another number to --views"));
+                                          : "other numbers of views; change --views"));
     return numbers;
 }
 
@@ -355,12 +355,8 @@ Command add_degrees_command(CLI::App& program, ComputeDegree compute) {
         ->add_flag("--uncounted", request->uncounted,
                    "of the family, only those whose number of solutions is not on file")
         ->needs(family);
-    command
-        ->add_option("--views", request->most_views,
-                     "of the family, only those in at most so many views: paths take longer where "
-                     "there are more")
-        ->type_name("N")
-        ->check(CLI::Range(2, most_views))
+    add_range_option(*command, "--views", request->views,
+                     "of the family, only those in so many views")
         ->needs(family);
     command->footer(degrees_examples);
     return {command,

@@ -78,9 +78,9 @@ const std::map<std::string, ObstructionFilter> obstructions{
 
 /// Adds an option whose text `parse` turns into a value, or into nothing where it is malformed.
 template <class Value, class Parse>
-void add_parsed(CLI::App& command, const char* name, std::optional<Value>& value, Parse parse,
-                const std::string& shape, const char* help) {
-    command
+CLI::Option* add_parsed(CLI::App& command, const char* name, std::optional<Value>& value,
+                        Parse parse, const std::string& shape, const char* help) {
+    return command
         .add_option_function<std::string>(
             name,
             [&value, parse, name, shape](const std::string& text) {
@@ -150,12 +150,17 @@ void add_numbers(std::vector<Range>& numbers, const std::string& text) {
 
 } // namespace
 
+CLI::Option* add_range_option(CLI::App& command, const char* name, std::optional<Range>& range,
+                              const char* help) {
+    return add_parsed(command, name, range, parse_range, "N or N..M", help);
+}
+
 void add_filters(CLI::App& command, Filter& filter) {
     for (const Flag& flag : flags)
         command.add_flag(flag.name, filter.*flag.member, flag.help);
     command.get_option("--not-minimal")->excludes("--minimal")->excludes("--terminal");
     for (const RangeOption& range : ranges)
-        add_parsed(command, range.name, filter.*range.member, parse_range, "N or N..M", range.help);
+        add_range_option(command, range.name, filter.*range.member, range.help);
     for (const ViewsOption& views : view_options)
         add_parsed(command, views.name, filter.*views.member, parse_views, "A,B,C", views.help);
     for (const PartOption& part : part_options)

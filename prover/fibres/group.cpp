@@ -108,10 +108,15 @@ GroupSearch find_group(std::size_t number, int degree, const GroupOptions& optio
 
 GroupSearch find_group(const Problem& problem, int degree, const GroupOptions& options) {
     const auto scenes = find_scenes(problem, degree, options.seed);
-    if (!scenes) return {degree, {}, {}, {}};
-    return search_group(degree, options, [&](std::uint64_t seed, const auto& progress) {
-        return recorded(find_scene_fibre(*scenes, seed, progress));
-    });
+    GroupSearch search{degree, {}, {}, {}};
+    if (!scenes) return search;
+    for (const int largest_coordinate : {3, 20}) { // the first ones do for most problems
+        search = search_group(degree, options, [&](std::uint64_t seed, const auto& progress) {
+            return recorded(find_scene_fibre(*scenes, seed, largest_coordinate, progress));
+        });
+        if (!search.cycle_types.empty()) break;
+    }
+    return search;
 }
 
 } // namespace plprove

@@ -34,9 +34,8 @@ std::optional<many_views::MonodromyResult> find_scenes(const Problem& problem, i
 }
 
 std::optional<SceneFibre> find_scene_fibre(const many_views::MonodromyResult& scenes,
-                                           std::uint64_t seed,
+                                           std::uint64_t seed, int largest_coordinate,
                                            const std::function<void(long)>& progress) {
-    constexpr int largest_coordinate = 3; // coefficients of the solutions are short then
     const int degree = static_cast<int>(std::ssize(scenes.points));
     const many_views::SolutionsRecord record =
         many_views::certify(scenes, degree, seed, all_threads(), largest_coordinate);

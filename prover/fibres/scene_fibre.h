@@ -27,11 +27,12 @@ struct SceneFibre {
 std::optional<many_views::MonodromyResult> find_scenes(const Problem& problem, int degree,
                                                        std::uint64_t seed);
 
-/// The fibre over random images with small coordinates, from all solutions for others. Another
-/// seed, other images. Nothing where a step fails; another seed may do then. `progress` is told how
-/// many bits the solutions have.
+/// The fibre over random images with integer coordinates up to `largest_coordinate`, from all
+/// solutions for others. Another seed, other images. Nothing where a step fails; another seed may
+/// do then, or larger coordinates: paths end near singular solutions if they are small, but the
+/// solutions have short coefficients. `progress` is told how many bits the solutions have.
 std::optional<SceneFibre> find_scene_fibre(const many_views::MonodromyResult& scenes,
-                                           std::uint64_t seed,
+                                           std::uint64_t seed, int largest_coordinate,
                                            const std::function<void(long)>& progress);
 
 /// The record of the fibre, without the first line of the file. Throws FormatLimit if the format

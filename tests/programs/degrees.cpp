@@ -275,6 +275,15 @@ TEST_CASE("a sweep over a family keeps to it") {
     const Outcome two_views =
         run(shell({"degrees", "--family", "upright", "--views", "2", "--exact", "-o", path}));
     CHECK(contains(two_views.out, "computed      2 problems in "));
+    for (const char* none : {"5..", "..1"}) {
+        const Outcome outcome =
+            run(shell({"degrees", "--family", "upright", "--views", none, "-o", path}));
+        CHECK(outcome.status == 2);
+        CHECK(contains(outcome.err,
+                       "no problem of upright is left: all have other numbers of views"));
+    }
+    CHECK(run(shell({"degrees", "--family", "upright", "--views", "3..2", "-o", path})).status ==
+          3);
     for (const Arguments& other : {Arguments{"--classes", "2394"}, Arguments{"--fibres"}}) {
         Arguments arguments{"degrees", "--family", "upright", "-o", path};
         arguments.insert(arguments.end(), other.begin(), other.end());

@@ -104,7 +104,7 @@ Example example(const std::string& text, int degree) {
     const auto scenes = find_scenes(parse_problem(text), degree, 1);
     REQUIRE(scenes);
     for (std::uint64_t seed = 0; seed < 3; ++seed)
-        if (auto fibre = find_scene_fibre(*scenes, seed, [](long) {}))
+        if (auto fibre = find_scene_fibre(*scenes, seed, 3, [](long) {}))
             return Example(std::move(*fibre));
     throw std::runtime_error("no fibre was found");
 }
