@@ -32,7 +32,7 @@ inline std::size_t views_of(const Pairs& some) {
 /// the others. Each coordinate is a polynomial of degree 2 in each tangent.
 inline ResidueRow point_with(const Pairs& some, const ResidueRow& tangents) {
     const Residue one{1};
-    ResidueRow sine{{}}, cosine{one}, unit{one}; // times the unit
+    ResidueRow sine{Residue{}}, cosine{one}, unit{one}; // times the unit
     for (const Residue t : tangents) {
         sine.push_back(t + t);
         cosine.push_back(one - t * t);

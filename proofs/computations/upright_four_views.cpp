@@ -25,6 +25,7 @@ constexpr std::size_t first_height = views, unknowns = views + 2; // m_1, ..., m
 constexpr std::size_t dimensions = 1330;                          // of the space of forms
 
 const Pairs pairs_of_four{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+constexpr std::size_t brackets = 6 * coordinates_of_pair; // [a, b] of different views
 
 using Images = std::array<ResidueRow, views>; // of a point
 
@@ -37,8 +38,8 @@ public:
                 image = random.row(3);
     }
 
-    /// The depths and heights of points of space whose images in view t alone are arbitrary: where
-    /// a line joins that of view t and the point with this number (O, Q, R).
+    /// Depths and heights on a line of section 6, through the unit vector of m_t and a point of
+    /// Lemma 3: that of O, Q or R, by its number.
     ResidueRow on_line(std::size_t t, std::size_t point) const {
         ResidueRow at(unknowns);
         if (point == 0) {
@@ -77,7 +78,7 @@ public:
         const auto [q, r] = scene.products_at(unknown);
         for (std::size_t a = 0; a < columns; ++a)
             for (std::size_t b = 0; b < columns; ++b)
-                brackets_.push_back(q[a] * r[b] - q[b] * r[a]);
+                all_brackets_.push_back(q[a] * r[b] - q[b] * r[a]);
         for (const auto& [v, w] : pairs_of_four)
             for (std::size_t i = 0; i < coordinates_of_pair; ++i) {
                 const Residue value = bracket(2 * v + i / 2, 2 * w + i % 2);
@@ -88,10 +89,10 @@ public:
     ResidueRow unknown{};
     ResidueRow coordinates{}; // those of the variety
 
-    Residue bracket(std::size_t a, std::size_t b) const { return brackets_[columns * a + b]; }
+    Residue bracket(std::size_t a, std::size_t b) const { return all_brackets_[columns * a + b]; }
 
 private:
-    ResidueRow brackets_;
+    ResidueRow all_brackets_;
 };
 
 using Places = std::vector<Place>;
@@ -104,7 +105,7 @@ bool is_without(std::size_t coordinate, std::size_t view) {
 /// Values at places, times those of a random linear form: of Lambda_v if there is a view v.
 void multiply(ResidueRow& values, const Places& places, Residues& random,
               std::size_t without_view = views) {
-    ResidueRow form = random.row(coordinates_of_pair * pairs_of_four.size());
+    ResidueRow form = random.row(brackets);
     for (std::size_t i = 0; without_view < views && i < form.size(); ++i)
         if (!is_without(i, without_view)) form[i] = {};
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -192,7 +193,7 @@ int main() {
     report(left == 247, "3*P in four views: " + std::to_string(left) + " of " +
                             std::to_string(dimensions) + " dimensions are left");
 
-    const ResidueRow form = random.row(coordinates_of_pair * pairs_of_four.size());
+    const ResidueRow form = random.row(brackets);
     for (std::size_t i = 0; i < 2 * left + unknowns; ++i) {
         ResidueRow& row = reduced.rows.emplace_back(dimensions, Residue{1});
         multiply_with_unknown(row, degree - 1, i % unknowns, places, random);

@@ -7,6 +7,7 @@
 #include "prover/problem/notation.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <doctest/doctest.h>
 
 using namespace plprove;
@@ -117,6 +118,21 @@ void check_form(const Example& example, int degree) {
 }
 
 } // namespace
+
+TEST_CASE("images of a fibre have coordinates as large as it may use") {
+    const auto scenes = find_scenes(parse_problem("projective: 7*P/P"), 3, 1);
+    REQUIRE(scenes);
+    for (const int most : {3, 20}) {
+        const auto fibre = find_scene_fibre(*scenes, 0, most, [](long) {});
+        REQUIRE(fibre);
+        int largest = 0;
+        for (const auto& view : fibre->views)
+            for (const int coordinate : view)
+                largest = std::max(largest, std::abs(coordinate));
+        CHECK(largest <= most);
+        CHECK(largest > most / 2);
+    }
+}
 
 TEST_CASE("solutions of seven points in two projective views") {
     const Example fibre = example("projective: 7*P/P", 3);
