@@ -71,6 +71,8 @@ static constexpr ProvedRow proved_rows[] = {
     {3, "3*PL + 3*a", 42, "Z"},
     {3, "2*PL + PLab + 2*a", 140, "Z"},
     {3, "PL + 2*PLa + 2*a", 140, "Z"},
+    {3, "3*PL + Pa + a", 98, "Z"},
+    {3, "2*PL + PLa + Pab", 128, "Z"},
     // proofs/three_collinear_points.md
     {3, "PL + PLabcd + PLabcdef", 4, "L"},
     {3, "PL + 2*PLabcde", 4, "L"},

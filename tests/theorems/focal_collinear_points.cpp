@@ -130,6 +130,48 @@ TEST_CASE(
         CHECK(determinant(pins[0][pin], pins[1][pin], pins[2][pin]) == Residue{});
 }
 
+TEST_CASE("a point outside of the line, and lines through it, meet the equations of Theorem Z") {
+    Residues random(3);
+    const Vector point = random_vector(random), place = random_vector(random);
+    const Residue kappa = random.next();
+    const Vector end = random_vector(random);
+    // R is P + phi_1 (Q - P) + phi_2 iota + phi_3 iota', with these for the first two axes.
+    const Vector from_p = minus(place, point);
+    std::array<std::array<Vector, 2>, 3> lines; // through r
+    std::array<Vector, 3> pin;
+    std::array<Seen, 3> seen;
+    for (std::size_t v = 0; v < 3; ++v) {
+        const View view(random);
+        seen[v] = seen_by(view, point, kappa, random.next());
+        const Vector r = times(random.next(), view.point(place));
+        for (Vector& line : lines[v])
+            line = cross(r, random_vector(random));
+        pin[v] = times(random.next(), view.line(place, end));
+    }
+    // Elements of the space C belong to lines of different views, as in (6).
+    for (std::size_t choice = 0; choice < 8; ++choice)
+        for (const bool right : {true, false}) {
+            const Residue x = right ? from_p[0] : random.next(), y = from_p[1];
+            Vector first, second, third;
+            for (std::size_t v = 0; v < 3; ++v) {
+                const Vector& line = lines[v][choice >> v & 1];
+                first[v] = dot(line, seen[v].p);
+                second[v] = dot(line, seen[v].q);
+                third[v] = dot(line, plus(times(x, seen[v].a), times(y, seen[v].b)));
+            }
+            CHECK((determinant(first, second, third) == Residue{}) == right); // (14)
+        }
+    Vector first, second, at_a, at_b;
+    for (std::size_t v = 0; v < 3; ++v) {
+        first[v] = dot(pin[v], seen[v].p);
+        second[v] = dot(pin[v], seen[v].q);
+        at_a[v] = dot(pin[v], seen[v].a);
+        at_b[v] = dot(pin[v], seen[v].b);
+    }
+    CHECK(determinant(first, second, at_a) == Residue{});
+    CHECK(determinant(first, second, at_b) == Residue{});
+}
+
 TEST_CASE("near the curve of no solutions lines and pins vanish as Theorem Z says") {
     Residues random(2);
     Series at_a, at_b; // L and its twin
@@ -254,4 +296,15 @@ TEST_CASE("intersection numbers: 42 solutions with three lines, 140 with two lin
     };
     CHECK(off_curve(120, 3, 0) == 2 * 42);
     CHECK(off_curve(two_pins, 2, 2) - 4 == 2 * 140);
+}
+
+TEST_CASE("intersection numbers: 98 and 128 solutions with a point outside of the line") {
+    // The integral of (T - Z)^i (T' - 2 Z)^j.
+    const auto off_curve = [](long i, long j) {
+        const auto power = [](long exponent) { return 1L << exponent; };
+        return over_x(i, j) - i * power(j) - j * power(j - 1);
+    };
+    const long squares = off_curve(4, 2) + off_curve(2, 4), mixed = off_curve(3, 3);
+    CHECK(squares + mixed - 4 == 2 * 98);
+    CHECK(squares + 2 * mixed - 4 - 24 == 2 * 128);
 }

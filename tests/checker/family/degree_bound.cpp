@@ -273,5 +273,5 @@ TEST_CASE(
     }
     CHECK(ones == 75);
     CHECK(certified == 151);
-    CHECK(all_certified == 327);
+    CHECK(all_certified == 329);
 }

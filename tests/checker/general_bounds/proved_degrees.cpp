@@ -49,7 +49,7 @@ TEST_CASE("each row of a theorem has the degree that monodromy found") {
                                                           {"V", 8},
                                                           {"X", 6},
                                                           {"Y", 3},
-                                                          {"Z", 3}});
+                                                          {"Z", 5}});
 }
 
 TEST_CASE("a row is found in whatever order its problem is written") {
@@ -77,6 +77,8 @@ TEST_CASE("other views and other cameras have no row") {
     CHECK(bound_of("focal: Pabcdef/Pabcdef/Pabcdef + Pab/Pab/Pab") == 108U);
     CHECK(bound_of("shared-focal: Pab/Pab/Pab + Pabcdef/Pabcdef/Pabcdef") == std::nullopt);
     CHECK(bound_of("focal: 2*a/a/a + PL/PL/PL + 2*PLa/PLa/PLa") == 140U);
+    CHECK(bound_of("focal: Pa/Pa/Pa + a/a/a + 3*PL/PL/PL") == 98U);
+    CHECK(bound_of("focal: 2*PL/PL/PL + PLa/PLa/PLa + P/P/P + a/a/a") == std::nullopt);
     CHECK(bound_of("focal: 3*PL/PL/PL/PL + 2*a/a/a/a") == std::nullopt);
     CHECK(bound_of("focal: PLM/PLM/PLM + PLa/PLa/PLa + PL/PL/PL + 2*PM/PM/PM") == 66U);
     CHECK(bound_of("PLM/PLM/PLM + PLa/PLa/PLa + PL/PL/PL + 2*PM/PM/PM") == std::nullopt);
