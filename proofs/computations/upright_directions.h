@@ -130,8 +130,7 @@ std::vector<Equation> equations_of(const Pairs& some, std::size_t degree, Allowe
 /// numbers from 0 to that.
 inline bool hold_over_the_integers(const Pairs& some, const std::vector<Equation>& equations) {
     const auto is_small = [](Residue a) {
-        return a == Residue{} || a == Residue{1} || a == -Residue{1} || a == Residue{2} ||
-               a == -Residue{2};
+        return a == Residue{1} || a == -Residue{1} || a == Residue{2} || a == -Residue{2};
     };
     std::size_t degree = 0;
     for (const Equation& equation : equations) {
